@@ -1,0 +1,234 @@
+"""Newton's cradle: what the conservation laws fix, what they leave open, and what the contact decides."""
+
+from corollary.derive.author import code, derivation, example, explain, mistake, plot, simulated, step, unknown, unknowns, vector
+from corollary.derive.programs import cradle_inputs, judge_contact, judge_cradle, judge_velocity_plot
+from corollary.law import (
+    conservation_of_momentum,
+    elastic,
+    falling,
+    half_oscillation,
+    law,
+    reduced_mass,
+    restitution,
+    same,
+    spring_at_rest,
+    sticking,
+)
+
+
+def derive(m, h0, r, k, v0, g):
+    u_0, V, h_1, h_in, mu, T, x = unknowns("u_0 V h_1 h_in mu T x")
+    v, w = vector("v", "A B"), vector("w", "A B")
+    f, s, e, n = vector("f", "A B C"), vector("s", "A B C"), vector("e", "A B C"), vector("n", "A B C")
+    return derivation(
+        step(
+            u_0, "On its way down only gravity does work on the ball; the thread pulls at right angles to the motion.",
+            falling(u_0, g, h0), answers="a", where=u_0 >= 0,
+            mistakes=[
+                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h0, v=u_0)),
+                mistake("Energy goes with the square of the speed: $2gh$ is $v^2$, so the speed is $\\sqrt{2gh}$ and not $\\sqrt{gh/2}$.",
+                        law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h0, v=u_0)),
+            ],
+            check="A lift of h₀ gives the speed of a fall through h₀; the length of the thread does not matter.",
+        ),
+        step(
+            v, "Momentum and kinetic energy are both kept; the masses are equal.",
+            conservation_of_momentum(before=[(m, u_0), (m, 0)], after=[(m, v[0]), (m, v[1])]),
+            elastic(before=[(m, u_0), (m, 0)], after=[(m, v[0]), (m, v[1])]), answers="b",
+            where=v[1] >= v[0],
+            mistakes=[
+                mistake("You let them move on together: that is a perfectly inelastic collision. An elastic one keeps the kinetic energy.",
+                        law("Perfectly inelastic", "v_A = v_B", v_A=v[0], v_B=v[1]), instead="Conservation of mechanical energy"),
+                mistake("That is the motion as if they had never met: A cannot pass through B.",
+                        law("No collision", "v_A = u", v_A=v[0], u=u_0), instead="Conservation of mechanical energy"),
+            ],
+            check="Equal masses exchange their velocities.",
+        ),
+        step(
+            h_1, "On its way up only gravity works on B.",
+            falling(v[1], g, h_1), answers="c",
+            mistakes=[
+                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=v[1])),
+                mistake("The energy of A is not shared between the balls: A stays behind at rest.", law("Conservation of mechanical energy", "g*h = v^2/4", g=g, h=h_1, v=v[1])),
+            ],
+            check="B rises as high as A was lifted: nothing is lost.",
+        ),
+        step(
+            V, "They stick: momentum is kept, kinetic energy is not.",
+            sticking(before=[(m, u_0), (m, 0)], together=V),
+            mistakes=[
+                mistake("Kinetic energy is not kept when things stick together; momentum is.",
+                        law("Conservation of momentum", "V = u/sqrt(2)", V=V, u=u_0)),
+            ],
+        ),
+        step(
+            h_in, "Both rise with this common velocity; the mass does not matter.",
+            falling(V, g, h_in), answers="d",
+            mistakes=[
+                mistake("Half the speed is a quarter of the height, not half of it: the height goes with the square of the speed.",
+                        law("Conservation of mechanical energy", "h = h_0*V/u", h=h_in, h_0=h0, V=V, u=u_0)),
+                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_in, v=V)),
+            ],
+            check="Half of the kinetic energy is lost, and what is left lifts twice the mass.",
+        ),
+        step(
+            w, "Momentum is kept; the relative velocity is turned round and shrinks by r.",
+            conservation_of_momentum(before=[(m, u_0), (m, 0)], after=[(m, w[0]), (m, w[1])]),
+            restitution(r, A=(u_0, w[0]), B=(0, w[1])), answers="e",
+            mistakes=[
+                mistake("The coefficient of restitution compares *relative* velocities, not the speeds of A before and B after.",
+                        law("Coefficient of restitution", "v_B1 = r*v_A0", v_B1=w[1], v_A0=u_0, r=r)),
+                mistake("You let A run ahead of B: after the collision B must be the faster one.",
+                        law("Coefficient of restitution", "v_A1 - v_B1 = r*v_A0", v_A1=w[0], v_B1=w[1], v_A0=u_0, r=r)),
+            ],
+            check="r = 1 gives part (b), r = 0 the common velocity of part (d).",
+        ),
+        step(
+            f, "A and B are equal masses in an elastic collision; C has not been touched.",
+            conservation_of_momentum(before=[(m, v0), (m, 0)], after=[(m, f[0]), (m, f[1])]),
+            elastic(before=[(m, v0), (m, 0)], after=[(m, f[0]), (m, f[1])]),
+            law("Newton's first law", "v_C = 0", v_C=f[2], holds="nothing has touched C"), answers="f1",
+            where=f[1] >= f[0],
+            mistakes=[
+                mistake("The collision is elastic: A and B do not move on together.",
+                        law("Perfectly inelastic", "v_A = v_B", v_A=f[0], v_B=f[1]), instead="Conservation of mechanical energy"),
+                mistake("Momentum is not shared by all three at once: there is a gap, and C has not been touched yet.",
+                        law("All together", "v_C = v_0/3", v_C=f[2], v_0=v0), instead="Newton's first law"),
+            ],
+            check="A stops; B carries on.",
+        ),
+        step(
+            s, "Now B meets C, again equal masses in an elastic collision; A is not touched.",
+            conservation_of_momentum(before=[(m, f[1]), (m, 0)], after=[(m, s[1]), (m, s[2])]),
+            elastic(before=[(m, f[1]), (m, 0)], after=[(m, s[1]), (m, s[2])]),
+            same(s[0], f[0], "A is not touched any more"), answers="f2", where=s[2] >= s[1],
+            mistakes=[
+                mistake("The collision is elastic: B and C do not move on together.",
+                        law("Perfectly inelastic", "v_B = v_C", v_B=s[1], v_C=s[2]), instead="Conservation of mechanical energy"),
+                mistake("B meets C and hands on its velocity; it does not pass through it.",
+                        law("No collision", "v_B = f", v_B=s[1], f=f[1]), instead="Conservation of mechanical energy"),
+            ],
+            check="One ball in, one ball out.",
+        ),
+        example(
+            "g", n, "Momentum and kinetic energy are two equations for three unknown velocities; one stays free.",
+            conservation_of_momentum(before=[(m, v0), (m, 0), (m, 0)], after=[(m, n[0]), (m, n[1]), (m, n[2])]),
+            elastic(before=[(m, v0), (m, 0), (m, 0)], after=[(m, n[0]), (m, n[1]), (m, n[2])]),
+            apart=[((0, 0, v0), "that is the set the question excludes: only C moves"), ((v0, 0, 0), "that is the set the question excludes: nothing happened")],
+            free=1, scale=v0,
+        ),
+        step(mu, "Two balls that push each other apart move against each other like one ball of the reduced mass.", reduced_mass(mu, m, m)),
+        step(
+            T, "With q = 1 the overlap swings like a mass on a spring: from zero to zero is half a period.",
+            half_oscillation(T, mu, k), answers="h1",
+            mistakes=[
+                mistake("Both balls move: the mass that swings is the reduced mass, m/2.", half_oscillation(T, m, k)),
+                mistake("That is a whole period; the balls part after half of one.", law("Half a period", "T = 2*pi*sqrt(m/k)", T=T, m=mu, k=k)),
+                mistake("That is a quarter of a period, up to the largest overlap; they still have to part.", law("Half a period", "T = pi/2*sqrt(m/k)", T=T, m=mu, k=k)),
+            ],
+            check="It does not depend on the speed: for q = 1, fast and slow balls touch equally long.",
+        ),
+        step(
+            x, "At the largest overlap the balls do not move against each other: the kinetic energy of their relative motion sits in the contact.",
+            spring_at_rest(m=mu, v=v0, k=k, x=x), answers="h2", where=x * v0 >= 0,
+            mistakes=[
+                mistake("Not all of A's kinetic energy is stored: the pair moves on. Use the reduced mass m/2.", spring_at_rest(m=m, v=v0, k=k, x=x)),
+                mistake("A force balance gives the place of no force, not of rest; use energy.", law("Force", "k*x = m*v/T", k=k, x=x, m=mu, v=v0, T=T)),
+            ],
+            check="Stiffer balls overlap less.",
+        ),
+        code("h", "Newton's second law for each ball, stepped forward: velocities first, then positions with the new velocities.",
+             inputs=cradle_inputs, judge=judge_cradle, example=EXAMPLE),
+        plot("h", "The velocities cross at half the time of contact and end exchanged.",
+             judge=lambda given, axes: judge_velocity_plot(given, axes, balls=2), example=PLOT),
+        simulated(
+            e, "Momentum and energy leave one velocity free; the law of the contact decides. With q = 1 the three balls are masses on springs, and part one after the other.",
+            scene="cradle", settings={"N": 3, "q": 1, "m": m, "k": k, "v0": v0}, observe="velocities", answers="i",
+            mistakes=[
+                mistake("That is what a toy seems to do, and what separate collisions give. Touching balls with q = 1 do something else: run the program.",
+                        *(law("Separate collisions", "v = s", v=e[i], s=s[i]) for i in range(3))),
+                mistake("That is an equal share of the momentum; the balls do not stick together.",
+                        *(law("Together", "v = v_0/3", v=e[i], v_0=v0) for i in range(3))),
+            ],
+            check="A bounces back a little, and B follows C slowly: not what the toy shows.",
+        ),
+        code("j", "The steeper the force (the larger q), the more the contacts come one after the other; k only sets the time.",
+             inputs=lambda given, draw: [{}], judge=judge_contact, example=CONTACT),
+        plot("j", "Three curves: A falls to nearly zero, B rises and falls back to nearly zero, C takes it all.",
+             judge=lambda given, axes: judge_velocity_plot(given, axes, balls=3), example=PLOT_THREE),
+        explain(
+            "k",
+            "Says that momentum and energy are two equations for three (or more) unknown velocities, so they alone cannot decide.",
+            "Says that the law of the contact decides, and that a linear contact (q = 1) sets all the balls in motion.",
+            "Says that real steel balls touch with a steeper law (Hertz, q = 3/2) and tiny gaps, so the collisions come one after the other, each handing on the velocity.",
+            answer="The two conservation laws leave a whole family of outcomes. Which one occurs depends on how the balls push each other. If the force sets in softly (q = 1), all three contacts "
+                   "act at once and every ball moves. The harder it sets in, or if there are small gaps, the more the collisions happen one after the other, and each is an exchange of velocities "
+                   "between equal masses: the ball at the end takes it all.",
+        ),
+    )  # fmt: skip
+
+
+def scene(m, h0, r, k, v0, g):
+    """The contact of two balls, run from Newton's second law."""
+    return [("cradle", {"N": 2, "q": 1, "m": m, "k": k, "v0": v0}, {"duration": "h1", "largest_overlap": "h2"})]
+
+
+EXAMPLE = '''
+def cradle(N, m, k, q, v0, dt):
+    v = np.zeros(N)
+    v[0] = v0
+    shift = np.zeros(N)
+    touched = False
+    for step in range(1_000_000):
+        overlap = np.clip(shift[:-1] - shift[1:], 0, None)
+        force = k * overlap**q
+        if touched and not overlap.any():
+            break
+        touched = touched or bool(overlap.any())
+        a = np.zeros(N)
+        a[:-1] -= force / m
+        a[1:] += force / m
+        v = v + a * dt
+        shift = shift + v * dt
+    return list(v)
+'''
+CONTACT = '''
+def contact():
+    return 1e9, 6.0
+'''
+PLOT = '''
+T = np.pi * np.sqrt({m} / 2 / {k})
+t = np.linspace(0, 1.2 * T, 400)
+half = {v0} / 2
+plt.plot(t, np.where(t < T, half * (1 + np.cos(np.pi * t / T)), 0), label="A")
+plt.plot(t, np.where(t < T, half * (1 - np.cos(np.pi * t / T)), {v0}), label="B")
+plt.xlabel("t [s]")
+plt.ylabel("v [m/s]")
+plt.legend()
+plt.show()
+'''
+PLOT_THREE = '''
+def motion(N, m, k, q, v0, dt, steps):
+    v, shift, out = np.zeros(N), np.zeros(N), []
+    v[0] = v0
+    for step in range(steps):
+        out.append(v)
+        force = k * np.clip(shift[:-1] - shift[1:], 0, None) ** q
+        a = np.zeros(N)
+        a[:-1] -= force / m
+        a[1:] += force / m
+        v = v + a * dt
+        shift = shift + v * dt
+    return np.array(out)
+
+k, q = contact()
+scale = ({m} * {v0} ** 2 / k) ** (1 / (q + 1)) / {v0}
+dt = scale / 100
+data = motion(3, {m}, k, q, {v0}, dt, 800)
+for i, name in enumerate("ABC"):
+    plt.plot(dt * np.arange(len(data)), data[:, i], label=name)
+plt.xlabel("t [s]")
+plt.ylabel("v [m/s]")
+plt.legend()
+plt.show()
+'''

@@ -1,0 +1,109 @@
+"""The marked notebook: the sheet as it was handed out, with the student's answers, what they gave, and what is said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
+
+from corollary.deliver.nbgrader_safe import safe_attachments, safe_markdown, safe_outputs
+from corollary.deliver.verdict_look import look
+from corollary.mark.grade import Marked, PartGrade
+from corollary.problem.problem_set import ProblemSet
+from corollary.sheet.cells import checksum
+from corollary.sheet.found import cells_by_id
+from corollary.sheet.notebook import notebook
+from corollary.sheet.sheet import Sheet, sheet
+from corollary.submission.taken import CellRun
+
+FOLDED_AWAY = "# The code of check() is left out of the marked notebook."
+
+
+def sheet_of(marked: Marked, problem_set: ProblemSet) -> Sheet:
+    """The sheet that was handed out: the same numbers give the same sheet."""
+    return sheet(problem_set, marked.student, (grade.variant for grade in marked.grades))
+
+
+def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: NotebookNode | None) -> NotebookNode:
+    """What formgrader shows and feedback is made from. Cells missing, doubled or altered in the submission do no harm here:
+    the sheet's own cells stand in their places, and what the student added stands, as plain code, below the cell it followed.
+    """
+    nb = notebook(sheet_of(marked, problem_set))
+    answers = cells_by_id(submitted) if submitted is not None else {}
+    runs = {run.id: run for run in marked.runs}
+    verdicts = dict(part_grades(marked))
+    for cell in nb.cells:
+        mark, theirs = cell.metadata["nbgrader"], answers.get(cell.id)
+        if mark["solution"] and theirs is not None:
+            _fill_in(cell, theirs)
+            if (run := runs.get(theirs.get("id", ""))) is not None and cell.cell_type == "code":
+                cell.outputs = safe_outputs(run.outputs)
+        if mark["grade"] and not mark["solution"] and cell.id in verdicts:
+            cell.outputs = [_said(verdicts[cell.id])]
+        if cell.id == "setup":
+            cell.source = FOLDED_AWAY
+            mark["checksum"] = checksum(cell)
+    if submitted is not None:
+        _add_extras(nb, submitted, runs)
+    if marked.trouble:
+        nb.cells.insert(1, new_markdown_cell(f"> **{safe_markdown(marked.trouble)}**", id="trouble"))
+    return nb
+
+
+def part_grades(marked: Marked) -> Iterator[tuple[str, PartGrade]]:
+    """Every part's grade under the name its cell has in the gradebook."""
+    for grade in marked.grades:
+        for part in grade.parts:
+            yield grade.variant.problem.answer_name(part.part), part
+
+
+def answer_sources(nb: NotebookNode, key: str) -> tuple[str, ...]:
+    """What the student wrote for a part, as it stands in a marked notebook: equal when the answer is the same."""
+    ids = (key, f"{key}_answer", f"{key}_plot")
+    return tuple(cell.source for cell in nb.cells if cell.get("id") in ids and cell.metadata["nbgrader"]["solution"])
+
+
+def _fill_in(cell: NotebookNode, theirs: NotebookNode) -> None:
+    """A written cell keeps its checksum, by which nbgrader tells an answer from an empty one."""
+    source = str(theirs.source)
+    if cell.cell_type == "markdown":
+        cell.source = safe_markdown(source)
+        if attachments := safe_attachments(theirs):
+            cell["attachments"] = attachments
+    else:
+        cell.source = source
+
+
+def _add_extras(nb: NotebookNode, submitted: NotebookNode, runs: Mapping[str, CellRun]) -> None:
+    """The cells a student added, each below the cell of the sheet that it followed."""
+    ours = {cell.id for cell in nb.cells}
+    chosen = {id: cell for id, cell in cells_by_id(submitted).items() if id in ours}
+    following: dict[str, list[NotebookNode]] = {}
+    at = "title"
+    for cell in submitted.cells:
+        name = next((name for name, theirs in chosen.items() if theirs is cell), None)
+        if name is not None:
+            at = name
+        elif str(cell.source).strip():
+            following.setdefault(at, []).append(_extra(cell, runs))
+    nb.cells = [each for cell in nb.cells for each in (cell, *following.get(cell.id, ()))]
+    for number, cell in enumerate(nb.cells):
+        if cell.id not in ours:
+            cell["id"] = f"added_{number}"
+
+
+def _extra(cell: NotebookNode, runs: Mapping[str, CellRun]) -> NotebookNode:
+    if cell.cell_type != "code":
+        return new_markdown_cell(safe_markdown(str(cell.source)))
+    run = runs.get(cell.get("id", ""))
+    return new_code_cell(str(cell.source), outputs=safe_outputs(run.outputs) if run is not None else [])
+
+
+def _said(grade: PartGrade) -> NotebookNode:
+    """The verdict as the check cell's output; the feedback stands as a comment at the answer."""
+    earned = f"{grade.points:g} of {grade.out_of:g} point{'' if grade.out_of == 1 else 's'}"
+    words = f"**{look(grade.verdict).phrase}** ({'points will follow' if grade.waits else earned})"
+    if grade.answer:
+        words += f"\n\nYour answer was read as: {safe_markdown(grade.answer)}"
+    return new_output("display_data", data={"text/markdown": words, "text/plain": words.replace("**", "")})

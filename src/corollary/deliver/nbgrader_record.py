@@ -1,0 +1,133 @@
+"""One student's marks in the gradebook, in one transaction, and the marked notebook beside it."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import nbformat
+from nbformat import NotebookNode
+
+from corollary.deliver.course import Course, handed_in, write_atomically
+from corollary.deliver.nbgrader_book import NotRegistered
+from corollary.deliver.nbgrader_notebook import answer_sources, marked_notebook, part_grades
+from corollary.deliver.nbgrader_safe import safe_markdown
+from corollary.mark.grade import Marked, PartGrade
+from corollary.problem.problem_set import ProblemSet
+from corollary.sheet.found import answer_id
+from corollary.sheet.notebook import file_text
+
+if TYPE_CHECKING:
+    from nbgrader.api import Assignment, Gradebook, Grade, SubmittedAssignment, SubmittedNotebook
+
+
+def record_one(course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, submitted: NotebookNode | None) -> None:
+    """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again."""
+    name, student = problem_set.name, marked.student.id
+    now = marked_notebook(marked, problem_set, submitted)
+    before = _read(course.notebook("autograded", student, name))
+    stamp, when = _timestamp(course, name, student)
+    submission = _submission(book, name, marked)
+    submission.timestamp = when
+    for notebook in submission.notebooks:
+        _write_scores(notebook, marked, now, before)
+    book.db.commit()
+    write_atomically(course.notebook("autograded", student, name), file_text(now))
+    for file, content in (("timestamp.txt", stamp), ("submission_secret.txt", _secret(course, name, student))):
+        if content:
+            write_atomically(course.place("autograded", student, name) / file, content)
+
+
+def _submission(book: Gradebook, name: str, marked: Marked) -> SubmittedAssignment:
+    """The student's submission in the gradebook, with a row for every cell. nbgrader's own add_submission would commit it
+    before there are any marks in it."""
+    from nbgrader.api import Comment, Grade, MissingEntry, Student, SubmittedAssignment, SubmittedNotebook
+
+    try:
+        return book.find_submission(name, marked.student.id)
+    except MissingEntry:
+        assignment = _assignment(book, name)
+    student = book.db.merge(Student(id=marked.student.id))
+    with book.db.no_autoflush:
+        submission = SubmittedAssignment(assignment=assignment, student=student)
+        for notebook in assignment.notebooks:
+            theirs = SubmittedNotebook(notebook=notebook, assignment=submission)
+            for cell in notebook.grade_cells:
+                Grade(cell=cell, notebook=theirs)
+            for cell in notebook.solution_cells:
+                Comment(cell=cell, notebook=theirs)
+        book.db.add(submission)
+    return submission
+
+
+def _assignment(book: Gradebook, name: str) -> Assignment:
+    from nbgrader.api import MissingEntry
+
+    try:
+        return book.find_assignment(name)
+    except MissingEntry:
+        raise NotRegistered(f"the gradebook does not know {name}; make it with corollary generate {name}") from None
+
+
+def _write_scores(notebook: SubmittedNotebook, marked: Marked, now: NotebookNode, before: NotebookNode | None) -> None:
+    parts = dict(part_grades(marked))
+    answered = {answer_id(key, part.part): part for key, part in parts.items()}
+    for grade in notebook.grades:
+        part = parts.get(grade.name)
+        grade.auto_score = None if part is None or part.waits else part.points
+        grade.needs_manual_grade = _needs_person(grade, part, now, before)
+    for comment in notebook.comments:
+        part = answered.get(comment.name)
+        comment.auto_comment = safe_markdown(part.feedback) if part is not None and part.feedback else None
+    late = 1 - marked.late_share
+    notebook.late_submission_penalty = late * sum(map(_score, notebook.grades)) if late > 0 else None
+
+
+def _needs_person(grade: Grade, part: PartGrade | None, now: NotebookNode, before: NotebookNode | None) -> bool:
+    """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again."""
+    if grade.manual_score is None:
+        return part is None or part.waits
+    return before is None or answer_sources(now, grade.name) != answer_sources(before, grade.name)
+
+
+def _score(grade: Grade) -> float:
+    given = grade.manual_score if grade.manual_score is not None else grade.auto_score
+    return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)
+
+
+def _read(path: Path) -> NotebookNode | None:
+    try:
+        return nbformat.read(path, as_version=4)
+    except (OSError, ValueError, AttributeError, KeyError):  # no notebook yet, or one that somebody broke: as if there were none
+        return None
+
+
+def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime | None]:
+    """The text of timestamp.txt, and the moment as the gradebook keeps it (UTC, no zone).
+
+    formgrader takes a submission for graded only when the file in `submitted/` says the very moment the gradebook has, and
+    release_feedback fails without one: a file that is missing or says nothing nbgrader understands is written.
+    """
+    from nbgrader.utils import parse_utc
+
+    place = course.place("submitted", student, name)
+    when = handed_in(course, name, student)
+    if when is None:
+        return "", None
+    moment = when.astimezone(UTC).replace(tzinfo=None)
+    try:
+        text = (place / "timestamp.txt").read_text(encoding="utf-8").strip()
+        if parse_utc(text) == moment:
+            return text, moment
+    except (OSError, ValueError, OverflowError):
+        pass
+    text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
+    write_atomically(place / "timestamp.txt", text)
+    return text, moment
+
+
+def _secret(course: Course, name: str, student: str) -> bytes:
+    """What nbgrader's exchange finds the student's feedback by, where it was used."""
+    path = course.place("submitted", student, name) / "submission_secret.txt"
+    return path.read_bytes() if path.is_file() else b""

@@ -1,0 +1,82 @@
+"""What a student wrote, made harmless for a page: text stays readable, pictures stay, nothing runs and nothing is fetched."""
+
+from __future__ import annotations
+
+import re
+from base64 import b64decode, b64encode
+from binascii import Error as NotBase64
+from collections.abc import Iterable, Mapping
+
+from nbformat import NotebookNode
+from nbformat.v4 import new_output
+
+MOST_LETTERS = 20_000
+MOST_PICTURE = 4 << 20
+PICTURES = {"image/png": b"\x89PNG\r\n\x1a\n", "image/jpeg": b"\xff\xd8\xff"}
+
+HTML = re.compile(r"<(?=[A-Za-z/!?])")
+LINK = re.compile(r"\](?=\((?!attachment:)|:)")
+
+
+def safe_markdown(text: str) -> str:
+    """Markdown without HTML and without links; pictures that were pasted in stay. A blank is put where they would begin, so
+    that formulas ($a < b$) and everything else read as before."""
+    return LINK.sub("] ", HTML.sub("< ", _short(text)))
+
+
+def safe_attachments(cell: Mapping[str, object]) -> dict[str, dict[str, str]]:
+    """The pictures pasted into a cell that are pictures."""
+    kept: dict[str, dict[str, str]] = {}
+    attached = cell.get("attachments")
+    for name, kinds in attached.items() if isinstance(attached, Mapping) else ():
+        data = {mime: shown for mime, content in _pairs(kinds) if (shown := _picture(mime, content))}
+        if data:
+            kept[str(name)] = data
+    return kept
+
+
+def safe_outputs(outputs: Iterable[Mapping[str, object]]) -> list[NotebookNode]:
+    """Outputs as text and pictures: no HTML, no scripts, no widgets, nothing of endless length."""
+    return [safe for output in outputs if (safe := _output(output)) is not None]
+
+
+def _output(output: Mapping[str, object]) -> NotebookNode | None:
+    match output.get("output_type"):
+        case "stream":
+            name = "stderr" if output.get("name") == "stderr" else "stdout"
+            return new_output("stream", name=name, text=_short(_text(output.get("text"))))
+        case "error":
+            traceback = output.get("traceback")
+            lines = [_short(str(line)) for line in traceback[:50]] if isinstance(traceback, (list, tuple)) else []
+            return new_output("error", ename=_short(str(output.get("ename"))), evalue=_short(str(output.get("evalue"))), traceback=lines)
+        case "display_data" | "execute_result":
+            data = {mime: shown for mime, content in _pairs(output.get("data")) if (shown := _picture(mime, content))}
+            if "text/plain" in dict(_pairs(output.get("data"))):
+                data["text/plain"] = _short(_text(dict(_pairs(output.get("data")))["text/plain"]))
+            return new_output("display_data", data=data) if data else None
+        case _:
+            return None
+
+
+def _pairs(kinds: object) -> Iterable[tuple[str, object]]:
+    return [(str(mime), content) for mime, content in kinds.items()] if isinstance(kinds, Mapping) else []
+
+
+def _picture(mime: str, content: object) -> str:
+    """The picture in base64, or nothing when it is none: what is put into a page's `src` must be base64 and no more."""
+    if mime not in PICTURES:
+        return ""
+    try:
+        raw = b64decode("".join(_text(content).split()), validate=True)
+    except (NotBase64, ValueError):
+        return ""
+    return b64encode(raw).decode() if raw.startswith(PICTURES[mime]) and len(raw) <= MOST_PICTURE else ""
+
+
+def _text(content: object) -> str:
+    """nbformat keeps a text as one string or as a list of lines."""
+    return "".join(map(str, content)) if isinstance(content, (list, tuple)) else str(content)
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= MOST_LETTERS else text[:MOST_LETTERS] + f"\n[{len(text) - MOST_LETTERS} more letters are left out here]"

@@ -1,0 +1,134 @@
+"""What TeX knows of setting formulas and a browser must be told: upright words, functions, signs, primes, accents."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from itertools import groupby, pairwise
+from xml.etree.ElementTree import Element
+
+CHILDREN = {"mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2, "msubsup": 3, "munderover": 3}
+ROWS = frozenset({"math", "mrow", "mstyle", "mtd", "msqrt", "mphantom", "mpadded", "menclose"})
+TAGS = ROWS | CHILDREN.keys() | {"mi", "mn", "mo", "mspace", "mtable", "mtext", "mtr"}
+ATTRIBUTES = frozenset(re.findall(r"\w+", """
+    accent accentunder columnalign depth display displaystyle fence form height largeop linethickness lspace maxsize minsize
+    movablelimits notation rspace scriptlevel separator stretchy symmetric voffset width
+"""))
+# Words, or lengths of at most two digits: no formula may push the rest of the page away.
+VALUE = re.compile(r"[a-z -]{1,20}|[+-]?[0-9]{0,2}(\.[0-9]{0,4})?[a-z%]{0,3}")
+ENTITY = re.compile(r"&#x([0-9A-Fa-f]{1,6});")
+SYMBOLS = frozenset("−·×±÷≈≤≥°→")
+ACCENTS = {"^": "ˆ", "~": "˜", "→": "→", "¯": "¯", "―": "‾", "˙": "˙", "¨": "¨"}
+BARS, LIMITS = frozenset("|‖∥"), frozenset({"lim", "max", "min", "sup", "inf"})
+SIGNS, CLOSING = frozenset("−-+±∓"), frozenset(")]}|!‖⟩°%′″")
+APPLY, THIN = "\u2061", "0.167em"
+
+
+def typeset(element: Element) -> Element:
+    """A copy for the page of what latex2mathml made; unknown elements become rows, unknown attributes are left out.
+
+    Raises ValueError when an element has too few or too many children.
+    """
+    text = ENTITY.sub(lambda entity: chr(int(entity[1], 16)), element.text or "")
+    tag = element.tag if element.tag in TAGS else "mrow"
+    if tag in {"mi", "mtext"} and text in SYMBOLS:
+        tag = "mo"
+    elif tag == "mo" and (text == "∞" or (len(text) > 1 and text.isalpha() and text != "mod")):  # \operatorname{sgn} is a name
+        tag = "mi"
+    copy = Element(tag, {name: value for name, value in element.attrib.items() if name in ATTRIBUTES and VALUE.fullmatch(value)})
+    style = element.get("mathvariant", "")
+    # A lone letter of \mathrm arrives as an entity without a style; TeX sets capital Greek upright.
+    if tag == "mi" and (style == "normal" or (ENTITY.fullmatch(element.text or "") and text.isascii()) or "Α" <= text <= "Ω"):
+        copy.set("mathvariant", "normal")
+    copy.text = _styled(text, style) if style not in {"", "normal"} else text
+    if tag == "mo" and (text == "/" or text in BARS):
+        copy.attrib.update(lspace="0", rspace="0", stretchy=element.get("stretchy", "false"))
+    children = [typeset(child) for child in element]
+    if len(children) != CHILDREN.get(tag, len(children)):
+        raise ValueError(f"{tag} has {len(children)} children")
+    if tag == "mover" and children[1].tag == "mo" and children[1].text in ACCENTS:
+        _accented(copy, *children)
+    elif tag == "msup" and children[1].tag == "mi" and set(children[1].text or " ") <= {"′", "″", "‴"}:
+        copy.tag = "mrow"  # a prime is raised already
+        children[1].tag = "mo"
+        children[1].attrib.update(lspace="0", rspace="0")
+    elif tag == "msub" and children[0].text in LIMITS:
+        copy.tag = "munder"
+        children[0].tag = "mo"
+        children[0].attrib.update(movablelimits="true", lspace="0", rspace=THIN)
+    elif tag == "mrow" and [child.text for child in children] == [","]:  # 3{,}5 is a decimal comma
+        children[0].attrib.update(lspace="0", rspace="0")
+    copy.extend(_applied(_signed(_joined(children))) if tag in ROWS else children)
+    return copy
+
+
+def _styled(letters: str, style: str) -> str:
+    """Bold, script and so on as letters of their own: browsers no longer heed the attribute."""
+
+    def styled(letter: str) -> str:
+        alphabet, _, rest = unicodedata.name(letter, "").partition(" ")
+        name = f"MATHEMATICAL {style.upper().replace('-', ' ')} {rest.replace('LETTER ', '')}"
+        try:
+            return unicodedata.lookup(name) if alphabet in {"LATIN", "GREEK", "DIGIT"} else letter
+        except KeyError:
+            return letter
+
+    return "".join(map(styled, letters))
+
+
+def _accented(over: Element, base: Element, accent: Element) -> None:
+    """Small accents over one letter; over more they stretch."""
+    over.set("accent", "true")
+    letters = sum(element.tag in {"mi", "mn"} for element in base.iter())
+    if letters == 1:
+        accent.text = ACCENTS[accent.text or ""]
+        accent.set("stretchy", "false")
+        if accent.text == "→":
+            accent.set("mathsize", "65%")
+    else:
+        accent.set("stretchy", "true")
+
+
+def _joined(children: list[Element]) -> list[Element]:
+    """Upright letters one by one (`n` `e` `t`) become one word, for the eye and for the voice."""
+    joined: list[Element] = []
+    for upright, letters in groupby(children, lambda child: child.tag == "mi" and child.get("mathvariant") == "normal"):
+        run = list(letters)
+        if upright and len(run) > 1 and all((letter.text or "").isascii() for letter in run):
+            run[0].text = "".join(letter.text or "" for letter in run)
+            del run[1:]
+        joined += run
+    return joined
+
+
+def _signed(children: list[Element]) -> list[Element]:
+    """A sign after another operator belongs to the number behind it."""
+    for before, sign in pairwise(children):
+        if sign.tag == "mo" and sign.text in SIGNS and before.tag == "mo" and (before.text or "") not in CLOSING:
+            sign.set("form", "prefix")
+    return children
+
+
+def _applied(children: list[Element]) -> list[Element]:
+    """The row with the invisible sign of application after each function's name, and TeX's thin spaces around it."""
+    row: list[Element] = []
+    for place, child in enumerate(children):
+        if not _is_function(child):
+            row.append(child)
+            continue
+        if row and row[-1].tag not in {"mo", "mspace"}:
+            row.append(Element("mspace", {"width": THIN}))
+        row.append(child)
+        after = children[place + 1] if place + 1 < len(children) else None
+        if after is not None and (after.tag != "mo" or after.text in {"(", "["}):
+            opens = after.text in {"(", "["} or (len(after) > 0 and after[0].get("form") == "prefix")
+            apply = Element("mo", {} if opens else {"rspace": THIN})
+            apply.text = APPLY
+            row.append(apply)
+    return row
+
+
+def _is_function(element: Element) -> bool:
+    if element.tag in {"msub", "msup", "msubsup", "munder"}:
+        return _is_function(element[0])
+    return element.tag == "mi" and len(element.text or "") > 1 and "mathvariant" not in element.attrib

@@ -1,0 +1,1 @@
+"""What is true: derivations from laws."""

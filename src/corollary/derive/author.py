@@ -1,0 +1,128 @@
+"""The words a solution is written in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import sympy
+from sympy.logic.boolalg import Boolean
+
+from corollary.derive.entries import (
+    Choice,
+    Code,
+    Derivation,
+    Entry,
+    Example,
+    Explain,
+    Finds,
+    Mistake,
+    Optimum,
+    Plot,
+    Proof,
+    Rejected,
+    Route,
+    Simulated,
+    Step,
+)
+from corollary.law.law import Law
+
+HALF_PI = sympy.pi / 2
+
+
+def derivation(*entries: Entry) -> Derivation:
+    """The whole solution, in the order in which things are found."""
+    return Derivation(entries)
+
+
+def unknowns(names: str) -> tuple[sympy.Symbol, ...]:
+    """Real unknowns, by their letters: `dp, J = unknowns("dp J")`."""
+    return tuple(sympy.Symbol(name, real=True) for name in names.split())
+
+
+def unknown(name: str) -> sympy.Symbol:
+    """One real unknown."""
+    return sympy.Symbol(name, real=True)
+
+
+def vector(name: str, components: str = "x y") -> tuple[sympy.Symbol, ...]:
+    """The components of an unknown vector: `vector("J")` is (J_x, J_y)."""
+    return unknowns(" ".join(f"{name}_{component}" for component in components.split()))
+
+
+def step(
+    finds: Finds, because: str, *laws: Law, answers: str = "", also: Sequence[sympy.Symbol] = (), where: Boolean | bool = True,
+    reject: Sequence[Rejected] = (), mistakes: Sequence[Mistake] = (), routes: Sequence[Route] = (), check: str = "",
+    scale: sympy.Expr | None = None,
+) -> Step:  # fmt: skip
+    """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
+    return Step(_tuple(finds), because, laws, answers, tuple(also), where, tuple(reject), tuple(mistakes), tuple(routes), check, scale)
+
+
+def mistake(text: str, *laws: Law, instead: str = "") -> Mistake:
+    """What a student is told who put these laws in the place of one law of the step."""
+    return Mistake(text, laws, instead)
+
+
+def route(because: str, *laws: Law) -> Route:
+    """Another way to the same find."""
+    return Route(because, laws)
+
+
+def reject(reason: str, **roots: sympy.Expr) -> Rejected:
+    """A root that is on record as refused: `reject("no collision took place", v_A=vA)`."""
+    return Rejected(reason, {unknown(name): sympy.sympify(root) for name, root in roots.items()})
+
+
+def optimum(
+    finds: Finds, because: str, *, of: sympy.Expr, over: sympy.Symbol, between: tuple, largest: bool = True, answers: str = "",
+    mistakes: Sequence[Mistake] = (), check: str = "",
+) -> Optimum:  # fmt: skip
+    """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
+    low, high = between
+    return Optimum(_tuple(finds), because, of, over, (sympy.sympify(low), sympy.sympify(high)), largest, answers, tuple(mistakes), check)
+
+
+def simulated(
+    finds: Finds, because: str, *, scene: str, settings: Mapping[str, object], observe: str, answers: str = "",
+    mistakes: Sequence[Mistake] = (), check: str = "",
+) -> Simulated:  # fmt: skip
+    """Finds that are measured in a run of a ready-made scene."""
+    formulas = {name: sympy.sympify(value) for name, value in settings.items()}
+    return Simulated(_tuple(finds), because, scene, formulas, observe, answers, tuple(mistakes), check)
+
+
+def choice(part: str, because: str, *, mistakes: Mapping[str, str] | None = None, **options: Boolean | bool) -> Choice:
+    """Each option with the condition under which it is the right one; exactly one may hold."""
+    return Choice(part, because, options, mistakes or {})
+
+
+def example(
+    part: str, finds: Finds, because: str, *laws: Law, apart: Sequence[tuple[tuple, str]] = (), free: int = 1, scale: object = 1,
+) -> Example:  # fmt: skip
+    """Any numbers that satisfy the laws and are none of the `apart` ones; `free` unknowns must stay free, which is checked."""
+    away = tuple((tuple(sympy.sympify(value) for value in values), why) for values, why in apart)
+    return Example(part, _tuple(finds), because, laws, away, free, sympy.sympify(scale))
+
+
+def code(part: str, because: str, *, inputs: Callable, judge: Callable, example: str) -> Code:
+    """A code part: `inputs(given, draw)` lists keyword arguments, `judge(given, inputs, returned)` says what is wrong, or None."""
+    return Code(part, because, inputs, judge, example)
+
+
+def plot(part: str, because: str, *, judge: Callable, example: str) -> Plot:
+    """A plot part: `judge(given, axes)` says what is missing, or None."""
+    return Plot(part, because, judge, example)
+
+
+def proof(part: str, because: str, *laws: Law, target: Law, mistakes: Sequence[Mistake] = ()) -> Proof:
+    """A "show that": the laws it may start from, and the equation to arrive at."""
+    return Proof(part, because, laws, target, tuple(mistakes))
+
+
+def explain(part: str, *rubric: str, answer: str) -> Explain:
+    """A part for a person to mark: what earns credit, and what a full answer says."""
+    return Explain(part, rubric, answer)
+
+
+def _tuple(finds: Finds) -> tuple[sympy.Symbol, ...]:
+    return finds if isinstance(finds, tuple) else (finds,)

@@ -1,0 +1,82 @@
+"""The only door to `solutions/`: a problem's derivation, its scene, and nothing else of the file."""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import sympy
+
+from corollary.derive.entries import Derivation
+from corollary.derive.failing import NotDerivable
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.quantity.tree import Name, Number, Relation
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """What a solution file says: the derivation, where each entry stands, and what to simulate."""
+
+    path: Path
+    derivation: Derivation
+    line: int
+    scene: Callable | None
+
+
+def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
+    """A given as a symbol; it is positive (or not negative, …) when a `require:` of the problem says so."""
+    known: dict[str, bool] = {}
+    for condition in problem.conditions:
+        match condition.relation:
+            case Relation(sign, Name(left), Number(value)) if condition.hard and left == name and value == 0:
+                known |= {">": {"positive": True}, ">=": {"nonnegative": True}, "<": {"negative": True}, "<=": {"nonpositive": True}}.get(sign, {})
+    return sympy.Symbol(name, real=True, **known)
+
+
+def load(bank: Bank, problem: Problem) -> Loaded:
+    """The derivation of a problem. Raises NotDerivable when the file is missing, fails, or asks for givens that are not there."""
+    path = bank.solution(problem)
+    if not path.is_file():
+        raise NotDerivable(path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)")
+    module = _module(path)
+    derive = getattr(module, "derive", None)
+    if not callable(derive):
+        raise NotDerivable(path, 1, "defines no function derive(…) with the givens as arguments")
+    line = derive.__code__.co_firstlineno
+    wanted = list(inspect.signature(derive).parameters)
+    have = [given.symbol for given in problem.givens]
+    if strange := [name for name in wanted if name not in have]:
+        raise NotDerivable(path, line, f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})")
+    try:
+        derivation = derive(**{name: symbol_of(problem, name) for name in wanted})
+    except Exception as error:
+        raise NotDerivable(path, _line(error, path) or line, f"derive fails: {type(error).__name__}: {error}") from error
+    if not isinstance(derivation, Derivation):
+        raise NotDerivable(path, line, "derive must return derivation(…)")
+    scene = getattr(module, "scene", None)
+    return Loaded(path, derivation, line, scene if callable(scene) else None)
+
+
+def _module(path: Path):
+    spec = importlib.util.spec_from_file_location(f"corollary_solution_{path.stem}", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except SyntaxError as error:
+        raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
+    except Exception as error:
+        raise NotDerivable(path, _line(error, path), f"cannot be loaded: {type(error).__name__}: {error}") from error
+    return module
+
+
+def _line(error: BaseException, path: Path) -> int:
+    """The deepest line of the file that took part in an exception."""
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    return lines[-1] or 0 if lines else 0

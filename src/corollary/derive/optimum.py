@@ -1,0 +1,38 @@
+"""The best value of one letter between bounds: where the slope vanishes, or at an end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy
+
+from corollary.derive.roots import NoRoot
+
+
+def best(
+    goal: sympy.Expr, over: sympy.Symbol, between: tuple[sympy.Expr, sympy.Expr], largest: bool,
+    points: Sequence[Mapping[sympy.Symbol, sympy.Expr]],
+) -> tuple[sympy.Expr, str]:  # fmt: skip
+    """The place of the extremum and a line on how it was found. Raises NoRoot when it differs from point to point."""
+    letter = sympy.Dummy("x", real=True)
+    free = goal.subs(over, letter)
+    low, high = between
+    slope = sympy.solve(sympy.diff(free, letter), letter)
+    winners: set[sympy.Expr] = set()
+    for point in points:
+        def height(place: sympy.Expr, point: Mapping = point) -> sympy.Expr:
+            return free.subs(letter, place).subs(point).evalf(30)
+
+        inside = [place for place in slope if _between(place, between, point)]
+        candidates = list(dict.fromkeys([*inside, low, high]))
+        winners.add((max if largest else min)(candidates, key=height))
+    if len(winners) != 1:
+        raise NoRoot(f"the extremum over {over} moves from {' to '.join(map(str, winners))} within the range of the givens")
+    place = winners.pop()
+    where = "the slope vanishes there" if place in slope else "it is an end of the range, where the slope does not vanish"
+    return place, f"Of the places where the slope vanishes ({', '.join(map(str, slope)) or 'none'}) and the ends {low} and {high}, this one gives the {'largest' if largest else 'smallest'} value; {where}."
+
+
+def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Mapping) -> bool:
+    value, low, high = (sympy.sympify(x).subs(point).evalf(30) for x in (place, *between))
+    return bool(value.is_real) and low <= value <= high

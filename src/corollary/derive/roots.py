@@ -1,0 +1,114 @@
+"""Laws solved for unknowns: which roots there are, and which one is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy
+
+from corollary.derive.entries import Rejected
+from corollary.law.law import Law, sides, symbols
+
+Point = Mapping[sympy.Symbol, sympy.Expr]
+Root = Mapping[sympy.Symbol, sympy.Expr]
+
+
+class NoRoot(ValueError):
+    """The laws do not fix the unknowns; one sentence says how."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picked:
+    """The root that is meant, and what is on record about the others."""
+
+    root: Root
+    refused: tuple[str, ...]
+
+
+def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[sympy.Symbol]) -> list[Root]:
+    """Every root of the laws in the unknowns. Raises NoRoot when a letter is strange, none exists, or one stays free."""
+    for stated in laws:
+        if strange := symbols(stated) - known - set(unknowns):
+            raise NoRoot(f"{stated.name}: {_list(strange)} is neither given nor found before")
+    equations = [left - right for stated in laws for left, right in sides(stated)]
+    live = [equation for equation in equations if sympy.simplify(equation) != 0]
+    found = sympy.solve(live, list(unknowns), dict=True)
+    if not found:
+        raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all")
+    for root in found:
+        free = [unknown for unknown in unknowns if unknown not in root or root[unknown].free_symbols & set(unknowns)]
+        if free:
+            raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: {_list(free)} stays free")
+    return found
+
+
+def pick(
+    found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bool, rejected: Sequence[Rejected]
+) -> Picked:
+    """The one root that is real and fulfils `where` at every sample point. Raises NoRoot when none or several do."""
+    left, refused = [], []
+    for root in found:
+        reason = next((entry.reason for entry in rejected if _is(root, entry.root)), None)
+        if reason is not None:
+            refused.append(reason)
+        elif not all(_real(root, point) for point in points):
+            refused.append(f"{_equations(root)} is not real for every value of the givens")
+        else:
+            left.append(root)
+    for entry in rejected:
+        if not any(_is(root, entry.root) for root in found):
+            raise NoRoot(f"the root to reject ({entry.reason}) is no root of the laws")
+    kept = []
+    for root in left:
+        held = [_holds(where, root, point) for point in points]
+        if all(held):
+            kept.append(root)
+        elif any(held):
+            raise NoRoot(f"where={where} holds for {_equations(root)} at some values of the givens and fails at others")
+        else:
+            refused.append(f"{_equations(root)} contradicts {where}")
+    if not kept:
+        raise NoRoot(f"no root is left: {'; '.join(refused)}")
+    if len(kept) > 1:
+        raise NoRoot(f"{len(kept)} answers ({'; '.join(_equations(root) for root in kept)}): say which, with where= or reject=")
+    return Picked(kept[0], tuple(refused))
+
+
+def simplest(expr: sympy.Expr) -> sympy.Expr:
+    """The shortest of a few equal forms; a form already short is left alone."""
+    forms = [expr]
+    if sympy.count_ops(expr) > 2:
+        forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
+    return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))
+
+
+def _is(root: Root, other: Root) -> bool:
+    return all(symbol in root and sympy.simplify(root[symbol] - value) == 0 for symbol, value in other.items())
+
+
+def _real(root: Root, point: Point) -> bool:
+    return all(abs(sympy.im(_at(value, point))) < 1e-20 for value in root.values())
+
+
+def _holds(where: sympy.Basic | bool, root: Root, point: Point) -> bool:
+    if isinstance(where, bool):
+        return where
+    numbers = {symbol: _at(value, point) for symbol, value in root.items()}
+    return bool(where.subs(numbers).subs(point))
+
+
+def _at(value: sympy.Expr, point: Point) -> sympy.Expr:
+    return sympy.sympify(value).subs(point).evalf(30)
+
+
+def _equations(root: Root) -> str:
+    return ", ".join(f"{symbol} = {value}" for symbol, value in root.items())
+
+
+def _list(things: Sequence | set | frozenset) -> str:
+    return ", ".join(sorted(map(str, things)))
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

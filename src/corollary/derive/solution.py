@@ -1,0 +1,122 @@
+"""A derivation once solved: plain formulas, replayable on any numbers, with no algebra left to do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from corollary.derive.entries import Entry
+from corollary.problem.problem import Problem
+from corollary.quantity.dimension import Dimension
+from corollary.quantity.tree import Relation, Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    """A find as formulas, one for each component, of givens and earlier finds."""
+
+    trees: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A find as the outcome of a scene; the settings are formulas of givens and earlier finds."""
+
+    scene: str
+    settings: Mapping[str, Tree]
+    observe: str
+
+
+Rule = Formulas | Measured
+
+
+@dataclass(frozen=True, slots=True)
+class WrongRule:
+    """How a mistake computes the find, and what the student is told."""
+
+    text: str
+    rule: Rule
+
+
+@dataclass(frozen=True, slots=True)
+class LawShown:
+    """A law as the worked solution shows it: the textbook's form, and in the letters of the problem (one for each component)."""
+
+    name: str
+    source: str
+    holds: str
+    textbook: Relation
+    vectors: frozenset[str]
+    here: tuple[Relation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RouteShown:
+    because: str
+    laws: tuple[LawShown, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Find:
+    """One thing found. `local` and `routes` compute it from givens and earlier finds, `closed` from givens alone (None: simulated)."""
+
+    names: tuple[str, ...]
+    answers: str
+    because: str
+    laws: tuple[LawShown, ...]
+    local: Rule
+    closed: tuple[Tree, ...] | None
+    routes: tuple[Rule, ...]
+    routes_shown: tuple[RouteShown, ...]
+    mistakes: tuple[WrongRule, ...]
+    rejected: tuple[str, ...]
+    dimensions: tuple[Dimension, ...]
+    scale: Tree | None
+    check: str
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChoiceTruth:
+    options: Mapping[str, Relation | bool]
+    because: str
+    mistakes: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class ExampleTruth:
+    """Residuals that vanish for a good example: formulas of givens and of the names the student gives, each with its scale."""
+
+    names: tuple[str, ...]
+    laws: tuple[LawShown, ...]
+    apart: tuple[tuple[tuple[Tree, ...], str], ...]
+    scale: Tree
+    because: str
+    free: int
+
+
+@dataclass(frozen=True, slots=True)
+class ProofTruth:
+    """True equations to start from, the one to arrive at, and wrong equations a student may write, all in finds and givens."""
+
+    laws: tuple[LawShown, ...]
+    target: Relation
+    wrong: tuple[tuple[Relation, str], ...]
+    because: str
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """All that is true of a problem. `entries` keeps code, plot and explain parts, which need no solving."""
+
+    problem: Problem
+    finds: tuple[Find, ...]
+    choices: Mapping[str, ChoiceTruth]
+    examples: Mapping[str, ExampleTruth]
+    proofs: Mapping[str, ProofTruth]
+    entries: tuple[Entry, ...]
+    scene: object
+
+    def answer(self, part: str) -> Find | None:
+        """The find that answers a part."""
+        return next((find for find in self.finds if find.answers == part), None)

@@ -1,0 +1,241 @@
+"""A derivation solved: each step's laws for its finds, with earlier finds left as letters, and closed in the givens."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+import sympy
+from sympy.logic.boolalg import Boolean
+
+from corollary.derive.closed import NoTree, relation, tree
+from corollary.derive.entries import Choice, Code, Example, Explain, Mistake, Optimum, Plot, Proof, Simulated, Step
+from corollary.derive.failing import NotDerivable
+from corollary.derive.load import Loaded, load, symbol_of
+from corollary.derive.optimum import best
+from corollary.derive.roots import NoRoot, Root, pick, roots, simplest
+from corollary.derive.shown import shown
+from corollary.derive.solution import (
+    ChoiceTruth,
+    ExampleTruth,
+    Find,
+    Formulas,
+    Measured,
+    ProofTruth,
+    RouteShown,
+    Rule,
+    Solution,
+    WrongRule,
+)
+from corollary.law.law import Law, sides
+from corollary.problem.bank import Bank
+from corollary.problem.draw import sample
+from corollary.problem.problem import Problem
+from corollary.problem.variant import chapter
+from corollary.quantity.dimension import dimension_of
+from corollary.quantity.tree import Number, Tree
+from corollary.quantity.trouble import Trouble
+from corollary.quantity.unit import Dimension, show
+
+POINTS = 6
+
+
+def solve(bank: Bank, problem: Problem) -> Solution:
+    """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
+    loaded = load(bank, problem)
+    return _Solver(problem, loaded).solution()
+
+
+class _Solver:
+    """Walks the entries once; knows what has been found so far."""
+
+    def __init__(self, problem: Problem, loaded: Loaded):
+        self.problem, self.loaded = problem, loaded
+        self.givens = [symbol_of(problem, given.symbol) for given in problem.givens]
+        self.closed: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in self.givens}
+        self.dimensions: dict[str, Dimension] = {given.symbol: given.unit.dimension for given in problem.givens}
+        variants = [chapter(problem), *sample(problem, POINTS - 1, salt="roots")]
+        self.points = [
+            {symbol: _number(variant.exact[symbol.name]) for symbol in self.givens} for variant in variants
+        ]
+        self.measured: set[sympy.Symbol] = set()
+
+    def solution(self) -> Solution:
+        finds, choices, examples, proofs = [], {}, {}, {}
+        answered: set[str] = set()
+        for entry in self.loaded.derivation.entries:
+            match entry:
+                case Step() | Optimum() | Simulated():
+                    finds.append(self.find(entry))
+                    part = entry.answers
+                case Choice():
+                    choices[entry.part], part = self.choice(entry), entry.part
+                case Example():
+                    examples[entry.part], part = self.example(entry), entry.part
+                case Proof():
+                    proofs[entry.part], part = self.proof(entry), entry.part
+                case Code(part=part) | Plot(part=part) | Explain(part=part):
+                    pass
+                case _:
+                    assert_never(entry)
+            answered.add(part)
+        ids = {part.id for part in self.problem.parts}
+        if missing := sorted(ids - answered):
+            raise self.failing(f"answers no part {', '.join(missing)}; each part of {self.problem.path.name} needs an entry")
+        if strange := sorted(answered - ids - {""}):
+            raise self.failing(f"answers part {', '.join(strange)}, which {self.problem.path.name} does not have")
+        return Solution(self.problem, tuple(finds), choices, examples, proofs, self.loaded.derivation.entries, self.loaded.scene)
+
+    def failing(self, sentence: str, about: str = "") -> NotDerivable:
+        return NotDerivable(self.loaded.path, self.line(about), sentence)
+
+    def line(self, about: str) -> int:
+        """The line of the solution that holds these words, or of derive."""
+        if about:
+            for number, text in enumerate(self.loaded.path.read_text(encoding="utf-8").splitlines(), 1):
+                if about[:40] in text:
+                    return number
+        return self.loaded.line
+
+    def find(self, entry: Step | Optimum | Simulated) -> Find:
+        for symbol in entry.finds:
+            if symbol.name in self.dimensions:
+                raise self.failing(f"{symbol} is given or found already; give the new find another letter", entry.because)
+        try:
+            match entry:
+                case Step():
+                    found = self.step(entry)
+                case Optimum():
+                    found = self.optimum(entry)
+                case Simulated():
+                    found = self.simulated(entry)
+        except (NoRoot, NoTree, ValueError) as error:
+            about = f"part {entry.answers}" if entry.answers else ", ".join(symbol.name for symbol in entry.finds)
+            raise self.failing(f"{about}: {error}", entry.because) from error
+        self.dimensions |= dict(zip(found.names, found.dimensions, strict=True))
+        return found
+
+    def step(self, entry: Step) -> Find:
+        picked = pick(self.roots(entry, entry.laws), self.numbers(), entry.where, entry.rejected)
+        local = self.formulas(entry.finds, picked.root)
+        routes = [
+            self.formulas(entry.finds, pick(self.roots(entry, way.laws), self.numbers(), entry.where, ()).root)
+            for way in entry.routes
+        ]
+        wrong = []
+        for slip in entry.mistakes:
+            wrong.append(self.wrong(entry, slip, exchanged(entry.laws, slip), entry.where))
+        self.close(entry.finds, picked.root)
+        return Find(
+            names=tuple(symbol.name for symbol in entry.finds), answers=entry.answers, because=entry.because,
+            laws=tuple(map(shown, entry.laws)), local=local, closed=self.closed_trees(entry.finds), routes=tuple(routes),
+            routes_shown=tuple(RouteShown(way.because, tuple(map(shown, way.laws))) for way in entry.routes),
+            mistakes=tuple(wrong), rejected=picked.refused, dimensions=self.checked(entry, local.trees),
+            scale=None if entry.scale is None else tree(entry.scale.subs(self.closed)), check=entry.check, note="",
+        )  # fmt: skip
+
+    def optimum(self, entry: Optimum) -> Find:
+        goal = sympy.sympify(entry.of).subs(self.closed)
+        value, note = best(goal, entry.over, entry.between, entry.largest, self.points)
+        root = {entry.finds[0]: value}
+        local = self.formulas(entry.finds, root)
+        wrong = tuple(self.wrong(entry, slip, slip.laws, True) for slip in entry.mistakes)
+        self.close(entry.finds, root)
+        return Find(
+            names=(entry.finds[0].name,), answers=entry.answers, because=entry.because, laws=(), local=local,
+            closed=self.closed_trees(entry.finds), routes=(), routes_shown=(), mistakes=wrong, rejected=(),
+            dimensions=self.checked(entry, local.trees), scale=None, check=entry.check, note=note,
+        )  # fmt: skip
+
+    def simulated(self, entry: Simulated) -> Find:
+        settings = {name: tree(value) for name, value in entry.settings.items()}
+        part = self.problem.part(entry.answers)
+        wrong = tuple(self.wrong(entry, slip, slip.laws, True) for slip in entry.mistakes)
+        self.measured |= set(entry.finds)
+        return Find(
+            names=tuple(symbol.name for symbol in entry.finds), answers=entry.answers, because=entry.because, laws=(),
+            local=Measured(entry.scene, settings, entry.observe), closed=None, routes=(), routes_shown=(), mistakes=wrong, rejected=(),
+            dimensions=(part.unit.dimension,) * len(entry.finds), scale=None, check=entry.check, note="",
+        )  # fmt: skip
+
+    def wrong(self, entry: Step | Optimum | Simulated, slip: Mistake, laws: tuple[Law, ...], where: Boolean | bool) -> WrongRule:
+        """What the find becomes by a mistake; `where` chooses only among several roots, for a mistake need not respect it."""
+        found = self.roots(entry, laws)
+        root = found[0] if len(found) == 1 else pick(found, self.numbers(), where, ()).root
+        return WrongRule(slip.text, self.formulas(entry.finds, root))
+
+    def choice(self, entry: Choice) -> ChoiceTruth:
+        letters = {option.letter for option in self.problem.part(entry.part).options}
+        if letters != entry.options.keys():
+            raise self.failing(f"part {entry.part} has the options {', '.join(sorted(letters))}; give each its condition", entry.because)
+        options = {}
+        for letter, condition in entry.options.items():
+            held = sympy.sympify(condition).subs(self.closed)
+            options[letter] = bool(held) if held in (sympy.true, sympy.false) else relation(held)
+        return ChoiceTruth(options, entry.because, entry.mistakes)
+
+    def example(self, entry: Example) -> ExampleTruth:
+        """Counts how many unknowns the laws leave free, for an example must leave room for the student's own."""
+        equations = [sympy.simplify((left - right).subs(self.closed)) for stated in entry.laws for left, right in sides(stated)]
+        independent = sympy.Matrix(equations).jacobian(list(entry.finds)).rank()
+        if len(entry.finds) - independent != entry.free:
+            raise self.failing(
+                f"{len(equations)} laws for {len(entry.finds)} unknowns leave {len(entry.finds) - independent} free, "
+                f"not {entry.free}", entry.because,
+            )  # fmt: skip
+        apart = tuple((tuple(tree(value.subs(self.closed)) for value in values), why) for values, why in entry.apart)
+        names = tuple(symbol.name for symbol in entry.finds)
+        return ExampleTruth(names, tuple(map(shown, entry.laws)), apart, tree(entry.scale.subs(self.closed)), entry.because, entry.free)
+
+    def proof(self, entry: Proof) -> ProofTruth:
+        target = shown(entry.target).here[0]
+        wrong = tuple((shown(stated).here[0], slip.text) for slip in entry.mistakes for stated in slip.laws)
+        return ProofTruth(tuple(map(shown, entry.laws)), target, wrong, entry.because)
+
+    def roots(self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]) -> list[Root]:
+        also = entry.also if isinstance(entry, Step) else ()
+        return roots(laws, [*entry.finds, *also], set(self.closed) | self.measured)
+
+    def numbers(self) -> list[dict[sympy.Symbol, sympy.Expr]]:
+        """The sample points, with the values of what has been found."""
+        return [point | {find: value.subs(point).evalf(30) for find, value in self.closed.items() if find not in point} for point in self.points]
+
+    def formulas(self, finds: tuple[sympy.Symbol, ...], root: Root) -> Formulas:
+        return Formulas(tuple(tree(simplest(root[symbol])) for symbol in finds))
+
+    def close(self, finds: tuple[sympy.Symbol, ...], root: Root) -> None:
+        for symbol in finds:
+            self.closed[symbol] = simplest(root[symbol].subs(self.closed))
+
+    def closed_trees(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Tree, ...] | None:
+        if any(self.closed[symbol].free_symbols & self.measured for symbol in finds):
+            return None
+        return tuple(tree(self.closed[symbol]) for symbol in finds)
+
+    def checked(self, entry: Step | Optimum, trees: tuple[Tree, ...]) -> tuple[Dimension, ...]:
+        """The dimension of each component; raises ValueError when it is not what the part asks for."""
+        part = self.problem.part(entry.answers) if entry.answers in {part.id for part in self.problem.parts} else None
+        result = []
+        for formula in trees:
+            dimension = dimension_of(formula, self.dimensions)
+            if isinstance(dimension, Trouble):
+                raise ValueError(f"the dimensions do not fit: {dimension.why}")
+            if isinstance(formula, Number) and formula.value == 0:
+                dimension = part.unit.dimension if part else Dimension()
+            if part and dimension != part.unit.dimension:
+                raise ValueError(f"the answer is not in {show(part.unit)}: its dimension is {dimension}")
+            result.append(dimension)
+        return tuple(result)
+
+
+def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
+    """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
+    if not slip.instead and len(laws) == 1:
+        return slip.laws
+    wanted = slip.instead or slip.laws[0].name
+    if sum(stated.name == wanted for stated in laws) != 1:
+        raise NoRoot(f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}")
+    return tuple(new for stated in laws for new in (slip.laws if stated.name == wanted else (stated,)))
+
+
+def _number(exact) -> sympy.Expr:
+    return sympy.Rational(exact.ratio.numerator, exact.ratio.denominator) * sympy.pi**exact.pi

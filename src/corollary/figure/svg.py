@@ -1,0 +1,100 @@
+"""A drawing as SVG text made fit to stand in a page: only shapes, words and colours, nothing that runs or is fetched."""
+
+from __future__ import annotations
+
+import html
+import re
+from xml.etree.ElementTree import Element, ParseError, fromstring
+
+LONGEST, DEEPEST, MOST = 2_000_000, 50, 50_000
+TAGS = frozenset(re.findall(r"[\w-]+", """
+    svg g defs symbol use title desc path rect circle ellipse line polyline polygon text tspan textPath marker
+    clipPath mask pattern linearGradient radialGradient stop
+"""))
+ATTRIBUTES = frozenset(re.findall(r"[\w-]+", """
+    id role aria-label aria-hidden viewBox preserveAspectRatio width height x y x1 y1 x2 y2 cx cy r rx ry fx
+    fy d points transform style href offset dx dy rotate textLength lengthAdjust startOffset refX refY orient
+    markerWidth markerHeight markerUnits clipPathUnits maskUnits patternUnits patternTransform gradientUnits
+    gradientTransform spreadMethod version
+"""))
+LOOKS = frozenset(re.findall(r"[\w-]+", """
+    fill fill-opacity fill-rule clip-path clip-rule mask stroke stroke-width stroke-linecap stroke-linejoin
+    stroke-miterlimit stroke-dasharray stroke-dashoffset stroke-opacity opacity color display visibility
+    marker-start marker-mid marker-end font-family font-size font-style font-weight text-anchor
+    dominant-baseline alignment-baseline baseline-shift letter-spacing stop-color stop-opacity vector-effect
+    paint-order
+"""))
+WORDS = frozenset({"text", "tspan", "textPath", "title", "desc"})
+LOCAL = re.compile(r"(url\(['\"]?#)")
+REFERENCE = re.compile(r"#([\w.-]+)")
+HARMFUL = re.compile(r"[\\<>@]|/\*|:\s*//|script:|expression|image|url\((?!['\"]?#)", re.IGNORECASE)
+
+
+class NotADrawing(ValueError):
+    """The text is no SVG that can be shown; one sentence says why."""
+
+
+def safe_svg(text: str, *, prefix: str = "", label: str = "") -> str:
+    """The drawing with what could run, restyle the page or be fetched taken out, ready to stand in HTML.
+
+    `prefix` goes before every id, so that two drawings of one page keep theirs apart; `label` is what a screen reader says.
+    Raises NotADrawing when the text is too long, no well-formed XML, or no svg.
+    """
+    if len(text) > LONGEST:
+        raise NotADrawing(f"the drawing has {len(text)} characters; at most {LONGEST} are shown")
+    text = re.sub(r"<\?xml[^>]*\?>|<!DOCTYPE svg PUBLIC [^\[>]*>", "", text, count=2).strip()
+    if re.search(r"<!(DOCTYPE|ENTITY)", text, re.IGNORECASE):
+        raise NotADrawing("the drawing declares entities of its own; write it without DOCTYPE")
+    try:
+        root = fromstring(re.sub(r"<svg\b(?![^>]*\sxmlns:xlink)", '<svg xmlns:xlink="xlink"', text, count=1))
+    except (ParseError, ValueError, RecursionError) as error:
+        raise NotADrawing(f"the drawing is not well-formed XML: {error}") from None
+    if _plain_name(root.tag) != "svg":
+        raise NotADrawing(f"the drawing begins with <{_plain_name(root.tag)}>; it must begin with <svg>")
+    if sum(1 for _ in root.iter()) > MOST:
+        raise NotADrawing(f"the drawing has more than {MOST} elements")
+    referred = {name for element in root.iter() for value in element.attrib.values() for name in REFERENCE.findall(value)}
+    for element in root.iter():
+        if element.get("id") not in referred:
+            element.attrib.pop("id", None)
+    return _written(root, prefix, label, 0)
+
+
+def _plain_name(name: object) -> str:
+    return name.rpartition("}")[2] if isinstance(name, str) else ""
+
+
+def _written(element: Element, prefix: str, label: str, depth: int) -> str:
+    tag = _plain_name(element.tag)
+    if tag not in TAGS:
+        return ""
+    if depth > DEEPEST:
+        raise NotADrawing(f"the drawing nests groups more than {DEEPEST} deep")
+    attributes = {
+        name: value
+        for name, value in ((_plain_name(name), _fit(_plain_name(name), value, prefix)) for name, value in element.attrib.items())
+        if value
+    }
+    if depth == 0:
+        attributes |= {"role": "img", "aria-label": label} if label else {}
+    inside = html.escape(element.text or "", quote=False) if tag in WORDS else ""
+    for child in element:
+        inside += _written(child, prefix, "", depth + 1)
+        inside += html.escape(child.tail or "", quote=False) if tag in WORDS else ""
+    written = "".join(f' {name}="{html.escape(value)}"' for name, value in attributes.items())
+    return f"<{tag}{written}>{inside}</{tag}>"
+
+
+def _fit(name: str, value: str, prefix: str) -> str:
+    """The attribute's value as it may stand in the page, or nothing."""
+    if name == "style":
+        rules = (rule.partition(":") for rule in value.split(";"))
+        return "; ".join(f"{look.strip()}: {fit}" for look, _, text in rules
+                         if look.strip() in LOOKS and (fit := _fit(look.strip(), text.strip(), prefix)))
+    if name not in ATTRIBUTES | LOOKS or HARMFUL.search(value):
+        return ""
+    if name == "id":
+        return prefix + value
+    if name == "href":
+        return f"#{prefix}{value[1:]}" if value.startswith("#") else ""
+    return LOCAL.sub(lambda found: found[1] + prefix, value)

@@ -1,0 +1,1 @@
+"""Ways to ask, and to answer: one file for each kind."""

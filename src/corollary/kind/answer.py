@@ -1,0 +1,67 @@
+"""What a student's answer is once it has been read: one of a few inert forms, or a sentence on why it could not be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from corollary.quantity.tree import Relation, Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """Values in SI, one for each component; `figures` as written (0: a machine number with many digits).
+
+    `unitless` tells that a unit was needed and none was written; the values then take the part's unit.
+    """
+
+    values: tuple[float, ...]
+    figures: tuple[int, ...]
+    shown: str
+    unitless: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    trees: tuple[Tree, ...]
+    shown: str
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    letter: str
+    shown: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """Equations, one a line."""
+
+    lines: tuple[Relation, ...]
+    shown: str
+
+
+@dataclass(frozen=True, slots=True)
+class Prose:
+    text: str
+
+    @property
+    def shown(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Blank:
+    """Nothing was handed in."""
+
+    shown: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Unclear:
+    """An attempt that cannot be read; `why` says what was met and how to write it."""
+
+    why: str
+    shown: str
+
+
+Answer = Numbers | Formulas | Letter | Chain | Prose | Blank | Unclear

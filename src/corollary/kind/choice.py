@@ -1,0 +1,43 @@
+"""One of several options, by its letter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import final
+
+from corollary.kind.answer import Answer, Blank, Letter, Unclear
+from corollary.kind.kind import Kind, Sample
+from corollary.kind.number import PLACEHOLDERS
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
+
+
+@final
+class Choice(Kind):
+    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+        letters = [option.letter for option in part.options]
+        match given:
+            case Nothing():
+                return Blank()
+            case Text(text) if text.strip() in PLACEHOLDERS:
+                return Blank()
+            case Text(text):
+                letter = text.strip().strip("()[].:").strip().lower()
+                if letter in letters:
+                    return Letter(letter, f"({letter})")
+                return Unclear(f"answer with one letter of {', '.join(letters)}", text.strip()[:40])
+            case Items((one,), _):
+                return self.read(one, part, problem)
+            case Refused(why, shown):
+                return Unclear(why, shown)
+            case _:
+                return Unclear(f"answer with one letter of {', '.join(letters)}, as text", "no letter")
+
+    def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
+        assert isinstance(truth, str)
+        other = next(option.letter for option in part.options if option.letter != truth)
+        return (
+            Sample(truth, "right"), Sample(f" ({truth.upper()}) ", "right"), Sample(other, "wrong"),
+            Sample("z", "unread"), Sample(7, "unread"), Sample(None, "unread"), Sample([truth, other], "unread"),
+        )  # fmt: skip

@@ -1,0 +1,34 @@
+"""Numbers of the student's own that must have a property."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import final
+
+from corollary.kind.answer import Answer, Formulas, Unclear
+from corollary.kind.kind import Kind, Sample
+from corollary.kind.number import vector
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.quantity.plain import Plain
+
+
+@final
+class Example(Kind):
+    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+        found = vector(given, part.unit, len(part.components), problem)
+        if isinstance(found, Formulas):
+            return Unclear("give numbers for an example, not formulas", found.shown)
+        return found
+
+    def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
+        """`truth` is one good example."""
+        assert not isinstance(truth, str)
+        scale = max(map(abs, truth)) or 1.0
+        return (
+            Sample(list(truth), "right"),
+            Sample([value + 0.31 * scale for value in truth], "wrong"),
+            Sample(list(truth)[:-1], "unread"),
+            Sample("any", "unread"),
+            Sample([None] * len(truth), "unread"),
+        )

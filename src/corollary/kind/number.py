@@ -1,0 +1,172 @@
+"""Numbers out of what a student handed in: a machine number, or text with a unit."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from corollary.kind.answer import Blank, Formulas, Numbers, Unclear
+from corollary.problem.problem import Problem
+from corollary.quantity.dimension import dimension_of
+from corollary.quantity.number import decimal_text
+from corollary.quantity.plain import Complex, Exact, Items, Measured, Nothing, Plain, Real, Refused, Text
+from corollary.quantity.read import Reading, read_quantities, read_quantity
+from corollary.quantity.syntax import parse
+from corollary.quantity.tree import Number, Tree, names
+from corollary.quantity.trouble import Trouble, refused, sentence
+from corollary.quantity.unit import Unit, show
+
+PLACEHOLDERS = {"", "...", "…", "?", "None"}
+COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
+
+
+def scalar(given: Plain, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+    """One number in SI, or a formula of the givens when the text is one."""
+    match given:
+        case Nothing():
+            return Blank()
+        case Real(value):
+            return machine((value,), unit)
+        case Exact(value):
+            return exact(value, unit)
+        case Complex(real, imaginary):
+            if abs(imaginary) <= 1e-12 * abs(real) or imaginary == 0:
+                return machine((real,), unit)
+            return Unclear("this is a complex number; a measured quantity is real", f"{real:g} + {imaginary:g}i")
+        case Measured(value, of):
+            return typed(f"{value!r} {of}", unit, problem)
+        case Text(text):
+            return typed(text, unit, problem)
+        case Items(items, _):
+            if len(items) == 1:
+                return scalar(items[0], unit, problem)
+            return Unclear(f"one number is asked for, not {len(items)}", "a list")
+        case Refused(why, shown):
+            return Unclear(why, shown)
+
+
+def vector(given: Plain, unit: Unit, count: int, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+    """As many numbers as there are components."""
+    match given:
+        case Nothing():
+            return Blank()
+        case Text(text) if text.strip() in PLACEHOLDERS:
+            return Blank()
+        case Text(text):
+            found = read_quantities(text, unit, count)
+            if isinstance(found, Trouble):
+                return Unclear(sentence(found), text.strip())
+            return _together([_reading(each, unit) for each in found])
+        case Items(items, shape):
+            if len([size for size in shape if size != 1]) > 1:
+                return Unclear(f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}", "an array")
+            if all(isinstance(item, Nothing) for item in items):
+                return Blank()
+            if len(items) != count:
+                return Unclear(f"{count} components are asked for, not {len(items)}", f"a list of {len(items)}")
+            return _together([scalar(item, unit, problem) for item in items])
+        case Refused(why, shown):
+            return Unclear(why, shown)
+        case _:
+            return Unclear(f"{count} components are asked for: write them as a list", "one number")
+
+
+def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
+    """Machine numbers, in the part's own unit."""
+    for value in values:
+        if math.isnan(value) or math.isinf(value):
+            return Unclear("the result is not a number" if math.isnan(value) else "the result is infinite", str(value))
+    size = float(unit.factor) * math.pi**unit.pi
+    digits = [len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0")) for value in values]
+    figures = tuple(count if count <= COARSE else 0 for count in digits)
+    shown = ", ".join(f"{value:.6g}" for value in values)
+    return Numbers(tuple(value * size for value in values), figures, _with_unit(shown, unit))
+
+
+def exact(value: Fraction, unit: Unit) -> Numbers | Unclear:
+    """An exact number in the part's own unit; one beyond all doubles is a number all the same, and wrong."""
+    size = unit.factor
+    try:
+        number = float(value * size) * math.pi**unit.pi
+    except OverflowError:
+        number = math.copysign(float("inf"), value.numerator)
+        return Numbers((number,), (0,), "a number too large to show")
+    digits = len(str(abs(value.numerator)).rstrip("0")) if value.denominator == 1 and abs(value) < 10**9 else 0
+    shown = decimal_text(value, 6) if value.denominator > 1 else (str(value) if abs(value) < 10**12 else f"{float(value):.6g}")
+    return Numbers((number,), (digits if digits <= COARSE else 0,), _with_unit(shown, unit))
+
+
+def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+    """A text: a number with a unit; else a formula of the givens, if its dimension is what is asked for."""
+    if text.strip() in PLACEHOLDERS:
+        return Blank()
+    found = read_quantity(text, unit)
+    if isinstance(found, Reading) and found.fit != "wrong dimension":
+        return _reading(found, unit)
+    tree = formula(text, problem)
+    if not isinstance(tree, Trouble):
+        dimension = dimension_of(tree, {given.symbol: given.unit.dimension for given in problem.givens})
+        if not isinstance(dimension, Trouble) and dimension == unit.dimension:
+            return Formulas((tree,), text.strip())
+        if isinstance(found, Trouble):
+            why = sentence(dimension) if isinstance(dimension, Trouble) else f"this formula is not in {show(unit)}"
+            return Unclear(why, text.strip())
+    if isinstance(found, Trouble):
+        return Unclear(sentence(found), text.strip())
+    return Unclear(found.why, found.shown)
+
+
+def formula(text: str, problem: Problem) -> Tree | Trouble:
+    """A formula that uses at least one given."""
+
+
+    tree = parse(text, [given.symbol for given in problem.givens])
+    if not isinstance(tree, Trouble) and not names(tree) - {"pi"}:
+        return refused("this has no letters of the problem in it")
+    return tree
+
+
+def _reading(found: Reading, unit: Unit) -> Numbers:
+    ratio, pi = found.si
+    unitless = found.fit == "unit missing"
+    if unitless:
+        ratio, pi = ratio * unit.factor, pi + unit.pi
+    try:
+        value = float(ratio) * math.pi**pi
+    except OverflowError:
+        value = math.copysign(float("inf"), ratio)
+    return Numbers((value,), (found.figures,), found.shown, unitless)
+
+
+def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
+    for each in found:
+        if isinstance(each, Unclear):
+            return each
+    if any(isinstance(each, Blank) for each in found):
+        return Unclear("a component is missing", ", ".join(each.shown or "—" for each in found))
+    shown = f"({', '.join(each.shown for each in found)})"
+    numbers = [each for each in found if isinstance(each, Numbers)]
+    if len(numbers) == len(found):
+        return Numbers(
+            tuple(each.values[0] for each in numbers), tuple(each.figures[0] for each in numbers), shown,
+            any(each.unitless and each.values[0] != 0 for each in numbers),
+        )  # fmt: skip
+    trees = [_tree(each) for each in found]
+    return Formulas(tuple(trees), shown)
+
+
+def _tree(each: Numbers | Formulas | Blank | Unclear) -> Tree:
+
+
+    match each:
+        case Formulas(trees, _):
+            return trees[0]
+        case Numbers(values, _, _):
+            return Number(Fraction(values[0]))
+        case _:
+            raise AssertionError("blank and unclear components were turned away before")
+
+
+def _with_unit(shown: str, unit: Unit) -> str:
+    name = show(unit)
+    return f"{shown} {name}" if name not in {"", "1"} else shown

@@ -1,0 +1,34 @@
+"""Parts that no machine reads as a value: free text, and the code and figures that are judged by what they do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import final
+
+from corollary.kind.answer import Answer, Blank, Prose, Unclear
+from corollary.kind.kind import Kind, Sample
+from corollary.kind.number import PLACEHOLDERS
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.quantity.plain import Nothing, Plain, Refused, Text
+
+
+@final
+class Written(Kind):
+    """Explanations and the source of a program: text as it is."""
+
+    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+        match given:
+            case Nothing():
+                return Blank()
+            case Text(text):
+                return Blank() if text.strip().strip("*_").strip() in PLACEHOLDERS | {"Your answer here."} else Prose(text.strip())
+            case Refused(why, shown):
+                return Unclear(why, shown)
+            case _:
+                return Unclear("text is asked for", "no text")
+
+    def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
+        """Free text waits for a person; none is blank."""
+        verdict = "unmarked" if part.kind == "explain" else "right"
+        return (Sample(truth if isinstance(truth, str) else "Because.", verdict), Sample(None, "unread"))

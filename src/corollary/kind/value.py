@@ -1,0 +1,43 @@
+"""One quantity: a number with a unit, or the formula for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import final
+
+from corollary.kind.answer import Answer
+from corollary.kind.kind import Kind, Sample
+from corollary.kind.number import scalar
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.quantity.plain import Plain
+from corollary.quantity.unit import canonical, si_unit
+
+
+@final
+class Value(Kind):
+    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+        return scalar(given, part.unit, problem)
+
+    def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
+        assert not isinstance(truth, str)
+        return samples(truth[0], part)
+
+
+def samples(value: float, part: Part) -> tuple[Sample, ...]:
+    """The number itself, four figures of it, with a decimal comma; a number far off; text that is none."""
+    unit = canonical(si_unit(part.unit.dimension))
+    name = "" if unit == "1" else f" {unit}"
+    comma = f"{value:.5g}".replace(".", ",") if "e" not in f"{value:.5g}" else f"{value:.4e}"
+    off = value * 1.37 + (7 if value == 0 else 0)
+    return (
+        Sample(f"{value!r}{name}", "right"),
+        Sample(f"{value:.4g}{name}" if value else f"0{name}", "right"),
+        Sample(f"{comma}{name}", "right"),
+        Sample(f"{off!r}{name}", "wrong"),
+        Sample("about five", "unread"),
+        Sample(float("nan"), "unread"),
+        Sample(None, "unread"),
+        Sample([1.0, 2.0, 3.0, 4.0], "unread"),
+        *((Sample(f"{value!r} kg*m^5", "unread"),)),
+    )

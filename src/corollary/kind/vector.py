@@ -1,0 +1,35 @@
+"""A quantity with components: a list of numbers, a text such as `(3, 4) m/s`, or a list of formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import final
+
+from corollary.kind.answer import Answer
+from corollary.kind.kind import Kind, Sample
+from corollary.kind.number import vector
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.quantity.plain import Plain
+from corollary.quantity.unit import canonical, si_unit
+
+
+@final
+class Vector(Kind):
+    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+        return vector(given, part.unit, len(part.components), problem)
+
+    def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
+        assert not isinstance(truth, str)
+        unit = canonical(si_unit(part.unit.dimension))
+        name = "" if unit == "1" else f" {unit}"
+        scale = max(map(abs, truth)) or 1.0
+        return (
+            Sample([f"{value!r}{name}" for value in truth], "right"),
+            Sample([f"{value:.4g}{name}" for value in truth], "right"),
+            Sample([f"{value + 0.37 * scale * (i + 1)!r}{name}" for i, value in enumerate(truth)], "wrong"),
+            Sample([f"{value!r}{name}" for value in truth][:-1], "unread"),
+            Sample([None] * len(truth), "unread"),
+            Sample("north-east", "unread"),
+            Sample([[1.0, 2.0], [3.0, 4.0]], "unread"),
+        )

@@ -1,0 +1,54 @@
+"""Momentum: its definition, its change, and its conservation in an isolated system."""
+
+from __future__ import annotations
+
+from corollary.law.law import Law, law
+
+
+def momentum(p: object, m: object, v: object) -> Law:
+    """The momentum of one object: p = m v (12.15); vectors allowed."""
+    return law("Momentum", "p = m*v", source="(12.15)", p=p, m=m, v=v)
+
+
+def change_of_momentum(dp: object, m: object, *, before: object, after: object) -> Law:
+    """The change is what it is after less what it was before (12.29)."""
+    return law("Change of momentum", "dp = m*v_1 - m*v_0", source="(12.29)", dp=dp, m=m, v_1=after, v_0=before)
+
+
+def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
+    """The total momentum of an isolated system is the same before and after (12.52), (12.58).
+
+    `before` and `after` list (mass, velocity) of every object; an object that comes to be, or to be part of another, may differ.
+    """
+    letters: dict[str, object] = {}
+
+    def total(bodies: list[tuple], moment: int) -> str:
+        terms = []
+        for place, (mass, velocity) in enumerate(bodies):
+            body = "ABCDEFGH"[place]
+            m, v = f"m_{body}" if same else f"m_{body}{moment}", f"v_{body}{moment}"
+            letters[m], letters[v] = mass, velocity
+            terms.append(f"{m}*{v}")
+        return " + ".join(terms)
+
+    same = [mass for mass, _ in before] == [mass for mass, _ in after]
+    formula = f"{total(before, 0)} = {total(after, 1)}"
+    return law(
+        "Conservation of momentum", formula, source="(12.52), (12.58)",
+        holds="no net external force acts along this direction", **letters,
+    )  # fmt: skip
+
+
+def sticking(*, before: list[tuple], together: object) -> Law:
+    """Conservation of momentum when all objects move on as one (12.81)."""
+    letters: dict[str, object] = {"v_1": together}
+    left, masses = [], []
+    for place, (mass, velocity) in enumerate(before):
+        body = "ABCDEFGH"[place]
+        letters[f"m_{body}"], letters[f"v_{body}0"] = mass, velocity
+        left.append(f"m_{body}*v_{body}0")
+        masses.append(f"m_{body}")
+    return law(
+        "Conservation of momentum", f"{' + '.join(left)} = ({' + '.join(masses)})*v_1", source="(12.14), (12.81)",
+        holds="no net external force acts along this direction, and the objects move as one afterwards", **letters,
+    )  # fmt: skip

@@ -1,0 +1,104 @@
+"""The verdict on a "show that": every line true, none empty, the first a law, the last what was to be shown."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+
+from corollary.kind.answer import Chain
+from corollary.mark.examples import holds_nearly
+from corollary.mark.key import Key
+from corollary.mark.replay import as_exact, number, replay
+from corollary.mark.verdict import Mistaken, Right, Verdict, Wrong
+from corollary.problem.draw import sample
+from corollary.problem.part import Part
+from corollary.quantity.ball import Exactly, Undefined
+from corollary.quantity.text import text
+from corollary.quantity.tree import Name, Negative, Relation, Sum, names
+
+EXACT = 1e-9
+POINTS = 6
+Point = dict[str, Exactly]
+
+
+def judge_chain(key: Key, part: Part, answer: Chain) -> Verdict:
+    """Checked at points where all laws hold (for truth) and at points where none does (for content).
+
+    That each line *follows* from the one before is taken from this: it is true wherever the laws are, and says something.
+    """
+    truth = key.solution.proofs[part.id]
+    lawful = lawful_points(key)
+    for place, line in enumerate(answer.lines, 1):
+        if not all(_true(line, point) for point in lawful):
+            for wrong, said in truth.wrong:
+                if _equivalent(line, wrong, lawful):
+                    return Mistaken(said)
+            return Wrong(f"Line {place} does not hold: {text(line)}.")
+        if all(_true(line, point) for point in lawless_points(lawful)):
+            return Wrong(f"Line {place} says nothing: it is true whatever the quantities are.")
+    first, last = answer.lines[0], answer.lines[-1]
+    if not any(_equivalent(first, law, lawful) for stated in truth.laws for law in stated.here):
+        return Wrong("Begin with a law, as the first line, before anything is put in or left out.")
+    if not _equivalent(last, truth.target, lawful):
+        return Wrong("The last line is true, but it is not yet what was to be shown.")
+    if len(answer.lines) < 2:
+        return Wrong("One line is a claim; a proof shows the way from a law to it.")
+    return Right("Every line holds, from the law to what was to be shown.")
+
+
+def lawful_points(key: Key) -> list[Point]:
+    """Givens drawn anew, with everything found for them: points where every law of the derivation holds."""
+    solution, points = key.solution, []
+    for variant in sample(key.variant.problem, POINTS, salt="proof"):
+        try:
+            found = replay(solution, variant.exact)
+        except Undefined:
+            continue
+        finds = {name: as_exact(value) for find, values in zip(solution.finds, found, strict=True) for name, value in zip(find.names, values, strict=True)}
+        points.append(variant.exact | finds)
+    return points
+
+
+def lawless_points(lawful: Sequence[Point]) -> list[Point]:
+    """The same letters, each moved on its own, so that no law holds any more but by chance."""
+    dice = random.Random(7)
+    return [{name: Exactly(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi) for name, value in point.items()} for point in lawful]
+
+
+def _true(line: Relation, point: Point) -> bool:
+    try:
+        return holds_nearly(line, point, EXACT)
+    except Undefined:
+        return False
+
+
+def _equivalent(line: Relation, other: Relation, lawful: Sequence[Point]) -> bool:
+    """Whether two equations say the same: where the letter they share is changed so that one holds, the other holds too.
+
+    The letter is one in which the other equation is linear; it is solved for at lawless points.
+    """
+    for letter in sorted(names(other) & names(line)):
+        checks = [_solved(other, letter, point) for point in lawless_points(lawful)]
+        solved = [point for point in checks if point is not None]
+        if len(solved) == len(checks) and solved:
+            return all(_true(line, point) for point in solved)
+    return False
+
+
+def _solved(equation: Relation, letter: str, point: Point) -> Point | None:
+    """The point with one letter changed so that the equation holds; None where the equation is not linear in it."""
+    difference = Sum((equation.left, Negative(equation.right)))
+
+    def at(value: float) -> float:
+        return number(difference, point | {letter: as_exact(value)})
+
+    try:
+        start = number(Name(letter), point)
+        low, high = at(start), at(2 * start)
+        if low == high:
+            return None
+        root = start - low * start / (high - low)
+        changed = point | {letter: as_exact(root)}
+        return changed if holds_nearly(equation, changed, EXACT) else None
+    except Undefined:
+        return None

@@ -1,0 +1,29 @@
+"""Whether numbers are close enough: against the length of the answer, or because they were written with few figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+
+def close(values: Sequence[float], target: Sequence[float], tolerance: float, scale: float) -> bool:
+    """Whether the distance of two vectors (or numbers) is within the tolerance of the scale."""
+    if len(values) != len(target) or not all(map(math.isfinite, values)):
+        return False
+    return math.dist(values, target) <= tolerance * scale
+
+
+def coarse(values: Sequence[float], figures: Sequence[int], target: Sequence[float], size: float) -> int:
+    """The fewest figures written, when the target rounded to the figures written gives just these values; else 0.
+
+    `size` is the SI value of the unit in which the numbers were written, for figures are counted in that unit.
+    """
+    if not all(figures):
+        return 0
+    for value, count, wanted in zip(values, figures, target, strict=True):
+        if value == 0:
+            return 0
+        unit = 10.0 ** (math.floor(math.log10(abs(value / size)) + 1e-12) - count + 1) * size
+        if abs(value - wanted) > 0.5 * unit * (1 + 1e-9):
+            return 0
+    return min(figures)

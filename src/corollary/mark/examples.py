@@ -1,0 +1,43 @@
+"""The verdict on an example: the student's own numbers are put into the laws."""
+
+from __future__ import annotations
+
+from corollary.kind.answer import Numbers
+from corollary.mark.close import close
+from corollary.mark.key import Key, named
+from corollary.mark.replay import as_exact, number
+from corollary.mark.verdict import Right, Unread, Verdict, Wrong
+from corollary.problem.part import Part
+from corollary.quantity.ball import Exactly, Undefined
+from corollary.quantity.tree import Relation, Sum, Tree
+
+TOLERANCE = 0.01
+
+
+def judge_example(key: Key, part: Part, answer: Numbers) -> Verdict:
+    """Right when every law holds to one per cent of its larger side, and it is none of the excluded sets."""
+    truth = key.solution.examples[part.id]
+    known = key.variant.exact | named(key.solution, list(key.values))
+    scale = abs(number(truth.scale, known))
+    try:
+        mine = known | {name: as_exact(value) for name, value in zip(truth.names, answer.values, strict=True)}
+        for values, why in truth.apart:
+            if close(answer.values, tuple(number(tree, known) for tree in values), 2 * TOLERANCE, scale):
+                return Wrong(f"No: {why}.")
+        broken = [law for law in truth.laws if not all(holds_nearly(relation, mine) for relation in law.here)]
+    except Undefined as error:
+        return Unread(f"These numbers cannot be put into the laws: {error}")
+    if broken:
+        return Wrong(f"Your numbers do not keep this law: {' and '.join(law.name.lower() for law in broken)}.")
+    return Right("Every law holds for your numbers.")
+
+
+def holds_nearly(relation: Relation, values: dict[str, Exactly], tolerance: float = TOLERANCE) -> bool:
+    """Whether both sides agree to the tolerance of the largest term on either."""
+    left, right = number(relation.left, values), number(relation.right, values)
+    size = max(abs(number(term, values)) for side in (relation.left, relation.right) for term in _terms(side))
+    return abs(left - right) <= tolerance * size
+
+
+def _terms(tree: Tree) -> tuple[Tree, ...]:
+    return tree.terms if isinstance(tree, Sum) else (tree,)

@@ -1,0 +1,98 @@
+"""The verdict on numbers: right, right from what came before, a known mistake, a slip, or wrong."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from corollary.kind.answer import Numbers
+from corollary.mark.close import close, coarse
+from corollary.mark.earlier import Carried, carried, size
+from corollary.mark.key import Key, Truth
+from corollary.mark.replay import Deviation, ancestors, replay
+from corollary.mark.replay import Numbers as Values
+from corollary.mark.slips import slipped
+from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Verdict, Wrong
+from corollary.problem.part import Part
+from corollary.quantity.ball import Undefined
+from corollary.quantity.unit import called, show
+
+UNITLESS = "The number is right, but its unit is missing; a quantity is a number *and* a unit."
+
+
+def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, Values]) -> Verdict:
+    """What a good marker says of these numbers, given the student's earlier values (SI, by part)."""
+    truth = key.truths[part.id]
+    if answer.unitless:
+        verdict = judge_numbers(key, part, replace(answer, unitless=False), earlier)
+        return Slip(UNITLESS) if isinstance(verdict, (Right, Follows)) else verdict
+    if close(answer.values, truth.values, truth.tolerance, truth.scale):
+        return Right()
+    bases = list(carried(key, truth, earlier))
+    for base in bases:
+        if close(answer.values, base.values, truth.tolerance, size(base.values, truth)):
+            return Follows(base.parts) if base.parts else Right()
+    if (few := _coarse(part, answer, truth.values)) and not _also_a_mistake(key, part, truth, bases, answer):
+        return Right(f"Right, but coarse: {few} figures are few; give three.") if few > 1 else Slip("Rounded too far to tell: give three significant figures.")
+    for base in bases:
+        for wrong, said in mistakes(key, truth, base):
+            if close(answer.values, wrong, truth.tolerance, size(wrong, truth)):
+                return Mistaken(said, base.parts)
+    for base in bases:
+        if base.parts and _coarse(part, answer, base.values) > 1:
+            return Follows(base.parts)
+    for base in _distinct(bases):
+        for off, said in slipped(key, truth, base, part.unit):
+            if close(answer.values, off, truth.tolerance, size(off, truth)):
+                return Slip(said)
+    return Wrong(_hint(part, answer, truth))
+
+
+def mistakes(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Values, str]]:
+    """What each known mistake makes of the part: at its own step, at steps nobody was asked about, and at earlier parts not carried."""
+    solution = key.solution
+    places = sorted(ancestors(solution, truth.place) | {truth.place}, reverse=True)
+    for place in places:
+        if place in base.deviation.held:
+            continue
+        for wrong in solution.finds[place].mistakes:
+            deviation = Deviation(base.deviation.held, {**base.deviation.rules, place: wrong.rule})
+            try:
+                yield replay(solution, key.variant.exact, deviation, truth.place)[truth.place], wrong.text
+            except Undefined:
+                continue
+
+
+def _coarse(part: Part, answer: Numbers, target: Values) -> int:
+    return coarse(answer.values, answer.figures, target, float(part.unit.factor) * math.pi**part.unit.pi)
+
+
+def _also_a_mistake(key: Key, part: Part, truth: Truth, bases: list[Carried], answer: Numbers) -> bool:
+    """Whether so few figures fit a known mistake as well."""
+    return any(_coarse(part, answer, wrong) for wrong, _ in mistakes(key, truth, bases[0])) if bases else False
+
+
+def _distinct(bases: list[Carried]) -> list[Carried]:
+    seen: dict[Values, Carried] = {}
+    for base in bases:
+        seen.setdefault(base.values, base)
+    return list(seen.values())
+
+
+def _hint(part: Part, answer: Numbers, truth: Truth) -> str:
+    """What may be said without giving the value away."""
+    kind = called(part.unit.dimension)
+    if len(answer.values) == 1 and truth.values[0] and answer.values[0]:
+        ratio = abs(answer.values[0] / truth.values[0])
+        if ratio > 100 or ratio < 0.01:
+            return f"The size cannot be right for {kind} here: look at powers of ten and units."
+        if answer.values[0] * truth.values[0] < 0:
+            return "Neither the sign nor the size fits."
+        if abs(ratio - 1) < 0.05:
+            return "Close, but outside what rounding explains: carry four figures and round at the end."
+    if len(answer.values) > 1:
+        right = [name for name, x, wanted in zip(part.components, answer.values, truth.values, strict=True) if abs(x - wanted) <= truth.tolerance * truth.scale]
+        if right:
+            return f"Component {' and '.join(right)} fits; look at the other{'s' if len(answer.values) - len(right) > 1 else ''} again."
+    return f"Read as {kind}{f' in {show(part.unit)}' if show(part.unit) else ''}; it does not follow from the numbers given."

@@ -1,0 +1,107 @@
+"""The verdict on programs and figures: by what the student's functions return when called, and what the figures hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from corollary.derive.entries import Code, Plot
+from corollary.derive.said import Said
+from corollary.derive.solution import Solution
+from corollary.kind.answer import Numbers, Unclear
+from corollary.kind.number import vector
+from corollary.mark.said import Shown
+from corollary.mark.verdict import Mistaken, Right, Unread, Verdict, Wrong
+from corollary.problem.draw import digest
+from corollary.problem.part import Part
+from corollary.problem.variant import Variant
+from corollary.quantity.plain import Exact, Items, Nothing, Plain, Real
+from corollary.quantity.unit import unit
+from corollary.submission.job import Argument, Ask
+
+
+def code_of(solution: Solution, part: Part) -> Code | None:
+    """The code entry of a part."""
+    return next((entry for entry in solution.entries if isinstance(entry, Code) and entry.part == part.id), None)
+
+
+def plot_of(solution: Solution, part: Part) -> Plot | None:
+    """The plot entry of a part."""
+    return next((entry for entry in solution.entries if isinstance(entry, Plot) and entry.part == part.id), None)
+
+
+def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[Ask]:
+    """The calls of a part's function, on inputs nobody knows beforehand."""
+    code = code_of(solution, part)
+    if code is None:
+        return []
+    return [
+        Ask(f"{variant.problem.answer_name(part)}/{place}", part.function, tuple((name, _argument(value)) for name, value in inputs.items()))
+        for place, inputs in enumerate(inputs_of(code, variant, part, secret, student))
+    ]
+
+
+def inputs_of(code: Code, variant: Variant, part: Part, secret: bytes, student: str) -> Sequence[Mapping[str, object]]:
+    """The same inputs each time for one student and part, and different for others."""
+    count = iter(range(1 << 30))
+
+    def draw(low: float, high: float) -> float:
+        number = digest(secret, "call", variant.problem.code, part.id, student, str(next(count))) % (1 << 53)
+        return low + (high - low) * number / (1 << 53)
+
+    return code.inputs(variant.si, draw)
+
+
+def judge_code(solution: Solution, variant: Variant, part: Part, shown: Shown, secret: bytes, student: str) -> Verdict:
+    """Every call must return what the reference allows; the first that does not decides what is said."""
+    code = code_of(solution, part)
+    assert code is not None
+    for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
+        answered = shown.calls.get(f"{variant.problem.answer_name(part)}/{place}")
+        if answered is None:
+            return Unread(f"There is no function {part.signature} to call.")
+        if answered.trouble:
+            return Unread(f"Calling {part.function}: {answered.trouble}")
+        if isinstance(answered.value, Nothing):
+            return Unread(f"{part.function} returns nothing yet.", blank=True)
+        returned = _numbers(answered.value, variant)
+        if isinstance(returned, str):
+            return Unread(f"{part.function} returns something that is no list of numbers: {returned}.")
+        said = code.judge(variant.si, inputs, returned)
+        if said is not None:
+            return Mistaken(said.sentence) if said.known else Wrong(said.sentence)
+    return Right()
+
+
+def judge_plot(solution: Solution, variant: Variant, part: Part, shown: Shown) -> Verdict:
+    """The figures of the plot cell, axes by axes."""
+    plot = plot_of(solution, part)
+    assert plot is not None
+    axes = [each for figure in shown.figures for each in figure.axes]
+    if not axes:
+        return Unread("No figure was drawn.", blank=True)
+    said: Said | None = _said(plot.judge, variant, axes)
+    if said is None:
+        return Right()
+    return Mistaken(said.sentence) if said.known else Wrong(said.sentence)
+
+
+def _said(judge: Callable, variant: Variant, axes: Sequence[object]) -> Said | None:
+    return judge(variant.si, axes)
+
+
+def _argument(value: object) -> Argument:
+    if isinstance(value, (int, float, str)):
+        return value
+    if isinstance(value, (tuple, list)):
+        return tuple(float(each) for each in value)
+    raise TypeError(f"a function cannot be called with {value!r}")
+
+
+def _numbers(value: Plain, variant: Variant) -> tuple[float, ...] | str:
+    if isinstance(value, (Real, Exact)):
+        value = Items((value,), (1,))
+    count = len(value.items) if isinstance(value, Items) else 1
+    found = vector(value, unit("1"), count, variant.problem)
+    if isinstance(found, Numbers):
+        return found.values
+    return found.why if isinstance(found, Unclear) else found.shown

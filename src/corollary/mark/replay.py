@@ -1,0 +1,112 @@
+"""A solution replayed on numbers: by the rules, with a student's own earlier values, with a mistake, or with rounding at every step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import lru_cache
+
+from corollary.derive.solution import Find, Formulas, Measured, Rule, Solution
+from corollary.quantity.ball import Exactly, Undefined, evaluate
+from corollary.quantity.tree import Tree, names
+from corollary.scene.catalogue import run
+from corollary.scene.run import BadSetting, GuardFailed
+
+BITS = 96
+Numbers = tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Deviation:
+    """What is done differently: finds whose values are held (by place), rules exchanged (by place), and a rounding."""
+
+    held: Mapping[int, Numbers] = field(default_factory=dict)
+    rules: Mapping[int, Rule] = field(default_factory=dict)
+    rounding: Callable[[float], float] | None = None
+
+
+BY_THE_RULES = Deviation()
+
+
+def replay(solution: Solution, givens: Mapping[str, Exactly], deviation: Deviation = BY_THE_RULES, until: int | None = None) -> list[Numbers]:
+    """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
+    values: dict[str, Exactly] = dict(givens)
+    found: list[Numbers] = []
+    for place, find in enumerate(solution.finds):
+        numbers = deviation.held.get(place)
+        if numbers is None:
+            numbers = compute(deviation.rules.get(place, find.local), values)
+            if deviation.rounding is not None and isinstance(find.local, Formulas):
+                numbers = tuple(map(deviation.rounding, numbers))
+        for name, number in zip(find.names, numbers, strict=True):
+            values[name] = as_exact(number)
+        found.append(numbers)
+        if place == until:
+            break
+    return found
+
+
+def compute(rule: Rule, values: Mapping[str, Exactly]) -> Numbers:
+    """What a rule gives for these values. Raises Undefined."""
+    match rule:
+        case Formulas(trees):
+            return tuple(number(tree, values) for tree in trees)
+        case Measured(scene, settings, observe):
+            return observed(scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe)
+
+
+def number(tree: Tree, values: Mapping[str, Exactly]) -> float:
+    """A formula's value as a double, close to the last bit. Raises Undefined."""
+    value = float(evaluate(tree, values, BITS).mid())
+    if value != value or value in (float("inf"), float("-inf")):
+        raise Undefined("the value is beyond the numbers of this machine")
+    return value
+
+
+def as_exact(value: float) -> Exactly:
+    """The double itself. Raises Undefined for what is no number."""
+    if value != value or value in (float("inf"), float("-inf")):
+        raise Undefined("the value is beyond the numbers of this machine")
+    return Exactly(Fraction(value))
+
+
+@lru_cache(maxsize=4096)
+def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> Numbers:
+    """One observed value of a run, as a tuple. Raises Undefined when the scene refuses."""
+    return simulated(scene, settings, observe)[0]
+
+
+@lru_cache(maxsize=4096)
+def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> tuple[Numbers, float]:
+    """The observed value and the error the run states for it, relative to its natural scale."""
+    try:
+        outcome = run(scene, dict(settings), tolerance=1e-12)
+    except (BadSetting, GuardFailed) as error:
+        raise Undefined(str(error)) from None
+    seen = outcome.observed[observe]
+    return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
+
+
+def ancestors(solution: Solution, place: int) -> frozenset[int]:
+    """The places of all finds that a find is made of, by any of its routes."""
+    owner = {name: at for at, find in enumerate(solution.finds) for name in find.names}
+    seen: set[int] = set()
+    todo = [place]
+    while todo:
+        for name in uses(solution.finds[todo.pop()]):
+            at = owner.get(name)
+            if at is not None and at not in seen:
+                seen.add(at)
+                todo.append(at)
+    return frozenset(seen)
+
+
+def uses(find: Find) -> frozenset[str]:
+    """Every letter that the rules of a find mention."""
+    found: set[str] = set()
+    for rule in (find.local, *find.routes, *(wrong.rule for wrong in find.mistakes)):
+        trees = rule.trees if isinstance(rule, Formulas) else tuple(rule.settings.values())
+        for tree in trees:
+            found |= names(tree)
+    return frozenset(found)

@@ -1,0 +1,65 @@
+"""What is said of one answer: a closed family of seven verdicts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Right:
+    """The answer is right; `note` says what a good marker would add (coarse, an unusual form)."""
+
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Follows:
+    """Right, given what the student found in earlier parts."""
+
+    earlier: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Mistaken:
+    """A known misconception was at work; `earlier` names parts whose slips came along."""
+
+    mistake: str
+    earlier: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """A generic slip: sign, factor, power of ten, unit."""
+
+    slip: str
+
+
+@dataclass(frozen=True, slots=True)
+class Wrong:
+    """Read and understood, and not right; `why` is what can be said without giving the value away."""
+
+    why: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Unread:
+    """No answer could be read; `why` says what was met and how to write it. `blank`: nothing was handed in."""
+
+    why: str
+    blank: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Unmarked:
+    """Waits for a person, with the rubric; never counted as wrong."""
+
+    why: str
+    rubric: tuple[str, ...] = ()
+
+
+Verdict = Right | Follows | Mistaken | Slip | Wrong | Unread | Unmarked
+
+
+def word(verdict: Verdict) -> str:
+    """The verdict's name in reports and records."""
+    return type(verdict).__name__.lower()

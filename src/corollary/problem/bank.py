@@ -1,0 +1,98 @@
+"""A bank: a folder with `problems/` and `solutions/`, and how a problem is found in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from corollary.problem.complaint import Malformed
+from corollary.problem.problem import Problem
+from corollary.problem.read import read_problem
+
+
+class Unknown(LookupError):
+    """Nothing in the bank has this name; one sentence says what has."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bank:
+    folder: Path
+
+    @property
+    def problems(self) -> Path:
+        return self.folder / "problems"
+
+    @property
+    def sets(self) -> Path:
+        return self.problems / "sets"
+
+    def solution(self, problem: Problem) -> Path:
+        """Where the solution of a problem must lie: the same path, the same name, under solutions/."""
+        return (self.folder / "solutions" / problem.path.relative_to(self.problems)).with_suffix(".py")
+
+
+def chapter_bank() -> Bank:
+    """The chapter's bank: inside an installed package, or at the top of a checkout."""
+    package = Path(__file__).resolve().parent.parent
+    for folder in (package / "bank", package.parent.parent):
+        if (folder / "problems").is_dir() and (folder / "solutions").is_dir():
+            return Bank(folder)
+    raise Unknown(f"the chapter's bank is missing beside {package}; reinstall corollary or name a bank with --bank DIR")
+
+
+def open_bank(folder: Path | None) -> Bank:
+    """The bank in a folder, or the chapter's. Raises Unknown when the folder is no bank."""
+    if folder is None:
+        return chapter_bank()
+    if not (folder / "problems").is_dir():
+        raise Unknown(f"{folder} is no bank: it has no folder problems/")
+    return Bank(folder.resolve())
+
+
+def files(bank: Bank) -> list[Path]:
+    """Every problem file, by topic and name."""
+    return sorted(path for path in bank.problems.rglob("*.md") if bank.sets not in path.parents)
+
+
+def load(bank: Bank) -> list[Problem]:
+    """Every problem, in the order of the chapter. Raises Malformed with the complaints of every file, or for one code used twice."""
+    problems, complaints = [], []
+    for path in files(bank):
+        try:
+            problems.append(read_problem(path))
+        except Malformed as error:
+            complaints += error.complaints
+    if complaints:
+        raise Malformed(complaints)
+    codes: dict[str, Problem] = {}
+    for problem in problems:
+        if (other := codes.setdefault(problem.code, problem)) is not problem:
+            raise Unknown(f"{problem.path.name} and {other.path.name} both have the code {problem.code}; change one")
+    return sorted(problems, key=lambda problem: chapter_order(problem.code))
+
+
+def chapter_order(code: str) -> tuple:
+    """Sections first, then examples, exercises and projects, each by number."""
+    head, numbers = code[:1], "".join(letter if letter.isdigit() else " " for letter in code[1:]).split()
+    return ("STEXP".find(head) % 9, [int(number) for number in numbers], code)
+
+
+def find(bank: Bank, code: str) -> Problem:
+    """The problem named by its code, its file's name, or a path to a .md file. Raises Unknown or Malformed."""
+    if code.endswith(".md"):
+        path = Path(code).resolve()
+        if not path.is_file():
+            raise Unknown(f"there is no file {code}")
+        return read_problem(path)
+    for path in files(bank):
+        if path.stem == code:
+            return read_problem(path)
+    for path in files(bank):
+        if f"code: {code}\n" in path.read_text(encoding="utf-8", errors="replace")[:400]:
+            problem = read_problem(path)
+            if problem.code == code:
+                return problem
+    for problem in load(bank):
+        if problem.code.lower() == code.lower():
+            return problem
+    raise Unknown(f"no problem is called {code}; `corollary list` shows the codes")

@@ -1,0 +1,46 @@
+"""One parameter of a problem: its symbol, meaning, unit, the chapter's value, and the grid it may be drawn from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from corollary.quantity.unit import Unit
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """The exact values first, first + step, …; `count` of them, in the given's own unit."""
+
+    first: Fraction
+    step: Fraction
+    count: int
+
+    def __getitem__(self, index: int) -> Fraction:
+        return self.first + self.step * index
+
+    @property
+    def last(self) -> Fraction:
+        return self[self.count - 1]
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    symbol: str
+    meaning: str
+    unit: Unit
+    value: Fraction
+    grid: Grid
+    line: int
+    places: int
+
+    @property
+    def sign(self) -> int:
+        """1 when every drawable value is positive, -1 when every one is negative, else 0."""
+        low, high = sorted((self.grid.first, self.grid.last))
+        return 1 if low > 0 and self.value > 0 else -1 if high < 0 and self.value < 0 else 0
+
+
+def decimal_places(*numbers: Fraction) -> int:
+    """How many decimals write every one of the numbers exactly (at most 12: beyond, the number is no decimal)."""
+    return next((n for n in range(13) if all((x * 10**n).denominator == 1 for x in numbers)), 12)

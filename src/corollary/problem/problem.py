@@ -1,0 +1,51 @@
+"""A problem: statement, givens, conditions among them, and parts; from one Markdown file, and without any truth."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from corollary.problem.given import Given
+from corollary.problem.part import Part
+from corollary.quantity.tree import Relation
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A relation among the givens. `hard` ones bound where the physics holds; the others only where numbers are drawn."""
+
+    relation: Relation
+    text: str
+    hard: bool
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    code: str
+    name: str
+    title: str
+    source: str
+    topic: str
+    statement: str
+    givens: tuple[Given, ...]
+    conditions: tuple[Condition, ...]
+    parts: tuple[Part, ...]
+    figure: str
+    figure_alt: str
+    path: Path
+
+    def given(self, symbol: str) -> Given:
+        return next(given for given in self.givens if given.symbol == symbol)
+
+    def part(self, id: str) -> Part:
+        return next(part for part in self.parts if part.id == id)
+
+    @property
+    def prefix(self) -> str:
+        """The code as part of a Python name: X12.5 becomes X12_5."""
+        return "".join(letter if letter.isalnum() else "_" for letter in self.code)
+
+    def answer_name(self, part: Part) -> str:
+        """The variable a student assigns the answer to."""
+        return f"{self.prefix}_{part.id}"

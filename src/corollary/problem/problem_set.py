@@ -1,0 +1,123 @@
+"""A problem set: which problems, their points, the dates, and what each verdict earns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from fractions import Fraction
+from pathlib import Path
+
+from corollary.problem.bank import Bank, Unknown, find
+from corollary.problem.complaint import Complaint, Malformed
+from corollary.problem.node import Reader, Table, Text, split
+from corollary.problem.problem import Problem
+
+
+@dataclass(frozen=True, slots=True)
+class Scheme:
+    """What share of a part's points each verdict earns, and what is kept of the marks of late work."""
+
+    follows: float = 1.0
+    slip: float = 0.5
+    mistaken: float = 0.25
+    late: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class ProblemSet:
+    """`weights` multiply the points of each problem's parts; `due` is a time with a zone, or None."""
+
+    name: str
+    title: str
+    introduction: str
+    problems: tuple[Problem, ...]
+    weights: tuple[float, ...]
+    due: datetime | None
+    scheme: Scheme
+    reveal: bool
+
+    def weight(self, problem: Problem) -> float:
+        return self.weights[self.problems.index(problem)]
+
+    @property
+    def out_of(self) -> float:
+        return sum(
+            part.points * weight for problem, weight in zip(self.problems, self.weights, strict=True) for part in problem.parts
+        )
+
+
+def find_set(bank: Bank, name: str) -> ProblemSet:
+    """The set called so in the bank's problems/sets, or in the file of that path. Raises Unknown or Malformed."""
+    path = Path(name) if name.endswith(".md") else bank.sets / f"{name}.md"
+    if not path.is_file():
+        have = ", ".join(sorted(file.stem for file in bank.sets.glob("*.md"))) or "none"
+        raise Unknown(f"there is no problem set {name}; the bank has: {have}")
+    return read_set(bank, path)
+
+
+def read_set(bank: Bank, path: Path) -> ProblemSet:
+    """The problem set a file holds. Raises Malformed with every complaint found."""
+    table, body, _ = split(path)
+    complaints: list[Complaint] = []
+    front = Reader(path, table, "the problem set", complaints)
+    title = front.text("title")
+    due, due_line = front.line_of("due", "")
+    moment = _moment(due)
+    if due and moment is None:
+        front.complain(due_line, f"due: {due} is no moment; write it as 2026-12-04 23:59 (or with a zone, 2026-12-04T23:59+01:00)")
+    reveal, reveal_line = front.line_of("reveal", "no")
+    if reveal not in {"yes", "no"}:
+        front.complain(reveal_line, f"reveal: {reveal}: say yes (feedback shows the worked solution) or no")
+    scheme = _scheme(path, front.table_of("credit"), complaints)
+    chosen = _problems(bank, front)
+    front.finish()
+    if not chosen:
+        complaints.append(Complaint(path, table.line, "holds no problems; list them under problems:, one `- X12.5` a line"))
+    if complaints:
+        raise Malformed(complaints)
+    problems, weights = zip(*chosen, strict=True)
+    return ProblemSet(path.stem, title, body.strip(), problems, weights, moment, scheme, reveal == "yes")
+
+
+def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
+    chosen: list[tuple[Problem, float]] = []
+    for node in front.list_of("problems"):
+        weight: Fraction | None = Fraction(1)
+        if isinstance(node, Table):
+            row = Reader(front.path, node, "a problem of the set", front.complaints)
+            code, weight = row.text("code"), row.fraction("weight", "1")
+            row.finish()
+        elif isinstance(node, Text):
+            code = node.text
+        else:
+            front.complain(node.line, "a problem of the set is a code, or {code: X12.5, weight: 2}")
+            continue
+        try:
+            problem = find(bank, code)
+        except (Unknown, Malformed) as error:
+            front.complain(node.line, str(error))
+            continue
+        if any(problem.code == other.code for other, _ in chosen):
+            front.complain(node.line, f"{code} is in the set twice")
+        chosen.append((problem, float(weight or 1)))
+    return chosen
+
+
+def _scheme(path: Path, table: Table, complaints: list[Complaint]) -> Scheme:
+    row = Reader(path, table, "credit", complaints)
+    shares = {}
+    for name, default in (("follows", "1"), ("slip", "0.5"), ("mistaken", "0.25"), ("late", "1")):
+        share = row.fraction(name, default)
+        if share is not None and not 0 <= share <= 1:
+            row.complain(row.line_of(name, default)[1], f"{name} earns {share}; a share lies between 0 and 1")
+        shares[name] = float(share or 0)
+    row.finish()
+    return Scheme(**shares)
+
+
+def _moment(text: str) -> datetime | None:
+    """The moment a date stands for; without a zone, the machine's own."""
+    try:
+        return datetime.fromisoformat(text).astimezone()
+    except ValueError:
+        return None

@@ -1,0 +1,116 @@
+"""A problem with its numbers: exact rationals in the givens' own units, and where they came from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from corollary.problem.given import Given, decimal_places
+from corollary.problem.problem import Condition, Problem
+from corollary.quantity.ball import Exactly, Undefined, certified, holds
+from corollary.quantity.number import decimal_text
+from corollary.quantity.tree import Name, names
+from corollary.quantity.unit import show
+
+
+class OutOfRange(ValueError):
+    """A given's value contradicts the physics; one sentence says which and why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """`values` are in each given's own unit, by symbol; `index` is the place in the grid (None: chosen by hand)."""
+
+    problem: Problem
+    values: Mapping[str, Fraction]
+    index: int | None
+
+    @property
+    def exact(self) -> dict[str, Exactly]:
+        """The givens in SI, exactly."""
+        return {
+            given.symbol: Exactly(self.values[given.symbol] * given.unit.factor, given.unit.pi)
+            for given in self.problem.givens
+        }
+
+    @property
+    def si(self) -> dict[str, float]:
+        """The givens in SI, each the nearest double."""
+        exact = self.exact
+        return {symbol: certified(Name(symbol), exact).value for symbol in exact}
+
+    @property
+    def label(self) -> str:
+        """What identifies these numbers on paper: code and place in the grid."""
+        return f"{self.problem.code}#{'own' if self.index is None else self.index}"
+
+
+def size(problem: Problem) -> int:
+    """How many points the grid has, before any condition."""
+    count = 1
+    for given in problem.givens:
+        count *= given.grid.count
+    return count
+
+
+def at(problem: Problem, index: int) -> Variant:
+    """The grid point with this index; the last given moves fastest. Raises OutOfRange beyond the grid."""
+    if not 0 <= index < size(problem):
+        raise OutOfRange(f"{problem.code} has variants 0 to {size(problem) - 1}; {index} is not among them")
+    values, rest = {}, index
+    for given in reversed(problem.givens):
+        rest, place = divmod(rest, given.grid.count)
+        values[given.symbol] = given.grid[place]
+    return Variant(problem, {given.symbol: values[given.symbol] for given in problem.givens}, index)
+
+
+def chapter(problem: Problem) -> Variant:
+    """The problem with the chapter's own numbers."""
+    return Variant(problem, {given.symbol: given.value for given in problem.givens}, None)
+
+
+def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
+    """The chapter's numbers with some replaced (in the givens' own units).
+
+    Raises OutOfRange when a symbol is unknown or a value is against the physics.
+    """
+    for symbol in values:
+        if symbol not in {given.symbol for given in problem.givens}:
+            known = ", ".join(given.symbol for given in problem.givens)
+            raise OutOfRange(f"{symbol} is not among the givens of {problem.code} ({known})")
+    variant = Variant(problem, {**chapter(problem).values, **values}, None)
+    if (broken := first_broken(variant, hard_only=True)) is not None:
+        have = ", ".join(f"{name} = {written(variant, name)}" for name in sorted(names(broken.relation) - {"pi"}))
+        raise OutOfRange(f"{problem.code} needs {broken.text}, but {have}")
+    return variant
+
+
+def first_broken(variant: Variant, *, hard_only: bool = False) -> Condition | None:
+    """The first condition these numbers break, or None."""
+    exact = variant.exact
+    for condition in variant.problem.conditions:
+        if hard_only and not condition.hard:
+            continue
+        try:
+            if not holds(condition.relation, exact):
+                return condition
+        except Undefined:
+            return condition
+    return None
+
+
+def written(variant: Variant, symbol: str) -> str:
+    """A given as a student reads it: number and unit, with as many decimals as its grid has."""
+    given = variant.problem.given(symbol)
+    unit = show(given.unit)
+    gap = "" if unit in {"", "%", "°"} else "\N{NO-BREAK SPACE}"
+    return number(given, variant.values[symbol]) + gap + unit
+
+
+def number(given: Given, value: Fraction) -> str:
+    """The bare number, with the decimals of the given's grid where they suffice."""
+    places = max(given.places, decimal_places(value))
+    if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
+        return decimal_text(value, 6).replace("-", "−", 1) if value < 0 else decimal_text(value, 6)
+    return f"{round(value * 10**places) / 10**places:.{places}f}".replace("-", "−")

@@ -1,0 +1,65 @@
+"""Formulas as students and authors write them, read into trees; what has two readings is asked about, never guessed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import partial
+
+from corollary.quantity.degrees import in_degrees
+from corollary.quantity.function import SPELLINGS
+from corollary.quantity.letters import RUN, Piece, letters, read_run
+from corollary.quantity.number import PLAIN
+from corollary.quantity.pratt import formula
+from corollary.quantity.tokens import LONGEST, tokens
+from corollary.quantity.tree import Tree
+from corollary.quantity.trouble import Trouble, refused, sentence
+
+LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
+
+
+def parse(text: str, names: Iterable[str], *, degrees: bool = False, left: str | None = None) -> Tree | Trouble:
+    """A student's formula in the letters `names`.
+
+    A left side (`p = m v`) may be repeated: any one letter, or only `left` when it is given. With `degrees`, a bare number
+    inside sin, cos or tan is in degrees; letters stand for angles themselves.
+    """
+    if len(text) > LONGEST:
+        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+    found = LEFT.match(text.translate(PLAIN))
+    start = 0
+    if found:
+        start = found.end()
+        if left is not None and isinstance(read_run(found[1], 0, letters(frozenset({left}))), Trouble):
+            return refused(f"{found[1]} stands on the left, but {left} is asked for", found.start(1), f"begin with {left} =")
+    # Blanks stand for what was skipped, so that a place found is a place in what was typed.
+    read = tokens(" " * start + text[start:], partial(read_run, known=letters(frozenset(names))))
+    if isinstance(read, Trouble):
+        return read
+    tree = formula(read, student=True)
+    return in_degrees(tree) if degrees and not isinstance(tree, Trouble) else tree
+
+
+def author_formula(text: str, names: Iterable[str] | None = None) -> Tree:
+    """A formula, a law or a condition of an author: every product written with `*`, letters exactly as declared.
+
+    Raises ValueError with a sentence that quotes the text.
+    """
+    declared = None if names is None else frozenset(names)
+    read = tokens(text, partial(_author_run, declared=declared))
+    tree = read if isinstance(read, Trouble) else formula(read, student=False)
+    if isinstance(tree, Trouble):
+        raise ValueError(f"formula {text!r}, {sentence(tree)}")
+    return tree
+
+
+def _author_run(run: str, at: int, declared: frozenset[str] | None) -> list[Piece] | Trouble:
+    if declared is not None and run in declared:
+        return [Piece("name", run, at)]
+    if run in SPELLINGS:
+        return [Piece("function", SPELLINGS[run], at)]
+    if run == "log":
+        return refused("log can be the natural or the decimal logarithm", at, "write ln or log10")
+    if declared is None or run == "pi":
+        return [Piece("name", run, at)]
+    return refused(f"{run} is not among the letters here ({', '.join(sorted(declared))})", at)

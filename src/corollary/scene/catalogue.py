@@ -1,0 +1,43 @@
+"""The ready-made scenes by name, and one door through which they are run."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping
+
+from corollary.scene.ready.ball_on_floor import BALL_ON_FLOOR
+from corollary.scene.ready.bullet_block import BULLET_BLOCK
+from corollary.scene.ready.cradle import CRADLE
+from corollary.scene.ready.kick import KICK
+from corollary.scene.ready.scenery import Ready
+from corollary.scene.ready.setting import settle
+from corollary.scene.ready.snowball import SNOWBALL
+from corollary.scene.ready.spheres import SPHERES
+from corollary.scene.ready.wall import WALL
+from corollary.scene.run import BadSetting, Run
+
+SCENES: dict[str, Ready] = {scene.name: scene for scene in (CRADLE, BALL_ON_FLOOR, SPHERES, KICK, WALL, SNOWBALL, BULLET_BLOCK)}
+
+
+def run(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> Run:
+    """Play a ready-made scene with the least model that answers.
+
+    Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale.
+    Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not kept.
+    """
+    if name not in SCENES:
+        raise BadSetting(f"There is no scene {name!r}; there are {', '.join(SCENES)}.")
+    if not (math.isfinite(tolerance) and 1e-15 <= tolerance <= 0.1):
+        raise BadSetting(f"{name}: a tolerance of {tolerance:g} cannot be kept; ask for one between 1e-15 and 0.1.")
+    ready = SCENES[name]
+    settled = settle(name, ready.settings, settings)
+    begin = time.perf_counter()
+    try:
+        played = ready.play(settled, tolerance)
+    except (OverflowError, ZeroDivisionError):
+        raise BadSetting(f"{name}: with these settings numbers leave the range of a computer; choose milder ones.") from None
+    seconds = time.perf_counter() - begin
+    return Run(
+        name, settled, played.observed, played.errors, played.model, played.why, played.evaluations, seconds, played.outcome
+    )

@@ -1,0 +1,1 @@
+"""Models that need no steps: algebra, energy integrals, exact flow between events."""

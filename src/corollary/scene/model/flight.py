@@ -1,0 +1,62 @@
+"""Bodies on a line while nothing touches: straight or falling motion, and the moment of the next touch, in closed form."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from corollary.scene.line import Line
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """The contact that closes next, and after how long."""
+
+    contact: int
+    after: float
+
+
+def fall_of(line: Line, contact: int) -> float:
+    """How fast the closing speed of a contact grows by weight alone: only beside a wall or floor."""
+    left, right = (0.0 if math.isinf(m) else line.weight for m in line.masses[contact : contact + 2])
+    return right - left
+
+
+def asleep(line: Line, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
+    """Whether no contact pushes or is about to: all are open, or just touch without closing."""
+    count = len(line.masses)
+    for j, on in enumerate(touching):
+        closing = state[count + j] - state[count + j + 1]
+        if on and (state[1 + j] > 0.0 or closing > noise or (fall_of(line, j) > 0.0 and closing >= 0.0)):
+            return False
+    return True
+
+
+def first_touch(line: Line, state: Sequence[float], noise: float, bounced: bool) -> Meeting | None:
+    """The next touch, if there is one; after a bounce, bodies that only weight would bring back together count as released."""
+    count = len(line.masses)
+    best = None
+    for j in range(count - 1):
+        gap, closing, fall = max(-state[1 + j], 0.0), state[count + j] - state[count + j + 1], fall_of(line, j)
+        if closing <= noise and (bounced or fall <= 0.0):
+            continue
+        discriminant = closing**2 + 2.0 * fall * gap
+        if discriminant < 0.0:
+            continue
+        # The root free of cancellation, whichever sign the closing speed has.
+        root = math.sqrt(discriminant)
+        after = 2.0 * gap / (closing + root) if closing > 0.0 else (root - closing) / fall
+        if best is None or after < best.after:
+            best = Meeting(j, after)
+    return best
+
+
+def flown(line: Line, state: Sequence[float], meeting: Meeting) -> list[float]:
+    """The state at the meeting."""
+    count, t = len(line.masses), meeting.after
+    speeds = state[count:]
+    gaps = [state[1 + j] + (speeds[j] - speeds[j + 1]) * t + 0.5 * fall_of(line, j) * t * t for j in range(count - 1)]
+    gaps[meeting.contact] = 0.0
+    falls = [0.0 if math.isinf(m) else line.weight for m in line.masses]
+    return [state[0] + t, *(min(gap, 0.0) for gap in gaps), *(v - g * t for v, g in zip(speeds, falls, strict=True))]

@@ -1,0 +1,188 @@
+"""Springs between bodies in a row: while the same ones touch, the motion is a sum of swings and is known exactly."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from corollary.scene.line import Line, Passage, energy, guard, in_si, in_units, natural_units
+from corollary.scene.run import GuardFailed, Outcome
+
+Array = NDArray[np.floating]
+Flags = NDArray[np.bool_]
+
+# Overlaps and speeds below this (in natural units) are what rounding leaves of zero.
+NOISE = 1e-14
+MOST_PHASES = 2000
+# A grid so fine that an overlap has one turning point at most between two of its points.
+CELL, CELLS = 0.05, 256
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """The overlaps as sums of modes: shapes @ (start cos wt + speed sin wt / w), a straight line where w is zero.
+
+    shapes is (contacts, modes); frequencies, start and speed are (modes,).
+    """
+
+    shapes: Array
+    frequencies: Array
+    start: Array
+    speed: Array
+
+    def at(self, times: Array) -> tuple[Array, Array]:
+        """Overlaps and their rates at some times, each (contacts, times)."""
+        w = self.frequencies[:, None]
+        cosine, swung = np.cos(w * times), times * np.sinc(w * times / math.pi)
+        place = self.start[:, None] * cosine + self.speed[:, None] * swung
+        rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * swung
+        return self.shapes @ place, self.shapes @ rate
+
+    def overlap(self, contact: int, time: float) -> float:
+        return float(self.at(np.array([time]))[0][contact, 0])
+
+    def rate(self, contact: int, time: float) -> float:
+        return float(self.at(np.array([time]))[1][contact, 0])
+
+
+def swing(line: Line, touching: Flags, overlaps: Array, rates: Array) -> Swing:
+    """The motion of the overlaps while exactly these contacts touch.
+
+    overlap'' = -M K overlap, where M couples neighbours by their inverse masses and K holds the springs that touch. With
+    M = L L^T the matrix L^T K L is symmetric, so its modes are orthogonal however unequal the masses are. Every open contact
+    gives one mode that does not swing.
+    """
+    inverse = np.array([1.0 / m for m in line.masses])
+    coupling = np.diag(inverse[:-1] + inverse[1:]) - np.diag(inverse[1:-1], 1) - np.diag(inverse[1:-1], -1)
+    lower = np.linalg.cholesky(coupling)
+    springs = np.array([c.k for c in line.contacts]) * touching
+    squares, modes = np.linalg.eigh(lower.T @ (springs[:, None] * lower))
+    squares[: int(np.sum(~touching))] = 0.0
+    return Swing(
+        lower @ modes,
+        np.sqrt(np.maximum(squares, 0.0)),
+        modes.T @ np.linalg.solve(lower, overlaps),
+        modes.T @ np.linalg.solve(lower, rates),
+    )
+
+
+def collide(line: Line) -> Passage:
+    """Follow a line of springs (q = 1, no damping, no weight) exactly from one opening or closing to the next.
+
+    Raises GuardFailed when momentum or energy is lost, or the end is not reached.
+    """
+    units = natural_units(line)
+    if units is None:
+        still = (0.0,) * len(line.gaps)
+        return Passage(line.velocities, 0.0, still, still, "missed", 0)
+    return in_si(_follow(in_units(line, units)), units)
+
+
+def _follow(line: Line) -> Passage:
+    overlaps = -np.array(line.gaps)
+    rates = np.array(line.velocities[:-1]) - np.array(line.velocities[1:])
+    touching = overlaps >= 0.0
+    largest = np.maximum(overlaps, 0.0)
+    time, began, ended, openings = 0.0, math.inf, 0.0, 0
+    for _ in range(MOST_PHASES):
+        awake = touching & ((overlaps > NOISE) | (rates > NOISE))
+        if not awake.any():
+            closing = np.where(rates > NOISE, np.maximum(-overlaps, 0.0) / np.where(rates > NOISE, rates, 1.0), np.inf)
+            j = int(np.argmin(closing))
+            if math.isinf(closing[j]):
+                return _arrived(line, overlaps, rates, largest, ended - began, openings)
+            time += float(closing[j])
+            overlaps, touching = overlaps + rates * closing[j], np.arange(len(rates)) == j
+            overlaps[j] = 0.0
+        began = min(began, time)
+        motion = swing(line, touching, overlaps, rates)
+        j, lasted, crests = _until_change(motion, touching)
+        largest = np.maximum(largest, crests)
+        overlaps, rates = (values[:, 0] for values in motion.at(np.array([lasted])))
+        time += lasted
+        overlaps[j] = 0.0
+        openings += int(touching[j])
+        ended = time if touching[j] else ended
+        touching = touching ^ (np.arange(len(rates)) == j)
+    raise GuardFailed(f"The springs opened and closed {MOST_PHASES} times without an end. Make the masses less unequal.")
+
+
+def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
+    """The contact that opens or closes next, after how long, and the largest overlap of each contact until then."""
+    cell = CELL / float(motion.frequencies.max())
+    sign = np.where(touching, 1.0, -1.0)[:, None]
+    crests = np.zeros(len(touching))
+    for block in range(MOST_PHASES):
+        times = cell * (CELLS * block + np.arange(CELLS + 1))
+        overlaps, rates = motion.at(times)
+        # Turned so that every contact, open or closed, changes when its value falls through zero.
+        values, slopes = sign * overlaps, sign * rates
+        falls = (values[:, 1:] < -NOISE) | ((values[:, 1:] > -NOISE) & _dips(motion, times, values, slopes, sign))
+        found = [(int(np.argmax(row)), j) for j, row in enumerate(falls) if row.any()]
+        stop = min(i for i, _ in found) + 1 if found else CELLS
+        for j, i in zip(*np.nonzero(touching[:, None] & (rates[:, :stop] > 0.0) & (rates[:, 1 : stop + 1] <= 0.0)), strict=True):
+            top = _zero(lambda t, j=j: motion.rate(j, t), float(times[i]), float(times[i + 1]))
+            crests[j] = max(crests[j], motion.overlap(j, top))
+        if found:
+            left, right = float(times[stop - 1]), float(times[stop])
+            moment, j = min((_falling_zero(motion, j, float(sign[j, 0]), left, right), j) for i, j in found if i == stop - 1)
+            return j, moment, crests
+    raise GuardFailed("Springs that touch never part: the bodies are as good as at rest. Make the masses less unequal.")
+
+
+def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array) -> Flags:
+    """Cells inside which a value falls below zero and is back at the end: those with a minimum, looked at closely."""
+    dips = np.zeros((len(values), len(times) - 1), dtype=bool)
+    near = values[:, 1:] < CELL**2 * np.abs(values).max(axis=1, initial=NOISE)[:, None]
+    for j, i in zip(*np.nonzero((slopes[:, :-1] < 0.0) & (slopes[:, 1:] > 0.0) & near), strict=True):
+        low = _zero(lambda t, j=j: -float(sign[j, 0]) * motion.rate(j, t), float(times[i]), float(times[i + 1]))
+        dips[j, i] = sign[j, 0] * motion.overlap(j, low) < -NOISE
+    return dips
+
+
+def _falling_zero(motion: Swing, j: int, sign: float, left: float, right: float) -> float:
+    def value(t: float) -> float:
+        return sign * motion.overlap(j, t)
+
+    if value(left) <= 0.0:
+        return left
+    if value(right) > -NOISE:  # it dips between: fall to the lowest point only
+        right = _zero(lambda t: -sign * motion.rate(j, t), left, right)
+    return _zero(value, left, right)
+
+
+def _zero(value: Callable[[float], float], left: float, right: float) -> float:
+    """Where a value that falls from `left` to `right` is zero, to the last digit (Illinois)."""
+    high, low, side = value(left), value(right), 0
+    for _ in range(60):
+        middle = left + (right - left) * high / (high - low)
+        if not left < middle < right:
+            return min(max(middle, left), right)
+        here = value(middle)
+        if here > 0.0:
+            left, high, low, side = middle, here, low * (0.5 if side > 0 else 1.0), 1
+        elif here < 0.0:
+            right, low, high, side = middle, here, high * (0.5 if side < 0 else 1.0), -1
+        else:
+            return middle
+    return 0.5 * (left + right)
+
+
+def _arrived(line: Line, overlaps: Array, rates: Array, largest: Array, duration: float, openings: int) -> Passage:
+    """Velocities from their differences: momentum (or the wall) says where they start from."""
+    behind = -np.concatenate([[0.0], np.cumsum(rates)])
+    walls = [v - b for m, v, b in zip(line.masses, line.velocities, behind, strict=True) if math.isinf(m)]
+    if walls:
+        first = walls[0]
+    else:
+        momentum = math.fsum(m * (v - b) for m, v, b in zip(line.masses, line.velocities, behind, strict=True))
+        first = momentum / math.fsum(line.masses)
+    velocities = tuple(float(first + b) for b in behind)
+    guard(line, energy(line, [0.0] * len(rates), velocities), velocities, 1e-11)
+    outcome: Outcome = "released" if openings else "missed"
+    forces = tuple(c.k * float(d) for c, d in zip(line.contacts, largest, strict=True))
+    return Passage(velocities, max(duration, 0.0), tuple(map(float, largest)), forces, outcome, 0, openings)

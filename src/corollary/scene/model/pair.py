@@ -1,0 +1,110 @@
+"""Two spheres seen from one of them: where they meet, and what the collision of the pair makes of both velocities."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from corollary.scene.force.contact import Contact
+
+Vector = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """B seen from A: `apart` (m) and `relative` velocity (m/s); they touch when closer than `reach` (the sum of the radii)."""
+
+    mass_a: float
+    mass_b: float
+    apart: Vector
+    relative: Vector
+    reach: float
+    contact: Contact
+
+    @property
+    def mass(self) -> float:
+        """The reduced mass."""
+        return self.mass_a / (self.mass_a + self.mass_b) * self.mass_b
+
+
+@dataclass(frozen=True, slots=True)
+class Touching:
+    """The pair when it begins to touch (or at the start, if it does): B in direction `angle` from A.
+
+    `inward` is the rate at which the overlap grows, `spin` the angular momentum per reduced mass (r times the speed across).
+    """
+
+    angle: float
+    overlap: float
+    inward: float
+    spin: float
+    after: float
+
+
+@dataclass(frozen=True, slots=True)
+class Parting:
+    """The pair when it ceases to touch: turned by `turned` since it began, apart at the rate `outward`, with what spin is left."""
+
+    turned: float
+    outward: float
+    spin: float
+    duration: float
+    overlap: float
+    force: float
+    sticks: bool
+    evaluations: int
+    doubt: float = 2e-15
+
+
+def meet(pair: Pair) -> Touching | None:
+    """The beginning of the contact, found without a step: the root of a quadratic; none when they pass each other."""
+    (x, y), (u, v) = pair.apart, pair.relative
+    spin, radial, distance = x * v - y * u, x * u + y * v, math.hypot(x, y)
+    if distance < pair.reach:
+        return Touching(math.atan2(y, x), pair.reach - distance, -radial / distance, spin, 0.0)
+    speed = math.hypot(u, v)
+    # (D - b)(D + b) and not D^2 - b^2: a grazing hit keeps its digits.
+    room = (pair.reach * speed - abs(spin)) * (pair.reach * speed + abs(spin))
+    if radial >= 0.0 or room <= 0.0:
+        return None
+    root = math.sqrt(room)
+    after = (distance - pair.reach) * (distance + pair.reach) / (-radial + root)
+    angle = math.atan2(y + v * after, x + u * after)
+    return Touching(angle, 0.0, root / pair.reach, spin, after)
+
+
+def after_parting(pair: Pair, met: Touching, parted: Parting) -> Vector:
+    """The relative velocity of B once they are apart; zero when they stick."""
+    if parted.sticks:
+        return 0.0, 0.0
+    angle, across = met.angle + parted.turned, parted.spin / pair.reach
+    c, s = math.cos(angle), math.sin(angle)
+    return parted.outward * c - across * s, parted.outward * s + across * c
+
+
+def deepest(pair: Pair, met: Touching) -> float:
+    """The largest overlap without damping: inward^2 = 2 k x^(q+1)/((q+1) mass) + spin^2 (1/(D-x)^2 - 1/D^2), by halving and Newton.
+
+    Only for a contact that begins at zero overlap.
+    """
+    d, p = pair.reach, pair.contact.q + 1.0
+    stiff, turning = 2.0 * pair.contact.k / (p * pair.mass), met.spin**2
+
+    def lacking(x: float) -> float:
+        r = d - x
+        return stiff * x**p + turning * x * (d + r) / (r * r * d * d) - met.inward**2
+
+    elastic = (met.inward**2 / stiff) ** (1.0 / p)
+    low, high = 0.0, min(elastic, d)
+    x = 0.5 * high if high == d else high
+    for _ in range(200):
+        r = d - x
+        value = lacking(x)
+        low, high = (x, high) if value < 0.0 else (low, x)
+        slope = stiff * p * x ** (p - 1.0) + 2.0 * turning / r**3
+        step = x - value / slope
+        step = step if low < step < high else 0.5 * (low + high)
+        if abs(step - x) <= 2e-16 * x:
+            return step
+        x = step
+    return x

@@ -1,0 +1,1 @@
+"""The chapter's scenes, ready-made, one a file."""

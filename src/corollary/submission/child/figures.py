@@ -1,0 +1,106 @@
+"""Figures as what was drawn: the labels, limits and legend of each pair of axes, and the numbers of each line."""
+
+import io
+import math
+
+import numpy
+
+MOST_POINTS = 5_000
+MOST_LINES = 60
+MOST_AXES = 20
+MOST_PIXELS = 2_000_000
+_DPI = 72
+
+
+def describe(figure, picture):
+    """A figure as plain data; what cannot be read of it is left out, whatever the student did to it."""
+    return {"axes": [_attempt(_axes, each, figure) for each in list(figure.axes)[:MOST_AXES]],
+            "png": _attempt(_png, figure) if picture else None}
+
+
+def _attempt(read, *arguments):
+    try:
+        return read(*arguments)
+    except Exception:
+        return None
+
+
+def _axes(axes, figure):
+    title = axes.get_title() or axes.get_title("left") or axes.get_title("right")
+    if not title and len(figure.axes) == 1:
+        title = figure.get_suptitle()
+    legend = axes.get_legend()
+    return {
+        "title": _short(title),
+        "xlabel": _short(axes.get_xlabel()),
+        "ylabel": _short(axes.get_ylabel()),
+        "xlim": [float(edge) for edge in axes.get_xlim()],
+        "ylim": [float(edge) for edge in axes.get_ylim()],
+        "xscale": _short(axes.get_xscale()),
+        "yscale": _short(axes.get_yscale()),
+        "legend": [_short(text.get_text()) for text in legend.get_texts()[:MOST_LINES]] if legend else [],
+        "lines": [line for line in _lines(axes) if line][:MOST_LINES],
+    }
+
+
+def _lines(axes):
+    for line in axes.lines[:MOST_LINES]:
+        yield _attempt(_curve, line, axes)
+    for cloud in axes.collections[:MOST_LINES]:
+        if type(cloud).__name__ == "PathCollection":
+            yield _attempt(_cloud, cloud)
+    for bars in axes.containers[:MOST_LINES]:
+        if type(bars).__name__ == "BarContainer":
+            yield _attempt(_bars, bars)
+
+
+def _curve(line, axes):
+    x, y = line.get_data(orig=False)
+    x, y = _numbers(x), _numbers(y)
+    # A line as of axhline counts one direction in fractions of the axes; told here in the data's own numbers.
+    x_is_data, y_is_data = line.get_transform().contains_branch_seperately(axes.transData)
+    x = x if x_is_data else [_along(axes.get_xlim(), each) for each in x]
+    y = y if y_is_data else [_along(axes.get_ylim(), each) for each in y]
+    drawn = str(line.get_linestyle()) not in ("None", "none", "", " ")
+    return _told(x, y, line.get_label(), "line" if drawn else "points")
+
+
+def _cloud(cloud):
+    places = cloud.get_offsets()
+    return _told(_numbers(places[:, 0]), _numbers(places[:, 1]), cloud.get_label(), "points")
+
+
+def _bars(bars):
+    upright = bars.orientation != "horizontal"
+    x = [bar.get_x() + bar.get_width() / 2 if upright else bar.get_y() + bar.get_height() / 2 for bar in bars.patches]
+    y = [bar.get_height() if upright else bar.get_width() for bar in bars.patches]
+    return _told(_numbers(x), _numbers(y), bars.get_label(), "bars")
+
+
+def _along(limits, fraction):
+    return limits[0] + fraction * (limits[1] - limits[0])
+
+
+def _numbers(values):
+    every = -(-len(values) // MOST_POINTS) or 1  # of very many points, every second, third, … one
+    # A masked entry is a gap in the line.
+    return numpy.ma.filled(numpy.ma.asarray(values[::every], dtype=float), math.nan).tolist()
+
+
+def _told(x, y, label, kind):
+    count = min(len(x), len(y))
+    return {"x": x[:count], "y": y[:count], "label": "" if str(label).startswith("_") else _short(label), "kind": kind}
+
+
+def _short(text):
+    return str(text)[:500].encode("utf-8", "replace").decode("utf-8")
+
+
+def _png(figure):
+    width, height = figure.get_size_inches()
+    dpi = min(_DPI, math.sqrt(MOST_PIXELS / max(width * height, 1e-9)))
+    if dpi < 5:
+        return None
+    sink = io.BytesIO()
+    figure.savefig(sink, format="png", dpi=dpi)
+    return sink.getvalue()

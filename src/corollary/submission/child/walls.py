@@ -1,0 +1,68 @@
+"""Namespaces: a root that holds the interpreter and its libraries only, and for each notebook its own processes, net and disk."""
+
+import os
+
+from . import libc
+
+DESK = "/desk"
+FOLDER = "/desk/notebook"
+_DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
+
+
+def enter_new_root(base, visible, hidden, own_users):
+    """Leaves the machine's files: only the paths in `visible` remain, read-only, without those in `hidden`.
+
+    `base` is an empty folder to build in; with `own_users` the powers to do so come from a user namespace. Raises OSError
+    where the kernel or the administrator does not allow it; the process may then be half-way, so try it in a throw-away
+    child first.
+    """
+    user, group = os.geteuid(), os.getegid()
+    libc.unshare(libc.CLONE_NEWNS | (libc.CLONE_NEWUSER if own_users else 0))
+    if own_users:
+        _write("/proc/self/setgroups", "deny")
+        _write("/proc/self/uid_map", f"{user} {user} 1")
+        _write("/proc/self/gid_map", f"{group} {group} 1")
+    libc.mount(None, "/", None, libc.MS_REC | libc.MS_PRIVATE)
+    libc.mount("desk", base, "tmpfs", libc.MS_NOSUID, "size=1m,mode=755")
+    for path in (*_DEVICES, *visible):
+        if os.path.exists(path):
+            _show(base, path)
+    os.makedirs(base + FOLDER)
+    # A folder inside what is visible is hidden by an empty one on top of it.
+    for path in hidden:
+        if os.path.isdir(base + path):
+            libc.mount("hidden", base + path, "tmpfs", libc.MS_NOSUID, "size=4k,mode=755")
+    libc.make_read_only(base)
+    # The warm parent writes a little while its libraries start; each notebook's disk is mounted over it.
+    libc.mount("warm", base + FOLDER, "tmpfs", libc.MS_NOSUID | libc.MS_NODEV, "size=16m,mode=755")
+    libc.pivot_root(base)
+
+
+def _show(base, path):
+    """A link stays a link (Debian's /lib), anything else is mounted at its own place in the new root."""
+    place = base + path
+    os.makedirs(os.path.dirname(place), exist_ok=True)
+    if os.path.islink(path):
+        if not os.path.lexists(place):
+            os.symlink(os.readlink(path), place)
+        return
+    if os.path.isdir(path):
+        os.makedirs(place, exist_ok=True)
+    elif not os.path.exists(place):
+        os.close(os.open(place, os.O_CREAT | os.O_WRONLY, 0o644))
+    libc.mount(path, place, None, libc.MS_BIND | libc.MS_REC)
+
+
+def _write(path, text):
+    descriptor = os.open(path, os.O_WRONLY)
+    try:
+        os.write(descriptor, text.encode())
+    finally:
+        os.close(descriptor)
+
+
+def enter_own_namespaces(disk_bytes, user, group):
+    """For one notebook: no net, no other process in sight, and a small empty disk at `FOLDER`; takes effect for the next fork."""
+    libc.unshare(libc.CLONE_NEWNS | libc.CLONE_NEWPID | libc.CLONE_NEWNET | libc.CLONE_NEWIPC | libc.CLONE_NEWUTS)
+    options = f"size={disk_bytes},nr_inodes=512,mode=700,uid={user},gid={group}"
+    libc.mount("notebook", FOLDER, "tmpfs", libc.MS_NOSUID | libc.MS_NODEV, options)

@@ -1,0 +1,91 @@
+"""The warm parent: it forks one child per notebook, waits for its end, and never reads any of them."""
+
+import contextlib
+import gc
+import json
+import os
+import signal
+import socket
+import tempfile
+
+from . import libc, life, ready
+from . import outputs as shown
+from . import shell as shells
+
+_REHEARSAL = """import numpy as np, matplotlib.pyplot as plt
+plt.plot([0, 1], label="x"); plt.legend(); plt.xlabel("$x$"); plt.savefig(__import__("io").BytesIO()); plt.close("all")
+np.linspace(0, 1, 3) @ np.ones(3)
+1/0"""
+
+
+def serve(control, opening):
+    """Gets ready, says so, and forks a child for each results channel that comes in; ends when the other side does."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the coordinator's to answer
+    parent = ready.Parent(opening)
+    if libc.on_linux():
+        ready.choose_root(parent, opening)
+        libc.prctl(libc.PR_SET_CHILD_SUBREAPER, 1)
+    else:
+        parent.missing = dict.fromkeys(("namespaces", "Landlock", "seccomp"), "only Linux has it")
+    for name in ("HOME", "TMPDIR", "MPLCONFIGDIR", "IPYTHONDIR"):
+        os.environ[name] = parent.folder
+    outputs = shown.Outputs(parent.limits["output_bytes"])
+    shell = _warm_shell(outputs, opening["preload"])
+    tempfile.tempdir = None
+    if libc.on_linux():
+        ready.prepare_walls(parent, opening)
+        libc.prctl(libc.PR_SET_DUMPABLE, 0)
+    gc.collect()
+    gc.freeze()
+    _reply(control, {"missing": parent.missing, "namespaces": parent.namespaces, "user": parent.user,
+                     "threads": ready.reading(parent, "Threads"), "kilobytes": ready.reading(parent, "VmRSS")})
+    while True:
+        results = _next(control)
+        child = os.fork()
+        if child == 0:
+            control.close()
+            life.live(parent, shell, outputs, results)
+        os.close(results)
+        code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+        _end_what_is_left()
+        _reply(control, {"code": 128 - code if code < 0 else code})
+
+
+def _warm_shell(outputs, preload):
+    shell = shells.new_shell(outputs)
+    ready.import_slow(preload)
+    out, err = shells.streams(outputs)
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        shell.run_cell(_REHEARSAL, store_history=True)
+    shells.forget(shell)
+    outputs.start()
+    return shell
+
+
+def _next(control):
+    _, descriptors, _, _ = socket.recv_fds(control, 1, 1)
+    if not descriptors:
+        os._exit(0)
+    return descriptors[0]
+
+
+def _reply(control, said):
+    text = json.dumps(said).encode()
+    control.sendall(len(text).to_bytes(8, "big") + text)
+
+
+def _end_what_is_left():
+    """Ends processes a notebook left behind; they are children of this one now, which has no others."""
+    while True:
+        try:
+            with open(f"/proc/self/task/{os.getpid()}/children") as file:
+                left = [int(number) for number in file.read().split()]
+        except OSError:  # no /proc: then the namespace has ended them, or seccomp has let none begin
+            left = []
+        for process in left:
+            os.kill(process, signal.SIGKILL)
+        try:
+            if os.waitpid(-1, 0 if left else os.WNOHANG)[0] == 0:
+                return
+        except ChildProcessError:
+            return

@@ -1,0 +1,56 @@
+"""What is asked of one notebook: the cells to run, the answers to bring back, the functions to call, and how much it may use."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+Argument = float | int | tuple[float, ...] | str
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One code cell to run, in its order; `id` is the notebook cell's id."""
+
+    id: str
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """A call of the student's function, made after all cells have run.
+
+    `key` names the call in the answer ("P12.14.h/0"); every argument is passed by keyword and is all the notebook's
+    process learns of it.
+    """
+
+    key: str
+    function: str
+    arguments: tuple[tuple[str, Argument], ...]
+    seconds: float = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """One notebook's work: `names` are the variables to bring back.
+
+    `figures` are ids of the cells whose figures matter; the figures of every cell come back anyway. With `pictures` each
+    figure is also drawn as PNG, which costs more than all the rest together.
+    """
+
+    cells: tuple[Cell, ...]
+    names: tuple[str, ...]
+    asks: tuple[Ask, ...] = ()
+    figures: tuple[str, ...] = ()
+    pictures: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What one notebook may use: seconds of wall clock, bytes of memory above the bare interpreter, bytes shown per cell,
+    bytes on disk. It may start no process."""
+
+    cell_seconds: float = 20.0
+    total_seconds: float = 120.0
+    memory_bytes: int = 1 << 30
+    output_bytes: int = 1 << 20
+    file_bytes: int = 16 << 20

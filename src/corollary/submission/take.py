@@ -1,0 +1,105 @@
+"""Taking a submission: run a notebook in isolation and bring back its answers; the one place where foreign code runs."""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import threading
+from types import TracebackType
+from typing import Self, final
+
+from corollary.quantity.plain import Nothing, Plain
+from corollary.submission.conversation import Told, Watch, follow, give
+from corollary.submission.decode import plain
+from corollary.submission.isolation import UNKNOWN, WeakIsolation, isolation_of
+from corollary.submission.job import Ask, Cell, Job, Limits
+from corollary.submission.parent import Parent, fork, reap, start, stop, tell
+from corollary.submission.report import answered, cell_runs, figures_of, trouble_of
+from corollary.submission.taken import Answered, Axes, CellRun, Figure, Isolation, Line, Taken
+
+__all__ = ["Answered", "Ask", "Axes", "Cell", "CellRun", "Figure", "Isolation", "Job", "Limits", "Line", "Runner", "Taken",
+           "WeakIsolation"]
+
+_NO_JOB = Job((), ())
+
+
+@final
+class Runner:
+    """Runs notebooks one after another, each in a fork of one warm parent; for several at once use several.
+
+    `require` is the least isolation level accepted: entering raises WeakIsolation below it, and CannotStart when nothing
+    can be run at all. `without` leaves out walls by name, to measure their cost. `take` is safe to call from several threads;
+    they wait for one another.
+    """
+
+    def __init__(self, limits: Limits | None = None, require: int = 0, without: frozenset[str] = frozenset()) -> None:
+        self.limits = limits or Limits()
+        self.require = require
+        self.without = without
+        self.isolation: Isolation = UNKNOWN
+        self._parent: Parent | None = None
+        self._lock = threading.Lock()
+
+    def __enter__(self) -> Self:
+        self._warm()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        with self._lock:
+            self._cool()
+
+    @property
+    def kilobytes(self) -> int:
+        """Memory the warm parent takes."""
+        return self._parent.kilobytes if self._parent else 0
+
+    def take(self, job: Job) -> Taken:
+        """Runs the job; whatever it does, the result says so and the next one runs. Raises CannotStart only."""
+        with self._lock:
+            told, code = self._run(job)
+            return self._taken(job, told, code)
+
+    def _warm(self) -> Parent:
+        if self._parent is None:
+            self._parent = start(self.limits, self.without)
+            told, _ = self._run(_NO_JOB, trial=True)
+            if self._parent is None:
+                self._parent = start(self.limits, self.without)
+            self.isolation = isolation_of(told.trial, self._parent.missing)
+            if self.isolation.level < self.require:
+                self._cool()
+                raise WeakIsolation(self.isolation, self.require)
+        return self._parent
+
+    def _cool(self) -> None:
+        if self._parent is not None:
+            stop(self._parent)
+            self._parent = None
+
+    def _run(self, job: Job, trial: bool = False) -> tuple[Told, int | None]:
+        parent = self._parent or self._warm()
+        watch = Watch() if parent.namespaces else Watch(0.25, str(parent.folder), self.limits.file_bytes)
+        try:
+            child = fork(parent)
+            try:
+                give(child, job, self.limits, trial)
+                told = follow(child, job, self.limits, watch)
+            except BaseException:
+                tell(child, signal.SIGKILL)
+                raise
+            finally:
+                with contextlib.suppress(OSError):
+                    child.channel.shutdown(2)
+            return told, reap(parent, child)
+        except OSError as error:
+            # The machine's failing, or a notebook that got at the parent: start afresh for the next one.
+            self._cool()
+            return Told(ended=f"the process that runs notebooks failed ({error})"), None
+
+    def _taken(self, job: Job, told: Told, code: int | None) -> Taken:
+        trouble = trouble_of(job, told, code)
+        values: dict[str, Plain] = {name: Nothing() for name in job.names}
+        for index in sorted(told.cells):
+            values |= {name: plain(sent) for name, sent in told.cells[index].values.items() if name in values}
+        calls = {ask.key: answered(told.calls.get(index), trouble, told, index) for index, ask in enumerate(job.asks)}
+        return Taken(cell_runs(job, told), values, calls, figures_of(job, told), self.isolation, trouble)
