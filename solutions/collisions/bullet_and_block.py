@@ -1,6 +1,7 @@
 """Bullet and a block: work and energy on the rough table, momentum in the hit."""
 
 from corollary.derive.author import derivation, mistake, route, step, unknowns
+from corollary.derive.simulation import simulate
 from corollary.law import change_of_kinetic_energy, law, level_floor, sliding_to_rest, sticking
 
 
@@ -48,6 +49,6 @@ def derive(m, M, mu, d, g):
     )  # fmt: skip
 
 
-def scene(m, M, mu, d, g):
-    """The bullet is stopped in the block by a short strong drag; then kinetic friction stops both."""
-    return [("bullet_block", {"m": m, "M": M, "mu": mu, "g": g, "v": "a"}, {"distance": d, "energy_change": "b"})]
+def scene(m, M, mu, d, g, answer):
+    """A bullet of the speed found is braked inside the block; then friction stops both, where it must."""
+    return [simulate("bullet_block", {"m": m, "M": M, "mu": mu, "g": g, "v": answer["a"]}, distance=d, energy_change=answer["b"])]

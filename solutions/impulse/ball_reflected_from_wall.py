@@ -3,6 +3,7 @@
 import sympy
 
 from corollary.derive.author import HALF_PI, derivation, mistake, optimum, step, unknown, vector
+from corollary.derive.simulation import simulate
 from corollary.law import change_of_momentum, law, mean_force, third_law
 
 
@@ -56,6 +57,6 @@ def derive(m, v0, theta, dt):
     )  # fmt: skip
 
 
-def scene(m, v0, theta, dt):
-    """A frictionless elastic wall whose contact lasts dt."""
-    return [("wall", {"m": m, "v0": v0, "theta": theta, "dt": dt}, {"momentum_change": "a", "mean_force": "c"})]
+def scene(m, v0, theta, dt, answer):
+    """A smooth wall that gives like a spring and lets go after dt."""
+    return [simulate("wall", {"m": m, "v0": v0, "theta": theta, "dt": dt}, momentum_change=answer["a"], impulse=answer["b"], mean_force=answer["c"])]

@@ -1,6 +1,7 @@
 """Kicking a ball: an impulse is a change of momentum, and a force is how fast it comes."""
 
 from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.derive.simulation import simulate
 from corollary.law import change_of_momentum, impulse_momentum, law, mean_force
 
 
@@ -57,9 +58,9 @@ def derive(m, v, w, dt):
     )  # fmt: skip
 
 
-def scene(m, v, w, dt):
-    """A half-sine push of the foot, at rest and against the incoming ball, must change the momentum as the algebra says."""
+def scene(m, v, w, dt, answer):
+    """A push of the mean force found, over the time of contact, must give the ball its velocity."""
     return [
-        ("kick", {"m": m, "v0": 0, "dt": dt, "v1": v}, {"impulse": "a", "mean_force": "c"}),
-        ("kick", {"m": m, "v0": -w, "dt": dt, "v1": v}, {"mean_force": "d"}),
+        simulate("kick", {"m": m, "v0": 0.0, "F": answer["c"], "dt": dt}, velocities=(v,), impulse=answer["b"]),
+        simulate("kick", {"m": m, "v0": -w, "F": answer["d"], "dt": dt}, velocities=(v,)),
     ]

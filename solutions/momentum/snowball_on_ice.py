@@ -3,6 +3,7 @@
 import sympy
 
 from corollary.derive.author import derivation, mistake, step, unknown, vector
+from corollary.derive.simulation import simulate
 from corollary.law import conservation_of_momentum, law, momentum, same, sticking
 
 
@@ -72,6 +73,9 @@ def derive(M, Ms, m, v, theta):
     )  # fmt: skip
 
 
-def scene(M, Ms, m, v, theta):
-    """A throw and a catch as short forces between two bodies at a time."""
-    return [("snowball", {"M": M, "Ms": Ms, "m": m, "v": v, "theta": theta}, {"velocities": ("b", "b2", "c", "c2")})]
+def scene(M, Ms, m, v, theta, answer):
+    """A throw and a catch by forces between two bodies at a time."""
+    return [
+        simulate("snowball", {"M": M, "Ms": Ms, "m": m, "v": v, "theta": theta}, momentum=answer["a"],
+                 velocities_after_throw=(answer["b"], answer["b2"]), velocities=(answer["c"], answer["c2"]))
+    ]  # fmt: skip

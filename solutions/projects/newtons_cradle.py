@@ -2,6 +2,7 @@
 
 from corollary.derive.author import code, derivation, example, explain, mistake, plot, simulated, step, unknown, unknowns, vector
 from corollary.derive.programs import cradle_inputs, judge_contact, judge_cradle, judge_velocity_plot
+from corollary.derive.simulation import simulate
 from corollary.law import (
     conservation_of_momentum,
     elastic,
@@ -168,9 +169,15 @@ def derive(m, h0, r, k, v0, g):
     )  # fmt: skip
 
 
-def scene(m, h0, r, k, v0, g):
-    """The contact of two balls, run from Newton's second law."""
-    return [("cradle", {"N": 2, "q": 1, "m": m, "k": k, "v0": v0}, {"duration": "h1", "largest_overlap": "h2"})]
+def scene(m, h0, r, k, v0, g, answer):
+    """Two balls from Newton's second law, at the height's speed and at v0; three with gaps for the separate collisions."""
+    gap = 100 * v0 * answer["h1"]
+    return [
+        simulate("cradle", {"N": 2, "q": 1, "m": m, "k": k, "v0": answer["a"]}, velocities=answer["b"]),
+        simulate("cradle", {"N": 2, "q": 1, "m": m, "k": k, "v0": v0}, duration=answer["h1"], largest_overlap=answer["h2"]),
+        simulate("cradle", {"N": 3, "q": 1, "m": m, "k": k, "v0": v0, "gaps": (0.0, gap)}, velocities=answer["f2"]),
+    ]
+
 
 
 EXAMPLE = '''

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import runpy
 import time
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,6 @@ from corollary.quantity.ball import Undefined, evaluate
 from corollary.quantity.exact import Exactly
 from corollary.quantity.syntax import author_formula, parse
 from corollary.quantity.trouble import Trouble
-from fractions import Fraction
 
 PAIRS = runpy.run_path(str(Path(__file__).with_name("pairs.py")))["pairs"]()
 
@@ -29,7 +29,9 @@ def test_there_are_enough_pairs():
     assert sum(same for *_, same in PAIRS) >= 100
 
 
-@pytest.mark.parametrize(("student", "truth", "letters", "domain", "same"), PAIRS, ids=[f"{each[0]} | {each[1]}" for each in PAIRS])
+@pytest.mark.parametrize(
+    ("student", "truth", "letters", "domain", "same"), PAIRS, ids=[f"{each[0]} | {each[1]}" for each in PAIRS]
+)
 def test_no_false_verdict(student, truth, letters, domain, same):
     verdict = compare(read(student, letters), author_formula(truth, letters), domain)
     assert isinstance(verdict, Equal if same else Different), verdict

@@ -13,7 +13,7 @@ from flint import arb, ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from corollary.quantity.ball import Certified, Exactly, Undefined, certified, evaluate, holds, sign
+from corollary.quantity.ball import Exactly, Undefined, certified, evaluate, holds, sign
 from corollary.quantity.syntax import author_formula
 from corollary.quantity.tree import Call, Name, Negative, Number, Power, Product, Quotient, Relation, Sum, Tree
 
@@ -22,6 +22,7 @@ DIGITS = 1500  # r - b at scale 1e300 needs 600
 
 def by_many_digits(tree: Tree, values: dict[str, Exactly]):
     """The formula by mpmath, written without a look at the evaluation under test."""
+
     def of(part):
         return by_many_digits(part, values)
 
@@ -51,8 +52,8 @@ def by_many_digits(tree: Tree, values: dict[str, Exactly]):
 
 def nearest(number) -> float:
     """The double nearest to a number of very many digits."""
-    mantissa, power = int(number.man_exp[0]), int(number.man_exp[1])
-    exact = Fraction(mantissa) * Fraction(2) ** power
+    mantissa, power = number.man_exp  # without the sign
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(power) * (-1 if number < 0 else 1)
     try:
         return float(exact)
     except OverflowError:
@@ -88,7 +89,11 @@ TREES = [author_formula(formula) for formula in FORMULAS]
 
 def positive(low: int, high: int):
     """Decimals from 1e`low` to 1e`high`, evenly in their logarithm."""
-    return st.builds(lambda digits, power: Exactly(Fraction(digits) * Fraction(10) ** (power - 6)), st.integers(10**6, 10**7), st.integers(low, high))
+    return st.builds(
+        lambda digits, power: Exactly(Fraction(digits) * Fraction(10) ** (power - 6)),
+        st.integers(10**6, 10**7),
+        st.integers(low, high),
+    )
 
 
 def near(one: Fraction):
@@ -98,7 +103,7 @@ def near(one: Fraction):
 
 def sets_of(sizes, ratio):
     names = ("m", "v", "dt", "mA", "mB", "vA", "vB", "L")
-    return st.fixed_dictionaries({name: sizes for name in names} | {"r": ratio})
+    return st.fixed_dictionaries(dict.fromkeys(names, sizes) | {"r": ratio})
 
 
 broken = st.fractions(Fraction(1, 10**6), Fraction(999_999, 10**6)).map(Exactly)
@@ -125,7 +130,8 @@ def test_the_double_is_the_nearest_one(tree, values):
                 certified(tree, values)
             return
         expected = nearest(truth)
-    assert certified(tree, values) == Certified(expected, True, certified(tree, values).bits)
+    found = certified(tree, values)
+    assert (found.value, found.proven) == (expected, True)
 
 
 @settings(deadline=None)
@@ -134,7 +140,9 @@ def test_a_fraction_is_rounded_as_python_does(number):
     assert certified(Name("x"), {"x": Exactly(number)}).value == float(number)
 
 
-@pytest.mark.parametrize("tie", [Fraction(2**53 + 1), Fraction(2**54 + 2), Fraction(1) + Fraction(1, 2**53), Fraction(3, 2) * Fraction(1, 2**1074)])
+@pytest.mark.parametrize(
+    "tie", [Fraction(2**53 + 1), Fraction(2**54 + 2), Fraction(1) + Fraction(1, 2**53), Fraction(3, 2) * Fraction(1, 2**1074)]
+)
 def test_a_tie_goes_to_the_even_double(tie):
     halves = author_formula("x/2 + y/2")
     assert certified(halves, {"x": Exactly(tie / 3), "y": Exactly(tie * 5 / 3)}).value == float(tie)
@@ -142,7 +150,15 @@ def test_a_tie_goes_to_the_even_double(tie):
 
 @pytest.mark.parametrize(
     ("number", "double"),
-    [("1.8e308", math.inf), ("-1e400", -math.inf), ("1e308", 1e308), ("5e-324", 5e-324), ("2e-324", 0.0), ("-1e-330", 0.0), ("0", 0.0)],
+    [
+        ("1.8e308", math.inf),
+        ("-1e400", -math.inf),
+        ("1e308", 1e308),
+        ("5e-324", 5e-324),
+        ("2e-324", 0.0),
+        ("-1e-330", 0.0),
+        ("0", 0.0),
+    ],
 )
 def test_beyond_the_doubles(number, double):
     found = certified(Name("x"), {"x": Exactly(Fraction(number))})
@@ -161,7 +177,7 @@ def test_beyond_the_doubles(number, double):
         ("cos(theta)", "240", -0.5),
         ("tan(theta)", "45", 1.0),
         ("sin(theta) + cos(theta)^2*sqrt(2)", "90", 1.0),
-        ("theta", "30", math.pi / 6),
+        ("theta", "30", 0.5235987755982989),  # math.pi/6 is the double below
         ("acos(cos(theta))/pi", "60", 1 / 3),
         ("sin(theta)", "-30", -0.5),
     ],
@@ -179,25 +195,47 @@ def test_an_exact_zero_is_zero(formula):
 
 @pytest.mark.parametrize(
     ("formula", "why"),
-    [("sqrt(x - 4)", "root of a negative"), ("1/(x - 3)", "division by zero"), ("ln(3 - x)", "logarithm"), ("asin(x)", "beyond 1"),
-     ("(x - 3)^(-2)", "division by zero"), ("(-x)^0.5", "root of a negative"), ("(-x)^x2", "negative number"), ("gamma(3 - x)", "gamma"),
-     ("atan2(x - 3, 0)", "no direction"), ("1/(sqrt(x) - sqrt(x))", "could not|no value"), ("gamma(gamma(gamma(99)))", "no value")],
-)  # fmt: skip
+    [
+        ("sqrt(x - 4)", "root of a negative"),
+        ("1/(x - 3)", "division by zero"),
+        ("ln(3 - x)", "logarithm"),
+        ("asin(x)", "beyond 1"),
+        ("(x - 3)^(-2)", "division by zero"),
+        ("(-x)^0.5", "root of a negative"),
+        ("(-x)^x2", "negative number"),
+        ("gamma(3 - x)", "gamma"),
+        ("atan2(x - 3, 0)", "no direction"),
+        ("1/(sqrt(x) - sqrt(x))", "could not|no value"),
+        ("gamma(gamma(gamma(99)))", "no value"),
+    ],
+)
 def test_where_there_is_no_value_it_says_so(formula, why):
     with pytest.raises(Undefined, match=why):
         certified(author_formula(formula), {"x": Exactly(Fraction(3)), "x2": Exactly(Fraction(1, 3))})
 
 
-@pytest.mark.parametrize(("formula", "found"), [("x - 3", 0), ("x - 4", -1), ("x", 1), ("sqrt(x^2) - x", 0), ("x*10^(-300) - 10^(-301)", 1), ("sqrt(2) - sqrt(2)", None)])
+@pytest.mark.parametrize(
+    ("formula", "found"),
+    [("x - 3", 0), ("x - 4", -1), ("x", 1), ("sqrt(x^2) - x", 0), ("x*10^(-300) - 10^(-301)", 1), ("sqrt(2) - sqrt(2)", None)],
+)
 def test_the_sign_of_a_formula(formula, found):
     assert sign(author_formula(formula), {"x": Exactly(Fraction(3))}) == found
 
 
 @pytest.mark.parametrize(
     ("condition", "true"),
-    [("x > 2.9", True), ("x > 3", False), ("x >= 3", True), ("x <= 3", True), ("x < 3", False), ("x = 3", True), ("x != 3", False),
-     ("abs(x - 5) > 1.5", True), ("sqrt(2) < sqrt(2)", None)],
-)  # fmt: skip
+    [
+        ("x > 2.9", True),
+        ("x > 3", False),
+        ("x >= 3", True),
+        ("x <= 3", True),
+        ("x < 3", False),
+        ("x = 3", True),
+        ("x != 3", False),
+        ("abs(x - 5) > 1.5", True),
+        ("sqrt(2) < sqrt(2)", None),
+    ],
+)
 def test_conditions(condition, true):
     tree = author_formula(condition)
     assert isinstance(tree, Relation)
@@ -235,7 +273,12 @@ def test_the_precision_is_put_back_even_beside_other_threads():
 
 def test_a_typical_formula_takes_microseconds():
     tree = author_formula("2*m*v*sin(theta)/dt")
-    values = {"m": Exactly(Fraction("0.43")), "v": Exactly(Fraction(20)), "theta": Exactly(Fraction(1, 6), 1), "dt": Exactly(Fraction("0.1"))}
+    values = {
+        "m": Exactly(Fraction("0.43")),
+        "v": Exactly(Fraction(20)),
+        "theta": Exactly(Fraction(1, 6), 1),
+        "dt": Exactly(Fraction("0.1")),
+    }
     certified(tree, values)
     spent = []
     for _ in range(20):

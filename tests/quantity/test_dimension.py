@@ -11,8 +11,21 @@ from corollary.quantity.syntax import author_formula
 from corollary.quantity.trouble import Trouble
 from corollary.quantity.unit import ONE, UNITS, Dimension, unit
 
-OF = {name: unit(text).dimension for name, text in
-      {"m": "kg", "M": "kg", "v": "m/s", "w": "m/s", "dt": "s", "g": "m/s^2", "h": "m", "theta": "rad", "k": "N/m^1.5", "r": "1"}.items()}  # fmt: skip
+OF = {
+    name: unit(text).dimension
+    for name, text in {
+        "m": "kg",
+        "M": "kg",
+        "v": "m/s",
+        "w": "m/s",
+        "dt": "s",
+        "g": "m/s^2",
+        "h": "m",
+        "theta": "rad",
+        "k": "N/m^1.5",
+        "r": "1",
+    }.items()
+}
 
 
 @pytest.mark.parametrize(

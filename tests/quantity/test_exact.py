@@ -42,7 +42,23 @@ def test_a_value_is_found_exactly(formula, ratio, pi):
 
 
 @pytest.mark.parametrize(
-    "formula", ["sqrt(2)", "1 + pi", "1/0", "0^(-1)", "sqrt(-1)", "sin(1)", "sin(pi/4)", "tan(pi/2)", "exp(1)", "2^pi", "sqrt(pi)", "x", "9^9^9", "((2^64)^64)^64*x"]
+    "formula",
+    [
+        "sqrt(2)",
+        "1 + pi",
+        "1/0",
+        "0^(-1)",
+        "sqrt(-1)",
+        "sin(1)",
+        "sin(pi/4)",
+        "tan(pi/2)",
+        "exp(1)",
+        "2^pi",
+        "sqrt(pi)",
+        "x",
+        "9^9^9",
+        "((2^64)^64)^64*x",
+    ],
 )
 def test_what_is_no_fraction_of_pi_is_left_alone(formula):
     try:
@@ -61,13 +77,13 @@ def test_angles_agree_with_the_ball(function, turn):
     if known is not None:
         assert ball.contains(evaluate(author_formula("x"), {"x": known}, 400))
     else:  # Niven: no rational value was overlooked
-        assert not ball.is_finite() or all(not ball.contains(value) for value in (0, 1, -1)) and (function == "tan" or not ball.contains(0.5))
+        rational = (0, 1, -1) if function == "tan" else (0, 1, -1, 0.5, -0.5)
+        assert not ball.is_finite() or not any(ball.contains(value) for value in rational)
 
 
-@given(st.integers(0, 10**40), st.integers(2, 9))
+@given(st.integers(0, 10**39), st.integers(2, 9))
 def test_whole_roots(number, degree):
-    known = constant(author_formula(f"({number}^{degree})^(1/{degree})")) if number**degree < 2**4000 else Fraction(number)
-    assert known == number
+    assert constant(author_formula(f"({number}^{degree})^(1/{degree})")) == number
 
 
 def test_an_undefined_value_is_not_called_exact():

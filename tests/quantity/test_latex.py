@@ -5,7 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from hypothesis import given
 
 from corollary.quantity.latex import latex, letter
 from corollary.quantity.syntax import author_formula
@@ -14,11 +13,33 @@ from corollary.quantity.tree import Name, Number, Product
 
 @pytest.mark.parametrize(
     ("name", "tex"),
-    [("m_A", "m_{A}"), ("mA", "m_{A}"), ("v_A0", "v_{A,0}"), ("vA0", "v_{A,0}"), ("vAx", "v_{A,x}"), ("dt", r"\Delta t"), ("dv", r"\Delta v"),
-     ("d", "d"), ("D", "D"), ("mu", r"\mu"), ("theta", r"\theta"), ("thetamax", r"\theta_{\mathrm{max}}"), ("Ms", "M_{s}"), ("v0", "v_{0}"),
-     ("vrel", r"v_{\mathrm{rel}}"), ("mdot", r"\dot{m}"), ("eps", r"\varepsilon"), ("epsx", r"\varepsilon_{x}"), ("Delta_t", r"\Delta t"),
-     ("delta", r"\delta"), ("U0", "U_{0}"), ("xp", "x_{p}"), ("v_{B,1}", "v_{B,1}"), ("omega0", r"\omega_{0}")],
-)  # fmt: skip
+    [
+        ("m_A", "m_{A}"),
+        ("mA", "m_{A}"),
+        ("v_A0", "v_{A,0}"),
+        ("vA0", "v_{A,0}"),
+        ("vAx", "v_{A,x}"),
+        ("dt", r"\Delta t"),
+        ("dv", r"\Delta v"),
+        ("d", "d"),
+        ("D", "D"),
+        ("mu", r"\mu"),
+        ("theta", r"\theta"),
+        ("thetamax", r"\theta_{\mathrm{max}}"),
+        ("Ms", "M_{s}"),
+        ("v0", "v_{0}"),
+        ("vrel", r"v_{\mathrm{rel}}"),
+        ("mdot", r"\dot{m}"),
+        ("eps", r"\varepsilon"),
+        ("epsx", r"\varepsilon_{x}"),
+        ("Delta_t", r"\Delta t"),
+        ("delta", r"\delta"),
+        ("U0", "U_{0}"),
+        ("xp", "x_{p}"),
+        ("v_{B,1}", "v_{B,1}"),
+        ("omega0", r"\omega_{0}"),
+    ],
+)
 def test_letters(name, tex):
     assert letter(name) == tex
 
@@ -61,5 +82,3 @@ def test_letters_can_be_given():
 def test_numbers_in_products_keep_apart():
     assert latex(Product((Name("x"), Number(Fraction(-3))))) == r"x\, \left(-3\right)"
     assert latex(Number(Fraction(-1, 3))) == r"-\frac{1}{3}"
-
-

@@ -189,7 +189,13 @@ def test_degrees_where_the_problem_says_so():
 
 @pytest.mark.parametrize(
     "written",
-    ["abs(v - w) > 1.5", "m_A*v_A0 + m_B*v_B0 = (m_A + m_B)*v", "sqrt(xp^2 + yp^2) < b + d", "theta <= 1.5707963267948966", "0 != x"],
+    [
+        "abs(v - w) > 1.5",
+        "m_A*v_A0 + m_B*v_B0 = (m_A + m_B)*v",
+        "sqrt(xp^2 + yp^2) < b + d",
+        "theta <= 1.5707963267948966",
+        "0 != x",
+    ],
 )
 def test_authors_write_laws_and_conditions(written):
     tree = author_formula(written)
@@ -216,7 +222,11 @@ def test_authors_are_told_in_a_sentence(written, names, words):
 
 letters = st.sampled_from(["m", "v_A0", "theta", "dt", "x"]).map(Name)
 wholes = st.integers(0, 999).map(lambda value: Number(Fraction(value)))
-decimals = st.builds(lambda digits, power: Number(Fraction(digits) * Fraction(10) ** power, len(str(digits))), st.integers(1, 9999), st.integers(-9, 9))
+decimals = st.builds(
+    lambda digits, power: Number(Fraction(digits) * Fraction(10) ** power, len(str(digits))),
+    st.integers(1, 9999),
+    st.integers(-9, 9),
+)
 trees: st.SearchStrategy[Tree] = st.recursive(
     letters | wholes | decimals,
     lambda inner: st.one_of(
@@ -253,11 +263,44 @@ def test_any_text_is_read_or_answered(written):
 
 
 HOSTILE = [
-    "9**9**9", "(" * 3000, "-" * 100_000, "(" * 190, "-" * 190, "a" * 24 + "z", "m" * 400, "m" * 60, "mv" * 30, "√" * 150, "sin" * 130, "|" * 150,
-    "m^" * 100 + "m", "2^" * 60 + "2", "(((((2^64)^64)^64)^64)^64)", "1e400^64", "99^64*" * 40 + "1", "(99/98)^64+" * 30 + "1", "factorial(10**7)",
-    "exp(exp(exp(exp(9))))", "x=" * 200, "m_" * 200, "θ" * 400, "½" * 100, "²" * 100, "m²²²²²²²²", "((((m+1)^64+1)^64+1)^64+1)^64", "\x00" * 399, "𝐦" * 90,
-    "m_{" + "A" * 300, "mA" * 30 + "q", "0." + "0" * 390 + "1", "1e-400", "(1/3)^(1/3)^(1/3)", "2^(1/3)^64^(1/2)", "dt" * 30, "m" + "_a" * 150,
-]  # fmt: skip
+    "9**9**9",
+    "(" * 3000,
+    "-" * 100_000,
+    "(" * 190,
+    "-" * 190,
+    "a" * 24 + "z",
+    "m" * 400,
+    "m" * 60,
+    "mv" * 30,
+    "√" * 150,
+    "sin" * 130,
+    "|" * 150,
+    "m^" * 100 + "m",
+    "2^" * 60 + "2",
+    "(((((2^64)^64)^64)^64)^64)",
+    "1e400^64",
+    "99^64*" * 40 + "1",
+    "(99/98)^64+" * 30 + "1",
+    "factorial(10**7)",
+    "exp(exp(exp(exp(9))))",
+    "x=" * 200,
+    "m_" * 200,
+    "θ" * 400,
+    "½" * 100,
+    "²" * 100,
+    "m²²²²²²²²",
+    "((((m+1)^64+1)^64+1)^64+1)^64",
+    "\x00" * 399,
+    "𝐦" * 90,
+    "m_{" + "A" * 300,
+    "mA" * 30 + "q",
+    "0." + "0" * 390 + "1",
+    "1e-400",
+    "(1/3)^(1/3)^(1/3)",
+    "2^(1/3)^64^(1/2)",
+    "dt" * 30,
+    "m" + "_a" * 150,
+]
 
 
 @pytest.mark.parametrize("written", HOSTILE, ids=[repr(written[:20]) for written in HOSTILE])

@@ -75,10 +75,34 @@ def test_two_readings_are_asked_about_and_each_choice_can_be_typed(text):
 
 @pytest.mark.parametrize(
     ("text", "suggestion"),
-    [("n", "N"), ("j", "J"), ("KM", "km"), ("newtn", "newton"), ("hz", "Hz"), ("Kgm/S", None), ("blub", None), ("kg/", None), ("/", None),
-     ("", None), ("m/(s", None), ("m)", None), ("kg**", None), ("m^99", None), ("m^1e9", None), ("m^-", None), ("5", None), ("m/2", None),
-     ("m - s", None), ("m/s/(s)/m)", None), ("x" * 100, None), ("N/mm^1.5", None), ("m^1/0", None), ("m^(1/0)", None), ("deg^0.5", None)],
-)  # fmt: skip
+    [
+        ("n", "N"),
+        ("j", "J"),
+        ("KM", "km"),
+        ("newtn", "newton"),
+        ("hz", "Hz"),
+        ("Kgm/S", None),
+        ("blub", None),
+        ("kg/", None),
+        ("/", None),
+        ("", None),
+        ("m/(s", None),
+        ("m)", None),
+        ("kg**", None),
+        ("m^99", None),
+        ("m^1e9", None),
+        ("m^-", None),
+        ("5", None),
+        ("m/2", None),
+        ("m - s", None),
+        ("m/s/(s)/m)", None),
+        ("x" * 100, None),
+        ("N/mm^1.5", None),
+        ("m^1/0", None),
+        ("m^(1/0)", None),
+        ("deg^0.5", None),
+    ],
+)
 def test_what_is_no_unit_is_refused_with_a_suggestion(text, suggestion):
     found = read_unit(text)
     assert isinstance(found, Trouble)
@@ -95,15 +119,24 @@ def test_an_author_is_told_in_a_sentence():
 
 @pytest.mark.parametrize(
     ("text", "people", "tex"),
-    [("kg*m/s", "kg m/s", r"\mathrm{kg\,m/s}"), ("m/s^2", "m/s²", r"\mathrm{m/s^{2}}"), ("deg", "°", r"\mathrm{{}^{\circ}}"),
-     ("1", "", ""), ("%", "%", r"\mathrm{\%}"), ("us", "µs", r"\mathrm{\mu s}"), ("N/m^1.5", "N/m^1.5", r"\mathrm{N/m^{1.5}}"), ("u", "u", r"\mathrm{u}")],
-)  # fmt: skip
+    [
+        ("kg*m/s", "kg m/s", r"\mathrm{kg\,m/s}"),
+        ("m/s^2", "m/s²", r"\mathrm{m/s^{2}}"),
+        ("deg", "°", r"\mathrm{{}^{\circ}}"),
+        ("1", "", ""),
+        ("%", "%", r"\mathrm{\%}"),
+        ("us", "µs", r"\mathrm{\mu s}"),
+        ("N/m^1.5", "N/m^1.5", r"\mathrm{N/m^{1.5}}"),
+        ("u", "u", r"\mathrm{u}"),
+    ],
+)
 def test_units_for_people_and_for_tex(text, people, tex):
     assert (show(unit(text)), latex(unit(text))) == (people, tex)
 
 
 @pytest.mark.parametrize(
-    ("text", "words"), [("N", "a force"), ("N*s", "a momentum or an impulse"), ("rad", "a plain number"), ("kg^2", "something in kg²")]
+    ("text", "words"),
+    [("N", "a force"), ("N*s", "a momentum or an impulse"), ("rad", "a plain number"), ("kg^2", "something in kg²")],
 )
 def test_a_dimension_has_a_name(text, words):
     assert called(unit(text).dimension) == words

@@ -41,7 +41,7 @@ class Course:
         return self.folder / "gradebook.db"
 
     def place(self, step: str, student: str, set_name: str) -> Path:
-        """The folder of a step ("source", "release", "submitted", "autograded", "feedback"); the student `.` means nobody's own."""
+        """The folder of a step ("source", "release", "submitted", "autograded", "feedback"); student `.`: nobody's own."""
         return self.folder / step / student / set_name
 
     def notebook(self, step: str, student: str, set_name: str) -> Path:
@@ -76,7 +76,7 @@ def open_course(folder: Path) -> Course:
     except OSError as error:
         raise NotACourse(f"the key of the course in {folder} cannot be read: {error.strerror}") from None
     if len(key) != KEY_BYTES:
-        raise NotACourse(f"{folder}/.corollary/key is damaged: it holds {len(key)} bytes, not {KEY_BYTES}; restore it from a backup")
+        raise NotACourse(f"{folder}/.corollary/key is damaged: {len(key)} bytes, not {KEY_BYTES}; restore it from a backup")
     return Course(folder, key)
 
 

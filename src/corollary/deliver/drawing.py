@@ -19,5 +19,5 @@ def drawing(exercise: Exercise) -> Markup:
 
 def drawing_address(exercise: Exercise) -> str:
     """The exercise's figure as a data URI."""
-    svg = drawing(exercise).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
+    svg = str(drawing(exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
     return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()

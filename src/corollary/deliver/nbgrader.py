@@ -10,7 +10,15 @@ from io import StringIO
 from nbformat import NotebookNode
 
 from corollary.deliver.course import Course, students, write_atomically
-from corollary.deliver.nbgrader_book import GradebookLocked, NoNbgrader, NotRegistered, directory, gradebook, need_nbgrader, programs_on_path
+from corollary.deliver.nbgrader_book import (
+    GradebookLocked,
+    NoNbgrader,
+    NotRegistered,
+    directory,
+    gradebook,
+    need_nbgrader,
+    programs_on_path,
+)
 from corollary.deliver.nbgrader_config import NotOurs, write_config
 from corollary.deliver.nbgrader_record import record_one
 from corollary.mark.grade import Marked

@@ -34,7 +34,7 @@ def need_nbgrader() -> None:
     try:
         import nbgrader.api  # noqa: F401
     except ImportError:
-        raise NoNbgrader("a gradebook needs nbgrader, which is not installed; install it with: pip install 'corollary[nbgrader]'") from None
+        raise NoNbgrader("a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'") from None
 
 
 def settings(course: Course) -> Config:
@@ -58,7 +58,10 @@ def directory(course: Course) -> CourseDirectory:
 
 @contextmanager
 def gradebook(course: Course) -> Iterator[Gradebook]:
-    """The open gradebook, made when there is none. Raises NoNbgrader, NotRegistered, and GradebookLocked from anything done within."""
+    """The open gradebook, made when there is none.
+
+    Raises NoNbgrader and NotRegistered, and GradebookLocked from whatever is done within.
+    """
     need_nbgrader()
     from nbgrader.api import Gradebook
     from sqlalchemy.exc import OperationalError

@@ -7,13 +7,23 @@ from corollary.deliver.course import Course, write_atomically
 MARK = "# Written by corollary."
 TEXT = f'''\
 {MARK} Add your own settings below; corollary leaves this file alone from now on.
-from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ComputeChecksums, LockCells, SaveCells
+from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ComputeChecksums, LockCells, NbGraderPreprocessor, SaveCells
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__
 
 # The source notebooks hold no solutions, so nothing has to be cut out of them.
 c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata, ComputeChecksums, SaveCells]
+
+
+class MarkedElsewhere(NbGraderPreprocessor):
+    """A notebook of ours cannot mark itself, so the marks in the gradebook must not be replaced by what it says."""
+
+    def preprocess(self, nb, resources):
+        raise RuntimeError("this set is marked by `corollary grade`, not by `nbgrader autograde`; the marks stay as they are")
+
+
+c.Autograde.sanitize_preprocessors = [MarkedElsewhere]
 '''
 
 

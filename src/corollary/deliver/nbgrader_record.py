@@ -1,5 +1,8 @@
 """One student's marks in the gradebook, in one transaction, and the marked notebook beside it."""
 
+# nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
+# pyright: reportAttributeAccessIssue=false, reportReturnType=false
+
 from __future__ import annotations
 
 from datetime import UTC, datetime
@@ -19,7 +22,7 @@ from corollary.sheet.found import answer_id
 from corollary.sheet.notebook import file_text
 
 if TYPE_CHECKING:
-    from nbgrader.api import Assignment, Gradebook, Grade, SubmittedAssignment, SubmittedNotebook
+    from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
 
 
 def record_one(course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, submitted: NotebookNode | None) -> None:

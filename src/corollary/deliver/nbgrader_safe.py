@@ -48,7 +48,8 @@ def _output(output: Mapping[str, object]) -> NotebookNode | None:
         case "error":
             traceback = output.get("traceback")
             lines = [_short(str(line)) for line in traceback[:50]] if isinstance(traceback, (list, tuple)) else []
-            return new_output("error", ename=_short(str(output.get("ename"))), evalue=_short(str(output.get("evalue"))), traceback=lines)
+            name, value = (_short(str(output.get(key))) for key in ("ename", "evalue"))
+            return new_output("error", ename=name, evalue=value, traceback=lines)
         case "display_data" | "execute_result":
             data = {mime: shown for mime, content in _pairs(output.get("data")) if (shown := _picture(mime, content))}
             if "text/plain" in dict(_pairs(output.get("data"))):
@@ -79,4 +80,5 @@ def _text(content: object) -> str:
 
 
 def _short(text: str) -> str:
-    return text if len(text) <= MOST_LETTERS else text[:MOST_LETTERS] + f"\n[{len(text) - MOST_LETTERS} more letters are left out here]"
+    over = len(text) - MOST_LETTERS
+    return text if over <= 0 else f"{text[:MOST_LETTERS]}\n[{over} more letters are left out here]"

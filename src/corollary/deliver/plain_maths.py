@@ -7,8 +7,8 @@ from xml.etree.ElementTree import Element
 
 from corollary.deliver.maths import formula
 
-RAISED = dict(zip("0123456789+−-=()nixyTabcdt", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼⁽⁾ⁿⁱˣʸᵀᵃᵇᶜᵈᵗ", strict=True))
-LOWERED = dict(zip("0123456789+−-=()aeijnpt", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌₍₎ₐₑᵢⱼₙₚₜ", strict=True))
+RAISED = dict(zip("0123456789+−-=nixyTabcdt′″∘", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼ⁿⁱˣʸᵀᵃᵇᶜᵈᵗ′″°", strict=True))
+LOWERED = dict(zip("0123456789+−-=aeijnpt", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌ₐₑᵢⱼₙₚₜ", strict=True))
 SPACED = frozenset("=<>≤≥≈≠≪≫+−-±∓→⇒⇔∝∼×·⋅∈≡⟹↦")
 OVER = {"→": "\u20d7", "ˆ": "\u0302", "˜": "\u0303", "¯": "\u0304", "‾": "\u0305", "˙": "\u0307", "¨": "\u0308"}
 
@@ -23,7 +23,7 @@ def _said(element: Element) -> str:
     children = list(element)
     match element.tag, children:
         case "mi" | "mn" | "mtext", _:
-            return unicodedata.normalize("NFKC", element.text or "")
+            return "".join(map(_letter, element.text or ""))
         case "mo", _:
             return _operator(element)
         case "mspace", _:
@@ -34,6 +34,8 @@ def _said(element: Element) -> str:
             return f"√({_row(children)})" if len(_row(children)) > 1 else f"√{_row(children)}"
         case "mroot", [inside, degree]:
             return f"{_script(_said(degree), RAISED, '')}√({_said(inside)})"
+        case "munder" | "mover", [base, brace] if brace.text in {"⏟", "⏞"}:
+            return _said(base)
         case "msup", [base, raised]:
             return _said(base) + _script(_said(raised), RAISED, "^")
         case "msub" | "munder", [base, lowered]:
@@ -54,7 +56,8 @@ def _row(children: list[Element]) -> str:
     said = ""
     for child in children:
         word = _said(child)
-        if said and word and (said[-1].isalnum() or said[-1] in "₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹)") and word[0].isalpha() and child.tag != "mo":
+        product = said and word and (said[-1].isalnum() or said[-1] in ")") and (word[0].isalpha() or word[0] == "√")
+        if product and child.tag != "mo" and not (said.endswith(("Δ", "d", "∂")) and len(word) < 3):
             said += " "
         said += word
     return said
@@ -69,14 +72,19 @@ def _operator(element: Element) -> str:
     return ", " if text == "," and element.get("rspace") != "0" else text
 
 
+def _letter(letter: str) -> str:
+    """A styled letter as a plain one: terminals have few of them."""
+    return unicodedata.normalize("NFKC", letter) if unicodedata.name(letter, "").startswith("MATHEMATICAL") else letter
+
+
 def _grouped(element: Element) -> str:
     said = _said(element).strip()
     return said if said.replace("_", "").isalnum() or len(said) == 1 else f"({said})"
 
 
 def _script(text: str, letters: dict[str, str], sign: str) -> str:
-    """Raised or lowered letters where all have one, else the sign and the text."""
+    """Raised or lowered signs for a number or one letter, else the sign and the text."""
     text = text.replace(" ", "")
-    if sign and all(letter in letters for letter in text):
+    if all(letter in letters for letter in text) and (len(text) == 1 or not any(letter.isalpha() for letter in text)):
         return "".join(letters[letter] for letter in text)
-    return "°" if text == "∘" else sign + (text if len(text) == 1 or text.isalnum() else f"({text})")
+    return sign + (text if text.replace(",", "").isalnum() else f"({text})")

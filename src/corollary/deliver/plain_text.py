@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 from markdown_it.token import Token
 
@@ -12,34 +12,60 @@ from corollary.deliver.plain_maths import plain_formula
 
 
 def plain(text: str, *, width: int = 80) -> str:
-    """The text in lines of at most `width` characters (code and display formulas keep their lines)."""
-    blocks: list[str] = []
-    tokens = parser().parse(text)
-    bullet, depth, cells = "", 0, []
-    for token in tokens:
+    """The text in lines of at most `width` characters; code, tables and display formulas keep their lines."""
+    said, bullet, depth, cells = "", "", 0, None
+    for token in parser().parse(text):
+        block, close = "", False
         match token.type:
             case "bullet_list_open" | "ordered_list_open" | "blockquote_open":
                 depth += 1
-            case "bullet_list_close" | "ordered_list_close" | "blockquote_close":
+            case "blockquote_close":
                 depth -= 1
+            case "bullet_list_close" | "ordered_list_close":
+                depth -= 1
+                said = said.rstrip("\n") + "\n\n"
             case "list_item_open":
                 bullet = f"{token.info}{token.markup} " if token.info else "- "
             case "tr_open":
                 cells = []
             case "tr_close":
-                blocks.append(" | ".join(cells))
-            case "inline" if token.level and blocks and _in_table(tokens, token):
+                block, close, cells = " | ".join(cells or []), True, None
+            case "inline" if cells is not None:
                 cells.append(_line(token.children or []))
             case "inline":
-                indent = "  " * max(0, depth - (1 if bullet else 0))
-                first, rest = indent + bullet, indent + " " * len(bullet)
-                blocks.append("\n".join(textwrap.fill(line, width, initial_indent=first, subsequent_indent=rest) for line in
-                                        _line(token.children or []).split("\n")))
+                first = "  " * max(0, depth - bool(bullet)) + bullet
+                block, close = _wrapped(_line(token.children or []), width, first), bool(bullet)
                 bullet = ""
             case "math_block":
-                blocks.append("    " + plain_formula(token.content.strip()))
+                block = "    " + plain_formula(token.content.strip())
             case "fence" | "code_block":
-                blocks.append(textwrap.indent(token.content.rstrip("\n"), "    "))
-            case _:
-                continue
-    return "\n\n".join(blocks)
+                block = textwrap.indent(token.content.rstrip("\n"), "    ")
+            case "table_close":
+                said += "\n"
+        if block:
+            said += block + ("\n" if close else "\n\n")
+    return said.strip("\n")
+
+
+def _wrapped(text: str, width: int, first: str) -> str:
+    rest = " " * len(first)
+    lines = [textwrap.fill(line, width, initial_indent=rest, subsequent_indent=rest) for line in text.split("\n")]
+    return first + "\n".join(lines).removeprefix(rest)
+
+
+def _line(tokens: Sequence[Token]) -> str:
+    """The words of one paragraph; a line break of the source is a space, a forced one stays."""
+    said = ""
+    for token in tokens:
+        match token.type:
+            case "text" | "code_inline" | "html_inline":
+                said += token.content
+            case "math_inline":
+                said += plain_formula(token.content.strip())
+            case "math_inline_double":
+                said += f" {plain_formula(token.content.strip())} "
+            case "softbreak":
+                said += " "
+            case "hardbreak":
+                said += "\n"
+    return said

@@ -18,6 +18,7 @@ from corollary.derive.entries import (
     Mistake,
     Optimum,
     Plot,
+    Printed,
     Proof,
     Rejected,
     Route,
@@ -122,6 +123,11 @@ def proof(part: str, because: str, *laws: Law, target: Law, mistakes: Sequence[M
 def explain(part: str, *rubric: str, answer: str) -> Explain:
     """A part for a person to mark: what earns credit, and what a full answer says."""
     return Explain(part, rubric, answer)
+
+
+def printed(part: str, text: str, where: str) -> Printed:
+    """What the chapter prints: `printed("a", "2.28 kg m/s", "(12.31)")`; several components are parted by semicolons."""
+    return Printed(part, text, where)
 
 
 def _tuple(finds: Finds) -> tuple[sympy.Symbol, ...]:

@@ -149,8 +149,17 @@ class Explain:
     answer: str
 
 
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A value the chapter prints for its own numbers, as printed; verification rounds ours to its figures."""
+
+    part: str
+    text: str
+    where: str
+
+
 Found = Step | Optimum | Simulated
-Entry = Found | Choice | Example | Code | Plot | Proof | Explain
+Entry = Found | Choice | Example | Code | Plot | Proof | Explain | Printed
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.closed import NoTree, relation, tree
-from corollary.derive.entries import Choice, Code, Example, Explain, Mistake, Optimum, Plot, Proof, Simulated, Step
+from corollary.derive.entries import Choice, Code, Example, Explain, Mistake, Optimum, Plot, Printed, Proof, Simulated, Step
 from corollary.derive.failing import NotDerivable
 from corollary.derive.load import Loaded, load, symbol_of
 from corollary.derive.optimum import best
@@ -39,6 +39,23 @@ from corollary.quantity.unit import Dimension, show
 POINTS = 6
 
 
+def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
+    """The laws put back: how many equations vanish identically when every find is put in, and which do not. Raises NotDerivable."""
+    solver = _Solver(problem, load(bank, problem))
+    solver.solution()
+    proven, left = 0, []
+    for entry in solver.loaded.derivation.entries:
+        if isinstance(entry, Step):
+            for stated in (*entry.laws, *(law for way in entry.routes for law in way.laws)):
+                for one, other in sides(stated):
+                    residual = (one - other).subs(solver.closed).subs(solver.aside)
+                    if sympy.simplify(sympy.expand(residual)) == 0:
+                        proven += 1
+                    elif not residual.free_symbols & solver.measured:
+                        left.append(f"line {solver.line(entry.because)}: {stated.name} does not hold for the answers: {one} = {other}")
+    return proven, left
+
+
 def solve(bank: Bank, problem: Problem) -> Solution:
     """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
     loaded = load(bank, problem)
@@ -57,6 +74,7 @@ class _Solver:
         self.points = [
             {symbol: _number(variant.exact[symbol.name]) for symbol in self.givens} for variant in variants
         ]
+        self.aside: dict[sympy.Symbol, sympy.Expr] = {}
         self.measured: set[sympy.Symbol] = set()
 
     def solution(self) -> Solution:
@@ -75,6 +93,8 @@ class _Solver:
                     proofs[entry.part], part = self.proof(entry), entry.part
                 case Code(part=part) | Plot(part=part) | Explain(part=part):
                     pass
+                case Printed():
+                    part = ""
                 case _:
                     assert_never(entry)
             answered.add(part)
@@ -125,6 +145,7 @@ class _Solver:
         for slip in entry.mistakes:
             wrong.append(self.wrong(entry, slip, exchanged(entry.laws, slip), entry.where))
         self.close(entry.finds, picked.root)
+        self.aside |= {symbol: simplest(picked.root[symbol].subs(self.closed)) for symbol in entry.also}
         return Find(
             names=tuple(symbol.name for symbol in entry.finds), answers=entry.answers, because=entry.because,
             laws=tuple(map(shown, entry.laws)), local=local, closed=self.closed_trees(entry.finds), routes=tuple(routes),

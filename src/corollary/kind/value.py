@@ -28,7 +28,7 @@ def samples(value: float, part: Part) -> tuple[Sample, ...]:
     """The number itself, four figures of it, with a decimal comma; a number far off; text that is none."""
     unit = canonical(si_unit(part.unit.dimension))
     name = "" if unit == "1" else f" {unit}"
-    comma = f"{value:.5g}".replace(".", ",") if "e" not in f"{value:.5g}" else f"{value:.4e}"
+    comma = f"{value:.4e}".replace(".", ",")
     off = value * 1.37 + (7 if value == 0 else 0)
     return (
         Sample(f"{value!r}{name}", "right"),
@@ -39,5 +39,5 @@ def samples(value: float, part: Part) -> tuple[Sample, ...]:
         Sample(float("nan"), "unread"),
         Sample(None, "unread"),
         Sample([1.0, 2.0, 3.0, 4.0], "unread"),
-        *((Sample(f"{value!r} kg*m^5", "unread"),)),
+        Sample(f"{value!r} kg*m^5", "unread"),
     )

@@ -107,7 +107,7 @@ def _call(function: str, arguments: tuple[Tree, ...], of: Mapping[str, Dimension
     match function:
         case "sqrt":
             inner = _dimension(arguments[0], of)
-            return None if inner is None else inner ** HALF
+            return None if inner is None else inner**HALF
         case "abs":
             return _dimension(arguments[0], of)
         case "min" | "max":

@@ -14,17 +14,8 @@ MOST_DIGITS = 40
 LARGEST_EXPONENT = 300
 
 # One character for another, so that a position in the plain text is a position in what was typed.
-PLAIN = {
-    ord(fancy): plain
-    for plain, all_fancy in {
-        "-": "−–—‐‑﹣－",
-        "*": "·×∙⋅•∗",
-        "/": "∕⁄÷",
-        " ": "\u00a0\u2009\u202f\u2007\u200b\u2062\ufeff\t\n\r",
-        "'": "’",
-    }.items()
-    for fancy in all_fancy
-}
+FANCY = {"-": "−–—‐‑﹣－", "*": "·×∙⋅•∗", "/": "∕⁄÷", " ": "\u00a0\u2009\u202f\u2007\u200b\u2062\ufeff\t\n\r", "'": "’"}
+PLAIN = {ord(fancy): plain for plain, several in FANCY.items() for fancy in several}
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 VULGAR = {"½": Fraction(1, 2), "⅓": Fraction(1, 3), "⅔": Fraction(2, 3), "¼": Fraction(1, 4), "¾": Fraction(3, 4)}
 
@@ -155,9 +146,10 @@ def decimal_text(number: Fraction | float, figures: int) -> str:
         number = Fraction(number) if figures else Fraction(repr(number))
     if number == 0:
         return "0" if figures < 2 else "0." + "0" * (figures - 1)
-    if figures == 0:
-        return _exact_text(Fraction(number))
     size, sign = Fraction(abs(number)), "-" if number < 0 else ""
+    figures = figures or _exact_figures(size)
+    if figures == 0:
+        return str(number)
     power = _power_of_ten(size)
     digits = str(round(size * Fraction(10) ** (figures - 1 - power)))
     if len(digits) > figures:
@@ -174,18 +166,10 @@ def _placed(digits: str, power: int) -> str:
     return digits[0] + ("." + digits[1:] if len(digits) > 1 else "") + f"e{power}"
 
 
-def _exact_text(number: Fraction) -> str:
-    left = number.denominator
-    for prime in (2, 5):
-        while left % prime == 0:
-            left //= prime
-    if left != 1:
-        return str(number)
-    size = Fraction(abs(number))
-    power, digits = _power_of_ten(size), size
-    while digits.denominator != 1:
-        digits *= 10
-    return ("-" if number < 0 else "") + _placed(str(digits.numerator).rstrip("0"), power)
+def _exact_figures(size: Fraction) -> int:
+    """How many figures it takes to write it exactly; 0 when no decimal number does."""
+    digits, rest = divmod(size.numerator * 10 ** size.denominator.bit_length(), size.denominator)
+    return 0 if rest else len(str(digits).rstrip("0"))
 
 
 def _power_of_ten(size: Fraction) -> int:

@@ -240,7 +240,7 @@ def _power_of_function(line: _Line, function: str) -> Tree:
     if line.next.kind == "sign" and line.next.text == "-":
         choices = (f"arc{function}(…)", f"1/{function}(…)") if function in ANGLE_IN else (f"1/{function}(…)", f"{function}(…)")
         raise _Stop(asked(f"{function}^-1 can be read in two ways", sign.at, *choices))
-    if line.next.kind != "number" or not 0 < line.next.value <= LARGEST_POWER:
+    if line.next.kind != "number" or line.next.figures or not 0 < line.next.value <= LARGEST_POWER:
         _refuse(f"a whole number is expected as the power of {function}", line.next.at, f"write ({function}(…))^n")
     return Number(line.take().value)
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Literal
 
 from corollary.quantity.number import LONGEST, PLAIN, Written, decimal_text, scan_number
-from corollary.quantity.trouble import Trouble, asked, refused
+from corollary.quantity.trouble import Trouble, asked, refused, sentence
 from corollary.quantity.unit import PURE, Unit, called, read_unit, show
 
 REPEATED_LEFT = re.compile(r"\s*[^\W\d][^\s=≈+*/^();,]{0,15}\s*[=≈]")
@@ -22,8 +22,8 @@ POLAR = re.compile(r"\s+at(?: an angle of)?\s+|\s*∠\s*", re.IGNORECASE)
 class Reading:
     """A quantity as it was read. `unit` is None when none was written.
 
-    `si` is the value in SI as a ratio times a power of pi; `fit` compares it with what was expected, and `why` says what
-    is amiss ("" when it fits); `shown` is what the student sees: `8.6 N s`.
+    `si` is the value in SI as a ratio times a power of pi, a bare number taken in the expected unit; `fit` compares it with
+    what was expected, and `why` says what is amiss ("" when it fits); `shown` is what the student sees: `8.6 N s`.
     """
 
     text: str
@@ -46,7 +46,7 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | Trouble:
     if isinstance(found, Trouble):
         return _moved(found, skipped)
     number, end = found
-    rest = plain[end:].strip()
+    rest = plain[end:].strip().rstrip(".")
     if not rest:
         return _reading(text, number, None, expected)
     at = skipped + end + plain[end:].index(rest[0])
@@ -67,13 +67,12 @@ def in_si(reading: Reading) -> float:
 def describe(reading: Reading | Trouble) -> str:
     """One line for the student: `read as 8.6 N s`, or what to do."""
     if isinstance(reading, Trouble):
-        what = f"; {reading.suggestion}" if reading.suggestion else ""
-        return f"not read: {reading.why}{what}"
+        return f"not read: {sentence(reading)}"
     return f"read as {reading.shown}" + (f": {reading.why}" if reading.why else "")
 
 
 def read_quantities(text: str, expected: Unit | None, count: int) -> tuple[Reading, ...] | Trouble:
-    """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, and in a plane `5 m/s at 30 deg`."""
+    """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`."""
     if len(text) > LONGEST:
         return refused(f"this is longer than {LONGEST} characters", LONGEST)
     plain, skipped = _without_left(text.translate(PLAIN))
@@ -99,8 +98,8 @@ def _reading(text: str, number: Written, unit: Unit | None, expected: Unit | Non
         return refused("this quantity is too large or too small to be meant")
     shown = f"{decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
     fit, why = "fits", ""
-    bare = expected is None or (expected.dimension, expected.factor, expected.pi) == (PURE.dimension, 1, 0)  # 1 or rad
-    if expected is not None and unit is None and not bare:
+    plain = expected is None or (expected.dimension, expected.factor, expected.pi) == (PURE.dimension, 1, 0)  # as 1 and rad are
+    if expected is not None and unit is None and number.value and not plain:  # 0 is 0 in every unit
         fit, why = "unit missing", f"the unit is missing; write for example {shown} {show(expected)}"
     elif expected is not None and size.dimension != expected.dimension:
         sort = f"{called(expected.dimension)} is expected" + (f", for example in {show(expected)}" if show(expected) else "")
@@ -146,8 +145,7 @@ def _listed(plain: str, skipped: int, count: int) -> list[str] | Trouble:
 
 def _directed(plain: str, count: int) -> list[str] | Trouble:
     """`3 i - 4 j` cut at its directions; a direction left out is 0."""
-    wrapped = _unwrapped(plain)
-    inside, unit = wrapped or (plain, "")
+    inside, unit = _unwrapped(plain) or (plain, "")
     components: dict[int, str] = {}
     at = 0
     for found in ALONG.finditer(inside):
@@ -170,20 +168,21 @@ def _polar(plain: str, expected: Unit | None) -> tuple[Reading, ...] | Trouble:
     if len(pieces) != 2:
         return refused("a length and one angle are expected", None, "write for example 5 m/s at 30 deg")
     length, angle = read_quantity(pieces[0], expected), read_quantity(pieces[1], None)
-    if isinstance(length, Trouble) or isinstance(angle, Trouble):
-        return length if isinstance(length, Trouble) else refused(f"the angle: {angle.why}" if isinstance(angle, Trouble) else "")
-    if angle.unit is None or angle.unit.dimension != PURE.dimension:
+    if isinstance(length, Trouble):
+        return length
+    if isinstance(angle, Trouble):
+        return refused(f"the angle: {angle.why}", None, angle.suggestion)
+    if angle.unit is None or angle.unit.text not in ("deg", "rad", "mrad"):
         return refused("the angle needs its unit", None, "write for example 5 m/s at 30 deg")
     ratio, pi = angle.si
-    quarter = ratio * 2 if pi == 1 else None
-    turn = math.pi * float(ratio % 2) if pi == 1 else float(ratio)
-    shares = [Fraction(math.cos(turn)), Fraction(math.sin(turn))]
-    if quarter is not None and quarter.denominator == 1:  # a right angle has an exact 0
-        shares = [Fraction((1, 0, -1, 0)[int(quarter) % 4]), Fraction((0, 1, 0, -1)[int(quarter) % 4])]
+    right = {0: (1, 0), Fraction(1, 2): (0, 1), 1: (-1, 0), Fraction(3, 2): (0, -1)}.get(ratio % 2) if pi else None
+    turn = float(ratio % 2) * math.pi if pi else float(ratio)
+    shares = right or (math.cos(turn), math.sin(turn))
     figures = max(3, min(length.figures, angle.figures))
     found = []
     for share in shares:
-        part = _reading(plain, Written(length.value * share, figures, min(figures, length.least)), length.unit, expected)
+        number = Written(length.value * Fraction(share), figures, min(figures, length.least))
+        part = _reading(plain, number, length.unit, expected)
         if isinstance(part, Trouble):
             return part
         found.append(part)

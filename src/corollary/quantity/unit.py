@@ -43,36 +43,25 @@ class Unit:
     pi: int = 0
 
 
-def _dimension(kg: int = 0, m: int = 0, s: int = 0) -> Dimension:
+def _dimension(kg: int, m: int, s: int) -> Dimension:
     return Dimension(Fraction(kg), Fraction(m), Fraction(s))
 
 
 ONE = Dimension()
 PURE = Unit("1", ONE)
-PREFIX = {"p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "": 0, "h": 2, "k": 3, "K": 3, "M": 6, "G": 9}
-TABLE = (  # symbol, dimension, size in SI, prefixes it is used with; sizes of eV and u: CODATA 2018
-    ("g", _dimension(1), "1/1000", ("n", "u", "µ", "μ", "m", "", "k", "K")),
-    ("m", _dimension(0, 1), "1", ("n", "u", "µ", "μ", "m", "c", "d", "", "k", "K")),
-    ("s", _dimension(0, 0, 1), "1", ("p", "n", "u", "µ", "μ", "m", "")),
-    ("N", _dimension(1, 1, -2), "1", ("u", "µ", "μ", "m", "", "k", "K", "M", "G")),
-    ("J", _dimension(1, 2, -2), "1", ("u", "µ", "μ", "m", "", "k", "K", "M", "G")),
-    ("W", _dimension(1, 2, -3), "1", ("u", "µ", "μ", "m", "", "k", "K", "M", "G")),
-    ("Pa", _dimension(1, -1, -2), "1", ("", "h", "k", "K", "M", "G")),
-    ("Hz", _dimension(0, 0, -1), "1", ("m", "", "k", "K", "M", "G")),
-    ("eV", _dimension(1, 2, -2), "1.602176634e-19", ("m", "", "k", "K", "M", "G")),
-    ("t", _dimension(1), "1000", ("",)),
-    ("u", _dimension(1), "1.66053906660e-27", ("",)),
-    ("min", _dimension(0, 0, 1), "60", ("",)),
-    ("h", _dimension(0, 0, 1), "3600", ("",)),
-    ("rad", ONE, "1", ("", "m")),
-    ("%", ONE, "1/100", ("",)),
-)
+PREFIX = {"": 0, "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "K": 3, "M": 6, "G": 9}
+TABLE = (  # symbol, powers of kg, m and s, size in SI, prefixes it is used with; sizes of eV and u: CODATA 2018
+    ("g", (1, 0, 0), "1/1000", "nuµμmkK"), ("m", (0, 1, 0), "1", "nuµμmcdkK"), ("s", (0, 0, 1), "1", "pnuµμm"),
+    ("N", (1, 1, -2), "1", "uµμmkKMG"), ("J", (1, 2, -2), "1", "uµμmkKMG"), ("W", (1, 2, -3), "1", "uµμmkKMG"),
+    ("Pa", (1, -1, -2), "1", "hkKMG"), ("Hz", (0, 0, -1), "1", "mkKMG"), ("eV", (1, 2, -2), "1.602176634e-19", "mkKMG"),
+    ("t", (1, 0, 0), "1000", ""), ("u", (1, 0, 0), "1.66053906660e-27", ""), ("min", (0, 0, 1), "60", ""),
+    ("h", (0, 0, 1), "3600", ""), ("rad", (0, 0, 0), "1", "m"), ("%", (0, 0, 0), "1/100", ""),
+)  # fmt: skip
+ONE_SIGN = {"K": "k", "µ": "u", "μ": "u"}
 UNITS = {
-    prefix + symbol: Unit(
-        {"K": "k", "µ": "u", "μ": "u"}.get(prefix, prefix) + symbol, dimension, Fraction(size) * Fraction(10) ** PREFIX[prefix]
-    )
-    for symbol, dimension, size, prefixes in TABLE
-    for prefix in prefixes
+    sign + symbol: Unit(ONE_SIGN.get(sign, sign) + symbol, _dimension(*powers), Fraction(size) * Fraction(10) ** PREFIX[sign])
+    for symbol, powers, size, prefixes in TABLE
+    for sign in ("", *prefixes)
 }
 UNITS |= dict.fromkeys(("deg", "°", "º", "degree", "degrees"), Unit("deg", ONE, Fraction(1, 180), 1))
 UNITS |= {
@@ -123,7 +112,7 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | Trouble:
     """Factors above and below the line. After a bare slash a second factor could belong to either side: then both are kept."""
     certain: Factors = []
     floating: Factors = []  # factors after `a/b`, above the line when read from left to right
-    side, opened, slashed, ready = 1, 0, False, True
+    side, opened, slashed, ready, doubt = 1, 0, False, True, 0
     for mark in marks:
         at = mark.start() + len(mark[0]) - len(mark[0].lstrip())
         if mark["sign"] == "/":
@@ -146,6 +135,8 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | Trouble:
             found = [(PURE, Fraction(1))] if mark["one"] else _symbol(mark["symbol"], mark["power"] or "", at)
             if isinstance(found, Trouble):
                 return found
+            if slashed and side < 0 and not floating:
+                doubt = at
             (floating if slashed and side < 0 else certain).extend((each, power * side) for each, power in found)
             slashed, ready = slashed or not opened, False
     if opened or ready:
@@ -156,7 +147,7 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | Trouble:
     above = _composed(certain + [(each, -power) for each, power in floating])
     if isinstance(above, Trouble):
         return above
-    return asked("it is not clear what stands below the slash", None, above.text, below.text)
+    return asked("it is not clear what stands below the slash", doubt, above.text, below.text)
 
 
 def _symbol(symbol: str, power_text: str, at: int) -> Factors | Trouble:
@@ -179,17 +170,10 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | Trouble:
 
 def _splits(run: str) -> list[tuple[Unit, ...]]:
     """Every way to cut run-together letters (`Ns`, `kgm`) into two or three units."""
-    if len(run) > 9:
-        return []
-    found = []
-    for first in range(1, len(run)):
-        if run[:first] in UNITS:
-            if run[first:] in UNITS:
-                found.append((UNITS[run[:first]], UNITS[run[first:]]))
-            for second in range(first + 1, len(run)):
-                if run[first:second] in UNITS and run[second:] in UNITS:
-                    found.append((UNITS[run[:first]], UNITS[run[first:second]], UNITS[run[second:]]))
-    return found
+    ends = range(1, len(run)) if len(run) < 10 else ()
+    cuts = [(run[:end], run[end:]) for end in ends]
+    cuts += [(run[:first], run[first:end], run[end:]) for end in ends for first in range(1, end)]
+    return [tuple(UNITS[piece] for piece in cut) for cut in cuts if all(piece in UNITS for piece in cut)]
 
 
 def _power(text: str) -> Fraction | None:

@@ -6,10 +6,13 @@ import math
 import time
 from collections.abc import Mapping
 
+from corollary.scene.ready.atom import ATOM
 from corollary.scene.ready.ball_on_floor import BALL_ON_FLOOR
 from corollary.scene.ready.bullet_block import BULLET_BLOCK
+from corollary.scene.ready.chain import CHAIN
 from corollary.scene.ready.cradle import CRADLE
 from corollary.scene.ready.kick import KICK
+from corollary.scene.ready.rocket import ROCKET
 from corollary.scene.ready.scenery import Ready
 from corollary.scene.ready.setting import settle
 from corollary.scene.ready.snowball import SNOWBALL
@@ -17,7 +20,8 @@ from corollary.scene.ready.spheres import SPHERES
 from corollary.scene.ready.wall import WALL
 from corollary.scene.run import BadSetting, Run
 
-SCENES: dict[str, Ready] = {scene.name: scene for scene in (CRADLE, BALL_ON_FLOOR, SPHERES, KICK, WALL, SNOWBALL, BULLET_BLOCK)}
+READY = (CRADLE, BALL_ON_FLOOR, SPHERES, ATOM, CHAIN, ROCKET, KICK, WALL, SNOWBALL, BULLET_BLOCK)
+SCENES: dict[str, Ready] = {scene.name: scene for scene in READY}
 
 
 def run(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> Run:

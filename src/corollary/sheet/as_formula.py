@@ -1,4 +1,4 @@
-"""How a formula is read, told to the student before anything is marked: as which product, of which letters, and whether the units fit."""
+"""How a formula is read, told to the student before it is marked: as which products, of which letters, with which units."""
 
 from __future__ import annotations
 

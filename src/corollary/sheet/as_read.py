@@ -1,4 +1,4 @@
-"""How an answer is read, told to the student before anything is marked; it says whether it can be read, never whether it is right."""
+"""How an answer is read, told to the student before it is marked: whether it can be read, never whether it is right."""
 
 from __future__ import annotations
 

@@ -38,7 +38,9 @@ def written_cell(id: str, source: str, points: float) -> NotebookNode:
     return _marked(new_markdown_cell(source, id=id), id, solution=True, points=points)
 
 
-def _marked(cell: NotebookNode, id: str, *, locked: bool = False, solution: bool = False, points: float | None = None) -> NotebookNode:
+def _marked(
+    cell: NotebookNode, id: str, *, locked: bool = False, solution: bool = False, points: float | None = None
+) -> NotebookNode:
     cell.metadata["nbgrader"] = {
         "schema_version": 3,
         "grade_id": id,

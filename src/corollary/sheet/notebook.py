@@ -28,7 +28,10 @@ HOW_TO_ANSWER = """\
 2. Put your answer in place of `None`: a number in the unit asked for, or text with a unit of your own, such as `"3,2 km/h"`.
 3. Run the cell below your answer: it says how your answer is **read**, not whether it is right.
 4. Where *Your answer here.* stands, double-click and write. Then save, and hand in this one file."""
-CLOSING = "---\n\n**Before you hand in:** *Kernel ▸ Restart Kernel and Run All Cells*. The last cell then says how every answer is read. Save."
+CLOSING = """\
+---
+
+**Before you hand in:** *Kernel ▸ Restart Kernel and Run All Cells*. The last cell then says how every answer is read. Save."""
 
 
 def notebook(sheet: Sheet) -> NotebookNode:
@@ -42,7 +45,7 @@ def notebook(sheet: Sheet) -> NotebookNode:
 
 def file_text(nb: NotebookNode) -> str:
     """The text of an .ipynb file."""
-    return nbformat.writes(nb, version=4) + "\n"
+    return nbformat.writes(nb) + "\n"
 
 
 def _cells(sheet: Sheet) -> Iterator[NotebookNode]:

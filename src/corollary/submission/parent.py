@@ -148,7 +148,9 @@ def _opening(limits: Limits, parent: Parent, without: frozenset[str]) -> dict[st
         "limits": asdict(limits),
         "base": str(parent.base / "root"),
         "folder": str(parent.folder),
-        "hidden": [str(_PACKAGE)],
+        # An editable installation leaves the bank in a folder of the package's name beside the libraries.
+        "hidden": [str(_PACKAGE), *(f"{path}/{_PACKAGE.name}" for path in libraries)],
+        "absent": _PACKAGE.name,
         "unread": [_PACKAGE.name, f"_{_PACKAGE.name}", f"__editable__.{_PACKAGE.name}"],
     }
 

@@ -43,7 +43,7 @@ class Touching:
 
 @dataclass(frozen=True, slots=True)
 class Parting:
-    """The pair when it ceases to touch: turned by `turned` since it began, apart at the rate `outward`, with what spin is left."""
+    """The pair when it ceases to touch: turned by `turned` since it began, parting at the rate `outward`, with the spin left."""
 
     turned: float
     outward: float
@@ -69,7 +69,9 @@ def meet(pair: Pair) -> Touching | None:
         return None
     root = math.sqrt(room)
     after = (distance - pair.reach) * (distance + pair.reach) / (-radial + root)
-    angle = math.atan2(y + v * after, x + u * after)
+    # Along and across the relative velocity; not apart + relative * after, which loses digits on a long way.
+    along, across = -root / speed, -spin / speed
+    angle = math.atan2(along * v + across * u, along * u - across * v)
     return Touching(angle, 0.0, root / pair.reach, spin, after)
 
 
@@ -83,9 +85,9 @@ def after_parting(pair: Pair, met: Touching, parted: Parting) -> Vector:
 
 
 def deepest(pair: Pair, met: Touching) -> float:
-    """The largest overlap without damping: inward^2 = 2 k x^(q+1)/((q+1) mass) + spin^2 (1/(D-x)^2 - 1/D^2), by halving and Newton.
+    """The largest overlap of an undamped contact that begins at zero: by Newton's method, kept in its bracket.
 
-    Only for a contact that begins at zero overlap.
+    Energy: inward^2 = 2 k x^(q+1) / ((q+1) mass) + spin^2 (1/(D-x)^2 - 1/D^2).
     """
     d, p = pair.reach, pair.contact.q + 1.0
     stiff, turning = 2.0 * pair.contact.k / (p * pair.mass), met.spin**2

@@ -1,4 +1,4 @@
-"""Two spheres collide in a plane: contact force k overlap^q along the line of centres, drag eta on the relative velocity (12.6)."""
+"""Two spheres collide in a plane: contact force k overlap^q between the centres, drag on the relative velocity (12.6)."""
 
 from __future__ import annotations
 

@@ -22,6 +22,8 @@ class Outputs:
         self.places = {}
 
     def stream(self, name, text):
+        if self.full:
+            return
         text = self._room_for(clean(text))
         if not text:
             return
@@ -72,8 +74,6 @@ class Outputs:
             self.left -= len(text.encode())
             return text
         text, self.left = text.encode()[: self.left].decode("utf-8", "ignore"), 0
-        if self.full:
-            return ""
         self.full = True
         return f"{text}\n[the output is cut here: a cell shows at most {self.most_bytes} bytes]\n"
 

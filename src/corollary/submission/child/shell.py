@@ -75,6 +75,10 @@ class Shell(InteractiveShell):
     def ask_exit(self):
         """`exit()` ends nothing: the cells below it still count."""
 
+    def _format_exception_for_storage(self, *_, **__):
+        """IPython formats each error once more for its history; that takes seconds after a deep recursion."""
+        return {}
+
     def system(self, cmd):
         self.outputs.stream("stderr", _NO_COMMANDS)
 

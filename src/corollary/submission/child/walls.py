@@ -29,7 +29,7 @@ def enter_new_root(base, visible, hidden, own_users):
             _show(base, path)
     os.makedirs(base + FOLDER)
     # A folder inside what is visible is hidden by an empty one on top of it.
-    for path in hidden:
+    for path in dict.fromkeys(hidden):
         if os.path.isdir(base + path):
             libc.mount("hidden", base + path, "tmpfs", libc.MS_NOSUID, "size=4k,mode=755")
     libc.make_read_only(base)

@@ -6,6 +6,7 @@ import json
 import os
 import signal
 import socket
+import sys
 import tempfile
 
 from . import libc, life, ready
@@ -32,6 +33,7 @@ def serve(control, opening):
     outputs = shown.Outputs(parent.limits["output_bytes"])
     shell = _warm_shell(outputs, opening["preload"])
     tempfile.tempdir = None
+    sys.modules[opening["absent"]] = None  # so that importing it says plainly that it is not here
     if libc.on_linux():
         ready.prepare_walls(parent, opening)
         libc.prctl(libc.PR_SET_DUMPABLE, 0)

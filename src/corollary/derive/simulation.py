@@ -1,0 +1,40 @@
+"""A scene that must confirm the algebra: what to run, and what it must show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from corollary.derive.failing import NotDerivable
+from corollary.derive.load import load
+from corollary.problem.bank import Bank
+from corollary.problem.variant import Variant
+
+Seen = float | tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """One run of a ready-made scene. `neglected` bounds what the algebra leaves out, relative to each expected value."""
+
+    scene: str
+    settings: Mapping[str, object]
+    expect: Mapping[str, Seen]
+    neglected: float
+
+
+def simulate(scene: str, settings: Mapping[str, object], *, neglected: float = 0.0, **expect: Seen) -> Simulation:
+    """In a solution's scene function: run this, and find these values."""
+    return Simulation(scene, settings, expect, neglected)
+
+
+def simulations(bank: Bank, variant: Variant, answers: Mapping[str, Seen]) -> list[Simulation]:
+    """What a solution wants simulated for a variant; none where it has no scene function. Raises NotDerivable."""
+    loaded = load(bank, variant.problem)
+    if loaded.scene is None:
+        return []
+    try:
+        wanted = loaded.scene(**variant.si, answer=answers)
+    except Exception as error:
+        raise NotDerivable(loaded.path, loaded.scene.__code__.co_firstlineno, f"scene fails: {type(error).__name__}: {error}") from error
+    return list(wanted)

@@ -1,0 +1,155 @@
+"""The worked solution of a variant as Markdown: the law, its letters here, the algebra, the number, and a sanity check."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from corollary.derive.entries import Code, Explain
+from corollary.derive.solution import Find, Formulas, LawShown, Measured, Solution
+from corollary.problem.part import Part
+from corollary.problem.variant import Variant, number
+from corollary.quantity.latex import latex, letter
+from corollary.quantity.number import decimal_text
+from corollary.quantity.tree import Number, Relation, Tree, names
+from corollary.quantity.unit import Unit, si_unit
+from corollary.quantity.unit import latex as unit_latex
+
+FIGURES = 4
+
+
+def story(solution: Solution, variant: Variant, values: Sequence[tuple[float, ...]], letters: Mapping[str, str]) -> str:
+    """The whole solution; `values` are the finds in SI, in the solution's order, `letters` the right option of each choice."""
+    problem = solution.problem
+    known = _given_numbers(variant)
+    lines: list[str] = []
+    for find, numbers in zip(solution.finds, values, strict=True):
+        part = problem.part(find.answers) if find.answers else None
+        lines += [_heading(part) if part else f"**First find {_names(find)}.**", "", *_find(find, numbers, part, known), ""]
+        for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
+            known[name] = _quantity(value, si_unit(dimension), in_formula=True)
+    for part in problem.parts:
+        lines += _other(solution, part, letters, variant)
+    return "\n".join(lines).strip() + "\n"
+
+
+def _heading(part: Part) -> str:
+    return f"### ({part.id}) {part.title}"
+
+
+def _find(find: Find, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]) -> list[str]:
+    lines = [find.because, ""]
+    for stated in find.laws:
+        lines += [_law(stated), ""]
+    if find.note:
+        lines += [find.note, ""]
+    for reason in find.rejected:
+        lines += [f"*Another root of these laws is refused:* {_mathless(reason)}.", ""]
+    lines += _result(find, numbers, part, known)
+    for way in find.routes_shown:
+        lines += ["", f"*Another way.* {way.because}", "", *(_law(stated) + "\n" for stated in way.laws)]
+    if find.check:
+        lines += ["", f"*Check:* {find.check}"]
+    return lines
+
+
+def _law(stated: LawShown) -> str:
+    """The textbook's equation, when it holds, and what it says here."""
+    bold = {name: rf"\vec{{{letter(name)}}}" for name in stated.vectors}
+    where = f" {stated.source}" if stated.source else ""
+    holds = f", since {stated.holds}" if stated.holds else ""
+    here = [latex(relation) for relation in stated.here if not _empty(relation)]
+    textbook = latex(stated.textbook, bold)
+    if here == [textbook]:
+        return f"{stated.name}{where}{holds}:\n\n$${textbook}$$"
+    shown = r" \qquad ".join(here) or "0 = 0"
+    return f"{stated.name}{where}{holds}:\n\n$${textbook}$$\n\nHere:\n\n$${shown}$$"
+
+
+def _result(find: Find, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]) -> list[str]:
+    lines = []
+    units = [part.unit if part else si_unit(dimension) for dimension in find.dimensions]
+    for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
+        answer = _quantity(value, unit)
+        match find.local:
+            case Formulas(trees):
+                steps = [letter(name), latex(trees[place])]
+                closed = find.closed[place] if find.closed else None
+                if closed is not None and closed != trees[place] and names(closed):
+                    steps.append(latex(closed))
+                if names(trees[place]) - {"pi"}:
+                    steps.append(latex(trees[place], known))
+                steps.append(answer)
+                lines += [f"$${' = '.join(dict.fromkeys(steps))}$$", ""]
+            case Measured(scene, _, observe):
+                lines += [f"$${letter(name)} = {answer}$$", ""]
+                if name == find.names[-1]:
+                    lines += [f"Measured in the simulated scene *{scene}* ({observe}), by Newton's second law.", ""]
+    return lines
+
+
+def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: Variant) -> list[str]:
+    """Choices, examples, proofs, programs and explanations."""
+    lines: list[str] = []
+    if part.id in solution.choices:
+        truth = solution.choices[part.id]
+        lines += [f"**({letters[part.id]})** {truth.because}"]
+    if part.id in solution.examples:
+        truth = solution.examples[part.id]
+        lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws)]
+    if part.id in solution.proofs:
+        truth = solution.proofs[part.id]
+        lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws), f"To show: $${latex(truth.target)}$$"]
+    for entry in solution.entries:
+        match entry:
+            case Code(part.id, because, _, _, example):
+                lines += [because, "", "```python", example.strip(), "```", ""]
+            case Explain(part.id, rubric, answer):
+                lines += [answer, "", *(f"- {each}" for each in rubric)]
+            case _:
+                continue
+    return [_heading(part), "", *lines, ""] if lines else []
+
+
+def _given_numbers(variant: Variant) -> dict[str, str]:
+    """Each given as it stands in a formula: number and unit."""
+    shown = {}
+    for given in variant.problem.givens:
+        unit = unit_latex(given.unit)
+        text = number(given, variant.values[given.symbol]).replace("−", "-")
+        mantissa, _, power = text.partition("e")
+        text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
+        shown[given.symbol] = _bracketed(text + (rf"\,{unit}" if unit else ""), text)
+    return shown
+
+
+def _quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
+    size = float(unit.factor) * math.pi**unit.pi
+    text = decimal_text(value / size, FIGURES) if value else "0"
+    mantissa, _, power = text.partition("e")
+    text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
+    symbol = unit_latex(unit)
+    whole = text + (rf"\,{symbol}" if symbol else "")
+    return _bracketed(whole, text) if in_formula else whole
+
+
+def _bracketed(whole: str, text: str) -> str:
+    """In brackets where a sign or a unit could be misread inside a product or a power."""
+    return rf"({whole})" if whole != text or text.startswith("-") else whole
+
+
+def _names(find: Find) -> str:
+    return ", ".join(f"${letter(name)}$" for name in find.names)
+
+
+def _empty(relation: Relation) -> bool:
+    """0 = 0: a component in which a law says nothing."""
+    return relation.left == relation.right or (_zero(relation.left) and _zero(relation.right))
+
+
+def _zero(tree: Tree) -> bool:
+    return isinstance(tree, Number) and tree.value == 0
+
+
+def _mathless(reason: str) -> str:
+    return reason.replace("*", "·").replace("_", "\\_")

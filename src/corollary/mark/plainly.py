@@ -1,0 +1,40 @@
+"""Answers as they come in JSON or from an author's hand, made into what a student's process would hand out."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import Any
+
+from corollary.quantity.plain import Exact, Items, Nothing, Plain, Real, Refused, Text
+
+
+def plainly(answer: Any) -> Plain:
+    """A JSON value (or None, number, text, list of these) as inert data."""
+    match answer:
+        case None:
+            return Nothing()
+        case bool():
+            return Refused("true and false are no answers; write a number", str(answer))
+        case int():
+            return Exact(Fraction(answer))
+        case Fraction():
+            return Exact(answer)
+        case float():
+            return Real(answer)
+        case str():
+            return Text(answer)
+        case list() | tuple():
+            items = tuple(map(plainly, answer))
+            shapes = {item.shape for item in items if isinstance(item, Items)}
+            inner = shapes.pop() if len(shapes) == 1 and all(isinstance(item, Items) for item in items) else ()
+            return Items(items, (len(items), *inner))
+        case _:
+            return Refused("this kind of value is no answer", type(answer).__name__)
+
+
+def finite(value: float) -> float | str:
+    """A number for JSON: beyond the doubles it is a word."""
+    if math.isnan(value):
+        return "nan"
+    return value if math.isfinite(value) else "inf" if value > 0 else "-inf"

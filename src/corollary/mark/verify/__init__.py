@@ -1,0 +1,1 @@
+"""Problems and solutions proven right, or what is wrong with them."""

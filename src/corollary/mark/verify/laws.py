@@ -1,0 +1,36 @@
+"""The laws put back: every equation must vanish identically, and both its sides measure the same thing."""
+
+from __future__ import annotations
+
+from corollary.derive.solution import Solution
+from corollary.derive.solve import unproven
+from corollary.mark.verify.checked import Tally
+from corollary.problem.bank import Bank
+from corollary.quantity.dimension import dimension_of
+from corollary.quantity.tree import names
+from corollary.quantity.trouble import Trouble, sentence
+
+
+def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Residuals exactly zero, by algebra."""
+    proven, left = unproven(bank, solution.problem)
+    tally.count("laws put back", proven)
+    for each in left:
+        tally.complain(f"{bank.solution(solution.problem).name}: {each}")
+
+
+def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Every law of the derivation, as it stands here, has the same dimension on both sides."""
+    dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    for find in solution.finds:
+        dimensions |= dict(zip(find.names, find.dimensions, strict=True))
+    for find in solution.finds:
+        for law in (*find.laws, *(law for way in find.routes_shown for law in way.laws)):
+            for relation in law.here:
+                if names(relation) - {"pi"} - dimensions.keys():
+                    continue  # an unknown met only inside a step: its dimension follows from the law itself
+                found = dimension_of(relation, dimensions)
+                tally.expect(
+                    not isinstance(found, Trouble), "dimensions",
+                    lambda found=found, law=law: f"{bank.solution(solution.problem).name}: {law.name}: {sentence(found)}",
+                )  # fmt: skip

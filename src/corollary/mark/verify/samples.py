@@ -1,0 +1,72 @@
+"""Each kind's own samples judged as they are named, and the chapter's printed values reproduced."""
+
+from __future__ import annotations
+
+import math
+
+from corollary.derive.entries import Printed
+from corollary.derive.solution import Solution
+from corollary.kind.kind import Sample
+from corollary.kind.kinds import KINDS
+from corollary.mark.close import coarse
+from corollary.mark.judge import judge
+from corollary.mark.key import Key, make_key
+from corollary.mark.plainly import plainly
+from corollary.mark.verdict import Right, Unmarked, Unread, word
+from corollary.mark.verify.checked import Tally
+from corollary.problem.part import Part
+from corollary.problem.variant import chapter
+from corollary.quantity.read import read_quantity
+from corollary.quantity.text import text
+from corollary.quantity.trouble import Trouble
+
+
+def check_samples(key: Key, tally: Tally) -> None:
+    """Right samples are right, unreadable ones unread, and wrong ones neither."""
+    for part in key.variant.problem.parts:
+        for sample in samples(key, part):
+            ((verdict,), _) = judge(key, {part.id: plainly(sample.answer)})[part.id]
+            got = word(verdict)
+            as_named = {
+                "right": isinstance(verdict, Right), "unread": isinstance(verdict, Unread), "unmarked": isinstance(verdict, Unmarked),
+                "wrong": got in {"wrong", "slip", "mistaken"},
+            }[sample.verdict]  # fmt: skip
+            tally.expect(as_named, "kind samples", lambda part=part, sample=sample, got=got: (
+                f"{key.variant.problem.path.name}:{part.line}: part {part.id}: the sample {sample.answer!r} should be {sample.verdict} and is {got}"))  # fmt: skip
+
+
+def samples(key: Key, part: Part) -> tuple[Sample, ...]:
+    """What the part's kind makes of its truth; programs and figures have theirs run elsewhere."""
+    match part.kind:
+        case "value" | "vector":
+            return KINDS[part.kind].samples(key.truths[part.id].values, part)
+        case "expression":
+            closed = key.find(key.truths[part.id]).closed
+            return KINDS[part.kind].samples(text(closed[0]), part) if closed else ()
+        case "choice":
+            return KINDS[part.kind].samples(key.choices[part.id], part)
+        case "explain":
+            return KINDS[part.kind].samples("Because.", part)
+        case "example" | "proof" | "code" | "plot":
+            return ()
+
+
+def check_printed(solution: Solution, tally: Tally) -> None:
+    """What the chapter prints for its own numbers, rounded to the figures it prints."""
+    for entry in solution.entries:
+        if not isinstance(entry, Printed):
+            continue
+        key = make_key(solution, chapter(solution.problem))
+        part = solution.problem.part(entry.part)
+        wanted = key.truths[entry.part].values
+        for value, printed in zip(wanted, entry.text.split(";"), strict=True):
+            read = read_quantity(printed.strip(), part.unit)
+            if isinstance(read, Trouble):
+                tally.complain(f"{solution.problem.path.name}: the printed value {printed!r} cannot be read: {read.why}")
+                continue
+            ratio, pi = read.si
+            unit = read.unit or part.unit
+            size = float(unit.factor) * math.pi**unit.pi
+            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), size) or (ratio == 0 and value == 0)
+            tally.expect(bool(met), "printed values", lambda printed=printed, value=value, entry=entry: (
+                f"{solution.problem.path.name}: {entry.where} prints {printed.strip()} for part {entry.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip

@@ -1,0 +1,36 @@
+"""One problem verified: laws, dimensions, mistakes, samples, printed values, simulations, over many variants."""
+
+from __future__ import annotations
+
+from corollary.derive.failing import NotDerivable
+from corollary.derive.solve import solve
+from corollary.mark.key import make_key
+from corollary.mark.verify.checked import Checked, Tally
+from corollary.mark.verify.laws import check_dimensions, check_laws
+from corollary.mark.verify.samples import check_printed, check_samples
+from corollary.mark.verify.walk import LEAST, walk
+from corollary.problem.bank import Bank
+from corollary.problem.count import variants
+from corollary.problem.problem import Problem
+from corollary.problem.variant import chapter
+from corollary.quantity.ball import Undefined
+
+
+def verify(bank: Bank, problem: Problem, count: int = LEAST) -> Checked:
+    """Everything that can be checked of a problem. Never raises for what an author did wrong; it is a complaint."""
+    tally = Tally()
+    number, exact = variants(problem)
+    try:
+        solution = solve(bank, problem)
+        tally.count("parts", len(problem.parts))
+        tally.count("mistakes", sum(len(find.mistakes) for find in solution.finds))
+        check_laws(bank, solution, tally)
+        check_dimensions(bank, solution, tally)
+        check_samples(make_key(solution, chapter(problem)), tally)
+        check_printed(solution, tally)
+        share, reasons = walk(bank, solution, tally, count)
+    except (NotDerivable, Undefined) as error:
+        tally.complain(str(error))
+        share, reasons = 0.0, {}
+    common = sorted(reasons.items(), key=lambda item: -item[1])[:3]
+    return Checked(problem.code, number, exact, share, tuple(common), tally.counts, tuple(tally.complaints))

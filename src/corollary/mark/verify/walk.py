@@ -1,0 +1,105 @@
+"""A problem walked over many variants: keys exist, mistakes stand apart, right answers are right, simulations agree."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+from corollary.derive.simulation import Seen, simulations
+from corollary.derive.solution import Solution
+from corollary.mark.deal import admitted, collisions
+from corollary.mark.judge import judge
+from corollary.mark.key import Key
+from corollary.mark.verdict import Right, word
+from corollary.mark.verify.checked import Tally
+from corollary.problem.bank import Bank
+from corollary.problem.draw import sample
+from corollary.problem.variant import chapter, first_broken, size
+from corollary.quantity.plain import Items, Plain, Real
+from corollary.scene.catalogue import run
+from corollary.scene.run import BadSetting, GuardFailed
+
+LEAST, SIMULATED, TOO_MANY = 100, 8, 0.8
+AGREE = 1e-9
+
+
+def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tuple[float, Counter[str]]:
+    """Draws until `count` variants are admitted (or all are seen); the share passed over and why."""
+    problem, reasons, met = solution.problem, Counter(), 0
+    drawn = 0
+    for drawn, variant in enumerate(sample(problem, 20 * count), 1):
+        key, reason = admitted(solution, variant)
+        if key is None:
+            reasons[reason] += 1
+            continue
+        met += 1
+        tally.count("variants walked")
+        check_right(key, tally)
+        if met <= SIMULATED:
+            check_scenes(bank, key, tally)
+        if met == count:
+            break
+    passed = sum(reasons.values())
+    share = passed / drawn if drawn else 0.0
+    if drawn and share > TOO_MANY:
+        tally.complain(f"{problem.path.name}: {share:.0%} of the draws may not be dealt ({reasons.most_common(1)[0][0]}); change the ranges, or ask for the formula")
+    if size(problem) > 1 and not met:
+        tally.complain(f"{problem.path.name}: no variant at all may be dealt")
+    own, reason = admitted(solution, chapter(problem))
+    tally.count("chapter's own numbers")
+    if own is None and reason.startswith("an answer does not exist"):
+        tally.complain(f"{problem.path.name}: the chapter's own numbers: {reason}")
+    if (broken := first_broken(chapter(problem), hard_only=True)) is not None:
+        tally.complain(f"{problem.path.name}:{broken.line}: the chapter's own numbers break {broken.text}")
+    return share, reasons
+
+
+def check_right(key: Key, tally: Tally) -> None:
+    """The key's own answers are judged right, and every mistake stands apart."""
+    problem = key.variant.problem
+    answers = {part: plain(tuple(value / _size(problem.part(part).unit) for value in truth.values)) for part, truth in key.truths.items()}
+    judged = judge(key, answers)
+    for part in key.truths:
+        (verdict,), _ = judged[part]
+        tally.expect(isinstance(verdict, Right), "right answers", lambda part=part, verdict=verdict: (
+            f"{problem.path.name}: part {part} of {key.variant.label}: the key's own answer is judged {word(verdict)}"))  # fmt: skip
+    tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.finds))
+    for part, text in collisions(key):
+        tally.complain(f"{problem.path.name}: part {part} of {key.variant.label}: {text!r} cannot be told from the truth")
+
+
+def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
+    """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects."""
+    answers: dict[str, Seen] = {
+        part: truth.values if len(truth.values) > 1 else truth.values[0] for part, truth in key.truths.items()
+    }
+    for wanted in simulations(bank, key.variant, answers):
+        about = f"{bank.solution(key.variant.problem).name}: scene {wanted.scene} on {key.variant.label}"
+        try:
+            found = run(wanted.scene, wanted.settings, tolerance=1e-12)
+        except (BadSetting, GuardFailed) as error:
+            tally.complain(f"{about}: {error}")
+            continue
+        for name, expected in wanted.expect.items():
+            if name not in found.observed:
+                tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
+                continue
+            mine, theirs = _list(expected), _list(found.observed[name])
+            allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(map(abs, (*mine, *theirs)))
+            tally.expect(
+                len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed, "simulations met",
+                lambda name=name, mine=mine, theirs=theirs: f"{about}: {name} is {theirs} where the algebra says {mine}",
+            )  # fmt: skip
+
+
+def plain(values: tuple[float, ...]) -> Plain:
+    """Numbers as a student's process would hand them out."""
+    return Real(values[0]) if len(values) == 1 else Items(tuple(map(Real, values)), (len(values),))
+
+
+def _list(seen: Seen) -> tuple[float, ...]:
+    return seen if isinstance(seen, tuple) else (seen,)
+
+
+def _size(unit) -> float:
+    return float(unit.factor) * math.pi**unit.pi
