@@ -207,6 +207,7 @@ def test_an_exact_zero_is_zero(formula):
         ("atan2(x - 3, 0)", "no direction"),
         ("1/(sqrt(x) - sqrt(x))", "could not|no value"),
         ("gamma(gamma(gamma(99)))", "no value"),
+        ("atan2(sin(x)^2 + cos(x)^2 - 1, -1)", "no value"),
     ],
 )
 def test_where_there_is_no_value_it_says_so(formula, why):
@@ -245,6 +246,13 @@ def test_conditions(condition, true):
 def test_a_letter_without_a_value_is_an_error_of_the_caller():
     with pytest.raises(KeyError):
         evaluate(author_formula("x*y"), {"x": Exactly(Fraction(1))}, 64)
+
+
+def test_a_tie_that_cannot_be_proven_says_so():
+    tie = author_formula("x + (sqrt(2) - 1)*(sqrt(2) + 1)")  # exactly 2^53 + 1, but no ball can show it
+    found = certified(tie, {"x": Exactly(Fraction(2**53))})
+    assert not found.proven
+    assert found.value in (2.0**53, 2.0**53 + 2)
 
 
 def test_a_ball_given_stays_a_ball():

@@ -38,6 +38,8 @@ def shown(written: str, names=LETTERS, **how) -> str:
         ("v₀ h₀", "v0*h0"),
         ("Δt", "dt"),
         ("Delta_t", "dt"),
+        ("m v/Δ t", "m*v/dt"),
+        ("Delta t v", "dt*v"),
         ("mv/Δt", "m*v/dt"),
         ("μmg", "mu*m*g"),
         ("mumg", "mu*m*g"),
@@ -124,6 +126,7 @@ def test_letters_run_together_with_two_readings_are_asked_about(written, names, 
 def test_an_exact_name_is_that_name():
     assert shown("ma mA m_a", ["mA", "ma"]) == "ma*mA*ma"
     assert shown("dt", ["d", "t", "dt"]) == "dt"
+    assert shown("m_A mA", ["mA", "m_A"]) == "m_A*mA"
     assert shown("ev", ["e", "v"]) == "e*v"
 
 
@@ -140,6 +143,7 @@ def test_an_exact_name_is_that_name():
         ("1,5*m", 1, "1.5"),
         ("q*v", 0, "q is not among the letters"),
         ("V", 0, "did you mean v?"),
+        ("m v_{0A}", 2, "did you mean vA0?"),
         ("thetha", 0, "did you mean theta?"),
         ("m2", 0, "m^2"),
         ("p = m v = 3", 8, "only the right side"),
@@ -218,6 +222,14 @@ def test_authors_write_laws_and_conditions(written):
 def test_authors_are_told_in_a_sentence(written, names, words):
     with pytest.raises(ValueError, match=words):
         author_formula(written, names)
+
+
+def test_a_derived_formula_may_be_long():
+    long = " + ".join(f"a{number}*b{number}" for number in range(300))
+    assert text(author_formula(long)) == long
+    found = parse(long, [])
+    assert isinstance(found, Trouble)
+    assert found.why == "this is longer than 400 characters"
 
 
 letters = st.sampled_from(["m", "v_A0", "theta", "dt", "x"]).map(Name)

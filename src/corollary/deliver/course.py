@@ -106,6 +106,12 @@ def read_dealt(course: Course, set_name: str) -> dict[str, dict[str, int]]:
         raise NotACourse(f"{path} is damaged ({error}); restore it from a backup") from None
 
 
+def dealt_anywhere(course: Course, student: str) -> dict[str, int]:
+    """The numbers a student was dealt, by code of the problem, whatever set they came in. Raises NotACourse."""
+    sets = sorted((course.folder / ".corollary" / "dealt").glob("*.json"))
+    return {code: index for path in sets for code, index in read_dealt(course, path.stem).get(student, {}).items()}
+
+
 def submissions(course: Course, set_name: str) -> dict[str, Path]:
     """The notebook each student handed in, by student."""
     places = sorted((course.folder / "submitted").glob("*/"))

@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 
 from latex2mathml.converter import convert_to_element
 
-from corollary.deliver.typeset import typeset
+from corollary.deliver.typeset import UNSEEN, typeset
 
 LONGEST, DEEPEST = 4000, 60
 DEFINES = re.compile(r"\\(newcommand|renewcommand|def|DeclareMathOperator|newenvironment)\b")
@@ -28,6 +28,7 @@ def formula(latex: str, *, display: bool = False) -> Element | None:
     depths = accumulate((letter == "{") - (letter == "}") for letter in latex)
     if len(latex) > LONGEST or DEFINES.search(latex) or max(depths, default=0) > DEEPEST:
         return None
+    latex = UNSEEN.sub(" ", latex)
     text = MEASURED.sub(lambda unit: rf"\,\text{{{unit[1]}}}", latex)
     text = re.sub(r"(?<!\\)%", r"\\%", text)  # a percent sign is meant as one: no formula here holds comments
     text = re.sub(r"\\(begin|end)\{aligned\}", r"\\\1{split}", text)

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from contextlib import redirect_stderr
 from datetime import UTC
 from io import StringIO
+from typing import Any
+from typing import Any
 
 from nbformat import NotebookNode
 
@@ -42,7 +44,8 @@ def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookN
     write_atomically(course.notebook("source", ".", name), file_text(source_notebook))
     with gradebook(course) as book:
         due = None if problem_set.due is None else problem_set.due.astimezone(UTC).replace(tzinfo=None)
-        book.update_or_create_assignment(name, duedate=due, course_id=book.course_id)
+        about_set: dict[str, Any] = {"duedate": due, "course_id": book.course_id}
+        book.update_or_create_assignment(name, **about_set)
         for each in students(course):
             about = {"first_name": each.first_name or None, "last_name": each.last_name or None, "email": each.email or None}
             book.db.merge(Student(id=each.id, **about))

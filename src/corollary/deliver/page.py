@@ -15,9 +15,10 @@ from corollary.deliver.markdown import html, inline
 def page(template: str, *, title: str, lang: str = "en", **facts: object) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped."""
     body = environment().get_template(template).render(**facts)
-    return environment().get_template("page.html").render(
+    whole = environment().get_template("page.html").render(
         title=title, lang=lang, body=Markup(body), style=Markup(_text("page.css")), font=font() if "<math" in body else ""
     )
+    return whole.encode("utf-8", "replace").decode()  # half a surrogate pair in a student's text could not be written to a file
 
 
 @lru_cache(maxsize=1)

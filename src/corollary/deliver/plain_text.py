@@ -10,6 +10,8 @@ from markdown_it.token import Token
 from corollary.deliver.markdown import parser
 from corollary.deliver.plain_maths import plain_formula
 
+UNBROKEN = 24  # characters of the longest formula that a line is broken before, and not within
+
 
 def plain(text: str, *, width: int = 80) -> str:
     """The text in lines of at most `width` characters; code, tables and display formulas keep their lines."""
@@ -31,7 +33,7 @@ def plain(text: str, *, width: int = 80) -> str:
             case "tr_close":
                 block, close, cells = " | ".join(cells or []), True, None
             case "inline" if cells is not None:
-                cells.append(_line(token.children or []))
+                cells.append(_line(token.children or []).replace("\N{NO-BREAK SPACE}", " "))
             case "inline":
                 first = "  " * max(0, depth - bool(bullet)) + bullet
                 block, close = _wrapped(_line(token.children or []), width, first), bool(bullet)
@@ -50,7 +52,7 @@ def plain(text: str, *, width: int = 80) -> str:
 def _wrapped(text: str, width: int, first: str) -> str:
     rest = " " * len(first)
     lines = [textwrap.fill(line, width, initial_indent=rest, subsequent_indent=rest) for line in text.split("\n")]
-    return first + "\n".join(lines).removeprefix(rest)
+    return first + "\n".join(lines).removeprefix(rest).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def _line(tokens: Sequence[Token]) -> str:
@@ -61,7 +63,8 @@ def _line(tokens: Sequence[Token]) -> str:
             case "text" | "code_inline" | "html_inline":
                 said += token.content
             case "math_inline":
-                said += plain_formula(token.content.strip())
+                formula = plain_formula(token.content.strip())
+                said += formula if len(formula) > UNBROKEN else formula.replace(" ", "\N{NO-BREAK SPACE}")
             case "math_inline_double":
                 said += f" {plain_formula(token.content.strip())} "
             case "softbreak":

@@ -56,6 +56,12 @@ def show_html(exercise: Exercise, solution: str | None = None) -> str:
 
 
 def _earns(part: Part, out_of: float) -> str:
-    """Points, and the unit the answer is asked in."""
-    unit = show(part.unit)
-    return f"{points(out_of)} point{'s' * (out_of != 1)}" + (f", in {unit}" if unit else "")
+    """Points, and what is to be given: the unit, the components, the function."""
+    said = [f"{points(out_of)} point{'s' * (out_of != 1)}"]
+    if unit := show(part.unit):
+        said.append(f"in {unit}")
+    if part.components:
+        said.append(f"as {', '.join(part.components)}")
+    if part.signature:
+        said.append(f"a function {part.signature}")
+    return ", ".join(said)

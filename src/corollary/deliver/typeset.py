@@ -17,6 +17,7 @@ ATTRIBUTES = frozenset(re.findall(r"\w+", """
 # Words, or lengths of at most two digits: no formula may push the rest of the page away.
 VALUE = re.compile(r"[a-z -]{1,20}|[+-]?[0-9]{0,2}(\.[0-9]{0,4})?[a-z%]{0,3}")
 ENTITY = re.compile(r"&#x([0-9A-Fa-f]{1,6});")
+UNSEEN = re.compile("[\x00-\x1f\x7f\ud800-\udfff\ufffe\uffff]")  # what XML knows no letter for
 SYMBOLS = frozenset("−·×±÷≈≤≥°→")
 ACCENTS = {"^": "ˆ", "~": "˜", "→": "→", "¯": "¯", "―": "‾", "˙": "˙", "¨": "¨"}
 BARS, LIMITS = frozenset("|‖∥"), frozenset({"lim", "max", "min", "sup", "inf"})
@@ -29,7 +30,7 @@ def typeset(element: Element) -> Element:
 
     Raises ValueError when an element has too few or too many children.
     """
-    text = ENTITY.sub(lambda entity: chr(int(entity[1], 16)), element.text or "")
+    text = UNSEEN.sub("", ENTITY.sub(lambda entity: chr(int(entity[1], 16)), element.text or ""))
     tag = element.tag if element.tag in TAGS else "mrow"
     if tag in {"mi", "mtext"} and text in SYMBOLS:
         tag = "mo"

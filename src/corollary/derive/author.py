@@ -115,9 +115,9 @@ def plot(part: str, because: str, *, judge: Callable, example: str) -> Plot:
     return Plot(part, because, judge, example)
 
 
-def proof(part: str, because: str, *laws: Law, target: Law, mistakes: Sequence[Mistake] = ()) -> Proof:
-    """A "show that": the laws it may start from, and the equation to arrive at."""
-    return Proof(part, because, laws, target, tuple(mistakes))
+def proof(part: str, because: str, *laws: Law, target: Law, lines: Sequence[str], mistakes: Sequence[Mistake] = ()) -> Proof:
+    """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line."""
+    return Proof(part, because, laws, target, tuple(lines), tuple(mistakes))
 
 
 def explain(part: str, *rubric: str, answer: str) -> Explain:

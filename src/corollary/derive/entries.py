@@ -137,6 +137,7 @@ class Proof:
     because: str
     laws: tuple[Law, ...]
     target: Law
+    lines: tuple[str, ...]
     mistakes: tuple[Mistake, ...]
 
 

@@ -85,7 +85,7 @@ class ChoiceTruth:
 
 @dataclass(frozen=True, slots=True)
 class ExampleTruth:
-    """Residuals that vanish for a good example: formulas of givens and of the names the student gives, each with its scale."""
+    """Laws that a good example keeps, the values it must not be, and one good example (None when none was found)."""
 
     names: tuple[str, ...]
     laws: tuple[LawShown, ...]
@@ -93,6 +93,7 @@ class ExampleTruth:
     scale: Tree
     because: str
     free: int
+    instance: tuple[Tree, ...] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +102,7 @@ class ProofTruth:
 
     laws: tuple[LawShown, ...]
     target: Relation
+    lines: tuple[str, ...]
     wrong: tuple[tuple[Relation, str], ...]
     because: str
 

@@ -205,12 +205,26 @@ class _Solver:
             )  # fmt: skip
         apart = tuple((tuple(tree(value.subs(self.closed)) for value in values), why) for values, why in entry.apart)
         names = tuple(symbol.name for symbol in entry.finds)
-        return ExampleTruth(names, tuple(map(shown, entry.laws)), apart, tree(entry.scale.subs(self.closed)), entry.because, entry.free)
+        return ExampleTruth(names, tuple(map(shown, entry.laws)), apart, tree(entry.scale.subs(self.closed)), entry.because, entry.free, self.instance(entry, equations))
+
+    def instance(self, entry: Example, equations: list[sympy.Expr]) -> tuple[Tree, ...] | None:
+        """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
+        scale = entry.scale.subs(self.closed)
+        for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
+            fixed = {symbol: share * scale for symbol in entry.finds[: entry.free]}
+            others = list(entry.finds[entry.free :])
+            for root in sympy.solve([equation.subs(fixed) for equation in equations], others, dict=True) if others else [{}]:
+                whole = fixed | root
+                if all(symbol in whole and not whole[symbol].free_symbols - set(self.closed) for symbol in entry.finds) and all(
+                    abs(sympy.im(value.subs(point).evalf(20))) < 1e-15 for value in whole.values() for point in self.points
+                ):
+                    return tuple(tree(simplest(whole[symbol])) for symbol in entry.finds)
+        return None
 
     def proof(self, entry: Proof) -> ProofTruth:
         target = shown(entry.target).here[0]
         wrong = tuple((shown(stated).here[0], slip.text) for slip in entry.mistakes for stated in slip.laws)
-        return ProofTruth(tuple(map(shown, entry.laws)), target, wrong, entry.because)
+        return ProofTruth(tuple(map(shown, entry.laws)), target, entry.lines, wrong, entry.because)
 
     def roots(self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]) -> list[Root]:
         also = entry.also if isinstance(entry, Step) else ()

@@ -73,7 +73,8 @@ def stacked_bars(labels: Sequence[str], layers: Sequence[Layer], *, x_label: str
         axes.set_xlabel(x_label)
         axes.grid(False, axis="y")
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-        axes.figure.legend(loc="outside upper center", ncols=7, fontsize=9, handlelength=1.1, columnspacing=1.4)
+        if any(any(layer.values) for layer in layers):
+            axes.figure.legend(loc="outside upper center", ncols=7, fontsize=9, handlelength=1.1, columnspacing=1.4)
     return out[0]
 
 
@@ -96,7 +97,8 @@ def interval_counts(values: Sequence[float], low: float, high: float, bins: int)
     counts = [0] * bins
     for value in values:
         if math.isfinite(value):
-            counts[min(bins - 1, max(0, math.floor((value - low) / (high - low) * bins)))] += 1
+            inside = min(max(value, low), high)
+            counts[min(bins - 1, math.floor((inside - low) / (high - low) * bins))] += 1
     return counts
 
 

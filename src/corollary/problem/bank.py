@@ -96,3 +96,16 @@ def find(bank: Bank, code: str) -> Problem:
         if problem.code.lower() == code.lower():
             return problem
     raise Unknown(f"no problem is called {code}; `corollary list` shows the codes")
+
+
+def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:
+    """A problem and the bank it lives in: for a path to a .md file, the folder above its problems/. Raises Unknown or Malformed."""
+    if code.endswith(".md") and folder is None:
+        path = Path(code).resolve()
+        above = next((parent for parent in path.parents if parent.name == "problems"), None)
+        if path.is_file() and above is None:
+            raise Unknown(f"{code} lies in no bank: a problem's file lies somewhere below a folder problems/, its solution below solutions/")
+        if above is not None:
+            return Bank(above.parent), find(Bank(above.parent), str(path))
+    bank = open_bank(folder)
+    return bank, find(bank, code)

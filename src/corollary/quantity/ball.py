@@ -68,9 +68,9 @@ def certified(tree: Tree, values: Values) -> Certified:
     value, bits, last = _refined(tree, values, decide)
     if value is not None:
         return Certified(value, True, bits)
-    if last is None or not last.is_finite():
-        raise Undefined("no value could be worked out: too large, or a division by what may be 0")
-    return Certified(0.0 if last.contains(0) else float(last.mid()), False, bits)
+    if last is None or not last.is_finite() or last.rel_accuracy_bits() < 1:
+        raise Undefined("no value could be worked out: too large, or at a point where it jumps")
+    return Certified(float(last.mid()), False, bits)
 
 
 def sign(tree: Tree, values: Values) -> int | None:

@@ -21,6 +21,7 @@ GREEK = {
 LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
 WORDS = tuple(sorted(set(GREEK.values()) - {"pi", "Pi"}, key=len, reverse=True))
 
+APART = re.compile(r"([Δ∆]|Delta)( +)(?=[A-Za-z])")  # `Δ t`: the space goes before the change, no place moves
 LETTER = "A-Za-z" + "".join(GREEK)
 RUN = re.compile(rf"[{LETTER}](?:[{LETTER}0-9{''.join(LOWERED)}]|_\{{[{LETTER}0-9, ]{{1,12}}\}}|_(?=[{LETTER}0-9]))*")
 LONGEST_RUN = 60
@@ -62,9 +63,11 @@ def letters(names: frozenset[str]) -> Letters:
 
 def read_run(run: str, at: int, known: Letters) -> list[Piece] | Trouble:
     """The words a run of letters is made of: one whole letter if it is one, else the fewest that make it up."""
+    if run in known.names:
+        return [Piece("name", run, at)]
     if len(run) > LONGEST_RUN:
         return refused("this word is too long", at)
-    if run in ("deg", "degree", "degrees") and run not in known.names:
+    if run in ("deg", "degree", "degrees"):
         return [Piece("degree", run, at)]
     plain, places, joints = _plain(run)
     if plain in known.exact:
@@ -160,12 +163,12 @@ def _cuts(plain: str, joints: set[int], known: Letters, *, loosely: bool) -> lis
 
 
 def _near(plain: str, known: Letters) -> str:
-    """A letter that differs by its case, or by one sign."""
+    """A letter that differs by its case, by the order of its index, or by one sign."""
     parted = re.fullmatch(r"([A-Za-z]+)([0-9]+)", plain)
     if parted and parted[1] in known.exact:
         return f"write {parted[1]}^{parted[2]} for a power, {parted[2]}*{parted[1]} for a multiple"
     for key, (kind, name) in sorted(known.exact.items()):
-        if kind == "name" and key.lower() == plain.lower():
+        if kind == "name" and sorted(key.lower()) == sorted(plain.lower()):  # V for v, v0A for vA0
             return f"did you mean {name}?"
     near = sorted(key for key in known.exact if abs(len(key) - len(plain)) <= 1 and _one_apart(key, plain))
     near = [key for key in near if key[0] == plain[0]] or [key for key in near if len(key) > 2]

@@ -8,10 +8,10 @@ from functools import partial
 
 from corollary.quantity.degrees import in_degrees
 from corollary.quantity.function import SPELLINGS
-from corollary.quantity.letters import RUN, Piece, letters, read_run
+from corollary.quantity.letters import APART, RUN, Piece, letters, read_run
 from corollary.quantity.number import PLAIN
 from corollary.quantity.pratt import formula
-from corollary.quantity.tokens import LONGEST, tokens
+from corollary.quantity.tokens import LONGEST, MOST_TOKENS, tokens
 from corollary.quantity.tree import Tree
 from corollary.quantity.trouble import Trouble, refused, sentence
 
@@ -32,8 +32,10 @@ def parse(text: str, names: Iterable[str], *, degrees: bool = False, left: str |
         start = found.end()
         if left is not None and isinstance(read_run(found[1], 0, letters(frozenset({left}))), Trouble):
             return refused(f"{found[1]} stands on the left, but {left} is asked for", found.start(1), f"begin with {left} =")
+    known = letters(frozenset(names))
     # Blanks stand for what was skipped, so that a place found is a place in what was typed.
-    read = tokens(" " * start + text[start:], partial(read_run, known=letters(frozenset(names))))
+    line = " " * start + (text[start:] if "Delta" in known.names else APART.sub(r"\2\1", text[start:]))
+    read = tokens(line, partial(read_run, known=known))
     if isinstance(read, Trouble):
         return read
     tree = formula(read, student=True)
@@ -46,7 +48,7 @@ def author_formula(text: str, names: Iterable[str] | None = None) -> Tree:
     Raises ValueError with a sentence that quotes the text.
     """
     declared = None if names is None else frozenset(names)
-    read = tokens(text, partial(_author_run, declared=declared))
+    read = tokens(text, partial(_author_run, declared=declared), longest=20 * LONGEST, most=20 * MOST_TOKENS)
     tree = read if isinstance(read, Trouble) else formula(read, student=False)
     if isinstance(tree, Trouble):
         raise ValueError(f"formula {text!r}, {sentence(tree)}")

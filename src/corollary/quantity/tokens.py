@@ -47,10 +47,10 @@ class Token:
 ReadRun = Callable[[str, int], list[Piece] | Trouble]
 
 
-def tokens(text: str, read_run: ReadRun) -> list[Token] | Trouble:
+def tokens(text: str, read_run: ReadRun, *, longest: int = LONGEST, most: int = MOST_TOKENS) -> list[Token] | Trouble:
     """The signs of a formula, an `end` last; words are taken apart by `read_run`."""
-    if len(text) > LONGEST:
-        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+    if len(text) > longest:
+        return refused(f"this is longer than {longest} characters", longest)
     plain = text.translate(PLAIN)
     found: list[Token] = []
     at, tight = 0, True
@@ -64,8 +64,8 @@ def tokens(text: str, read_run: ReadRun) -> list[Token] | Trouble:
         more, at = step
         found += more
         tight = True
-        if len(found) > MOST_TOKENS:
-            return refused(f"this formula has more than {MOST_TOKENS} signs", at)
+        if len(found) > most:
+            return refused(f"this formula has more than {most} signs", at)
     return [*found, Token("end", "", len(text), False)]
 
 

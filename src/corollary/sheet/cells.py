@@ -48,14 +48,14 @@ def _marked(
         "solution": solution,
         "locked": locked,
         "task": False,
+        "cell_type": cell.cell_type,
     }
     if points is not None:
         cell.metadata["nbgrader"]["points"] = points
     cell.metadata["deletable"] = False
     if locked:
         cell.metadata["editable"] = False
-    if locked or points is not None:
-        cell.metadata["nbgrader"]["checksum"] = checksum(cell)
+    cell.metadata["nbgrader"]["checksum"] = checksum(cell)
     return cell
 
 

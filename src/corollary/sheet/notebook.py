@@ -123,7 +123,7 @@ def _wish(part: Part) -> str:
         case "value":
             return f"A number, in {unit}." if unit else "A plain number, without a unit."
         case "vector":
-            return f"A vector [{', '.join(part.components)}]{f', in {unit}' if unit else ''}."
+            return f"A list [{', '.join(part.components)}]{f', in {unit}' if unit else ''}."
         case "choice":
             return "One letter."
         case "expression":

@@ -37,6 +37,17 @@ class Unreadable:
 
 def read_notebook(path: str | Path) -> Notebook | Unreadable:
     """The notebook in a file; never raises, whatever the file or its bytes."""
+    content = _bytes_of(path)
+    return notebook_of(content) if isinstance(content, bytes) else content
+
+
+def content_of(path: str | Path) -> bytes:
+    """The bytes of a file that was handed in, or the words on why there are none; never raises, never waits."""
+    content = _bytes_of(path)
+    return content if isinstance(content, bytes) else content.why.encode()
+
+
+def _bytes_of(path: str | Path) -> bytes | Unreadable:
     try:
         # A named pipe would wait for ever, and a link leads where the student could not go.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
@@ -46,10 +57,9 @@ def read_notebook(path: str | Path) -> Notebook | Unreadable:
         try:
             if not stat.S_ISREG(os.fstat(descriptor).st_mode):
                 return Unreadable("This is not a file.")
-            content = io.BufferedReader(file).read(MOST_BYTES + 1)
+            return io.BufferedReader(file).read(MOST_BYTES + 1)
         except OSError as error:
             return Unreadable(f"The file cannot be read: {error.strerror}.")
-    return notebook_of(content)
 
 
 def notebook_of(content: bytes) -> Notebook | Unreadable:

@@ -120,7 +120,7 @@ def tell(child: Child, number: signal.Signals) -> None:
         return
 
 
-def reap(parent: Parent, child: Child, seconds: float = 10.0) -> int:
+def reap(parent: Parent, child: Child, seconds: float = 30.0) -> int:
     """How the child ended: its exit status, or 128 and the signal's number. Raises OSError when the parent does not say."""
     child.channel.close()
     if child.handle is not None:

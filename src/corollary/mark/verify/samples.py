@@ -10,8 +10,9 @@ from corollary.kind.kind import Sample
 from corollary.kind.kinds import KINDS
 from corollary.mark.close import coarse
 from corollary.mark.judge import judge
-from corollary.mark.key import Key, make_key
+from corollary.mark.key import Key, make_key, named
 from corollary.mark.plainly import plainly
+from corollary.mark.replay import number
 from corollary.mark.verdict import Right, Unmarked, Unread, word
 from corollary.mark.verify.checked import Tally
 from corollary.problem.part import Part
@@ -47,7 +48,13 @@ def samples(key: Key, part: Part) -> tuple[Sample, ...]:
             return KINDS[part.kind].samples(key.choices[part.id], part)
         case "explain":
             return KINDS[part.kind].samples("Because.", part)
-        case "example" | "proof" | "code" | "plot":
+        case "example":
+            known = key.variant.exact | named(key.solution, list(key.values))
+            instance = key.solution.examples[part.id].instance
+            return KINDS[part.kind].samples([number(tree, known) for tree in instance], part) if instance else ()
+        case "proof":
+            return KINDS[part.kind].samples("\n".join(key.solution.proofs[part.id].lines), part)
+        case "code" | "plot":
             return ()
 
 

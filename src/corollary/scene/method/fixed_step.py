@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import assert_never
 
 from corollary.scene.method.runge_kutta import Tableau, step
@@ -33,8 +34,8 @@ def march(method: Method, acceleration: Acceleration, x: Places, v: Places, dt: 
         return acceleration(x, v)
 
     rows = [(tuple(x), tuple(v))]
-    for _, (x, v) in zip(range(steps), _states(method, counted, list(x), list(v), dt), strict=False):
-        rows.append((tuple(x), tuple(v)))
+    for places, velocities in islice(_states(method, counted, list(x), list(v), dt), steps):
+        rows.append((tuple(places), tuple(velocities)))
     return Path(tuple(i * dt for i in range(steps + 1)), tuple(x for x, _ in rows), tuple(v for _, v in rows), spent)
 
 

@@ -6,41 +6,20 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from corollary.scene.force.well import Well
 from corollary.scene.model.gauss import integral
-
-
-@dataclass(frozen=True, slots=True)
-class Well:
-    """U = k (r - b)^2 / 2 for b - d < r < b + d, k d^2 / 2 farther out, a hard wall at b - d (equations 12.138 and 12.140)."""
-
-    m: float
-    k: float
-    b: float
-    d: float
-
-    @property
-    def frequency(self) -> float:
-        """The angular frequency of the swing along a line."""
-        return math.sqrt(self.k / self.m)
-
-    @property
-    def edge(self) -> float:
-        return self.b + self.d
-
-    @property
-    def wall(self) -> float:
-        return self.b - self.d
 
 
 @dataclass(frozen=True, slots=True)
 class Radial:
     """Motion of the distance r at given energy and spin (angular momentum per mass) as if the well had no edge.
 
-    square_of_speed(r) = 2 E/m - w^2 (r-b)^2 - spin^2/r^2 is concave, so r stays between two roots `low` and `high`. Between them
-    r^2 times that square is w^2 (r - low)(high - r)(r^2 + p r + s).
+    `frequency` w is the angular one of a swing along a line. square_of_speed(r) = 2 E/m - w^2 (r-b)^2 - spin^2/r^2 is concave, so
+    r stays between two roots `low` and `high`. Between them r^2 times that square is w^2 (r - low)(high - r)(r^2 + p r + s).
     """
 
     well: Well
+    frequency: float
     spin: float
     double_energy: float
     low: float
@@ -48,7 +27,7 @@ class Radial:
 
     def square_of_speed(self, r: float) -> float:
         """The square of dr/dt; negative where the atom cannot be."""
-        return self.double_energy - (self.well.frequency * (r - self.well.b)) ** 2 - (self.spin / r) ** 2
+        return self.double_energy - (self.frequency * (r - self.well.b)) ** 2 - (self.spin / r) ** 2
 
     def place(self, phase: float) -> float:
         """r at a phase from 0 (at `low`) to pi (at `high`)."""
@@ -60,7 +39,7 @@ class Radial:
 
     def pace(self, phase: float) -> float:
         """dt / d(phase), smooth at both turning points."""
-        w, r = self.well.frequency, self.place(phase)
+        w, r = self.frequency, self.place(phase)
         p = self.low + self.high - 2.0 * self.well.b
         s = self.spin**2 / (w * w * self.low * self.high)
         return r / (w * math.sqrt(r * r + p * r + s))
@@ -70,32 +49,32 @@ class Radial:
         return self.spin / self.place(phase) ** 2 * self.pace(phase)
 
 
-def radial(well: Well, r: float, along: float, across: float) -> Radial:
-    """The radial motion of an atom at distance r with these components of velocity along the radius and across it."""
-    w = well.frequency
+def radial(well: Well, m: float, r: float, along: float, across: float) -> Radial:
+    """The radial motion of an atom of mass m at distance r with these velocities along the radius and across it."""
+    w = math.sqrt(well.k / m)
     spin = r * across
     double = along**2 + across**2 + (w * (r - well.b)) ** 2
     if spin == 0.0:
         reach = math.sqrt(double) / w
-        return Radial(well, 0.0, double, well.b - reach, well.b + reach)
-    square = Radial(well, spin, double, r, r).square_of_speed
-    top, near, far = _circle(well, abs(spin)), abs(spin) / math.sqrt(double), well.b + math.sqrt(double) / w
+        return Radial(well, w, 0.0, double, well.b - reach, well.b + reach)
+    square = Radial(well, w, spin, double, r, r).square_of_speed
+    top, near, far = _circle(well.b, abs(spin) / w), abs(spin) / math.sqrt(double), well.b + math.sqrt(double) / w
     if along == 0.0:
         # The start is one turning point; taken out of the square, what is left falls through zero once, at the other.
         def left(x: float) -> float:
             return (spin / (x * r)) ** 2 * (x + r) - w * w * (x + r - 2.0 * well.b)
 
         other = _root(left, far, top) if r <= top else _root(lambda x: -left(x), min(near, top), top)
-        return Radial(well, spin, double, min(r, other), max(r, other))
-    return Radial(well, spin, double, _root(square, min(near, top), top), _root(square, max(far, top), top))
+        return Radial(well, w, spin, double, min(r, other), max(r, other))
+    return Radial(well, w, spin, double, _root(square, min(near, top), top), _root(square, max(far, top), top))
 
 
-def _circle(well: Well, spin: float) -> float:
-    """The radius of the circle with this spin: r^3 (r - b) = (spin/w)^2; beyond b the left side grows and is convex."""
-    target = (spin / well.frequency) ** 2
-    r = well.b + min(target / well.b**3, target**0.25)
+def _circle(b: float, area: float) -> float:
+    """The radius of the circle with this spin/w: r^3 (r - b) = area^2; beyond b the left side grows and is convex."""
+    target = area * area
+    r = b + min(target / b**3, target**0.25)
     for _ in range(100):
-        step = (r**3 * (r - well.b) - target) / (r * r * (4.0 * r - 3.0 * well.b))
+        step = (r**3 * (r - b) - target) / (r * r * (4.0 * r - 3.0 * b))
         r -= step
         if abs(step) <= 1e-16 * r:
             break

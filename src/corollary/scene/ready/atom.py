@@ -6,7 +6,8 @@ import math
 from collections.abc import Mapping
 
 from corollary.scene.collision import CLOSED
-from corollary.scene.model.well import Radial, Well, radial, swept
+from corollary.scene.force.well import Well
+from corollary.scene.model.well import Radial, radial, swept
 from corollary.scene.ready.scenery import Played, Ready
 from corollary.scene.ready.setting import Setting, one
 from corollary.scene.run import BadSetting, Observed
@@ -27,7 +28,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
 
     On a line `turning_points` are places and `velocities` has one component.
     """
-    well = Well(*(one(settings, name) for name in ("m", "k", "b", "d")))
+    m, well = one(settings, "m"), Well(*(one(settings, name) for name in ("k", "b", "d")))
     if well.d >= well.b:
         raise BadSetting(f"atom: d = {well.d:g} m must be less than b = {well.b:g} m: the core has a size.")
     plane = one(settings, "dimension") == 2.0
@@ -37,8 +38,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         raise BadSetting(f"atom: r0 = {r:g} m is inside the core; start at b - d = {well.wall:g} m or beyond.")
     along, across = (x * u + y * v) / r, (x * v - y * u) / r
     if r > well.edge:
-        return _from_outside(well, r, along, across, math.atan2(y, x), plane)
-    motion = radial(well, r, along, across)
+        return _from_outside(well, m, r, along, across, math.atan2(y, x), plane)
+    motion = radial(well, m, r, along, across)
     if motion.square_of_speed(well.edge) > 0.0 and (motion.high > well.edge or r == well.edge):
         return _leaves(well, motion, r, along, math.atan2(y, x), plane, 0.0)
     return _bound(motion, plane)
@@ -59,7 +60,7 @@ def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, 
 
 def _bound(motion: Radial, plane: bool) -> Played:
     if motion.spin == 0.0:
-        period, angle, doubt, spent = 2.0 * math.pi / motion.well.frequency, 0.0, CLOSED, 0
+        period, angle, doubt, spent = 2.0 * math.pi / motion.frequency, 0.0, CLOSED, 0
     else:
         half, half_angle, doubt, spent = swept(motion, 0.0, math.pi)
         period, angle = 2.0 * half, 2.0 * half_angle
@@ -95,7 +96,7 @@ def _leaves(well: Well, motion: Radial, r: float, along: float, angle: float, pl
     return Played(observed, dict.fromkeys(observed, max(8.0 * doubt, CLOSED)), "quadrature", why, spent, "escaped")
 
 
-def _from_outside(well: Well, r: float, along: float, across: float, angle: float, plane: bool) -> Played:
+def _from_outside(well: Well, m: float, r: float, along: float, across: float, angle: float, plane: bool) -> Played:
     """A straight line until the edge of the well, if it is met at all."""
     speed = math.hypot(along, across)
     room = (well.edge * speed - r * abs(across)) * (well.edge * speed + r * abs(across))
@@ -107,7 +108,7 @@ def _from_outside(well: Well, r: float, along: float, across: float, angle: floa
     inward, way = math.sqrt(room) / well.edge, (r - well.edge) * (r + well.edge)
     after = way / (-r * along + math.sqrt(room))
     entered = angle + math.atan2(across * after, r + along * after)
-    motion = radial(well, well.edge, -inward, r * across / well.edge)
+    motion = radial(well, m, well.edge, -inward, r * across / well.edge)
     return _leaves(well, motion, well.edge, -inward, entered, plane, after)
 
 

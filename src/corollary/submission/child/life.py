@@ -41,8 +41,9 @@ def _confine(parent, results, baseline):
     os.setsid()
     kept = [parent.ruleset.fileno()] if parent.ruleset else []
     confine.keep_descriptors(results, kept)
-    # Without seccomp nothing stops a fork but the count of processes, and that counts all of the user's.
-    confine.set_bounds(parent.limits, baseline, None if parent.filter or not libc.on_linux() else 256)
+    # Without seccomp nothing stops a fork but the count of processes, which counts all that a user has anywhere.
+    processes = None if parent.filter else 1024 if parent.user is None else 64
+    confine.set_bounds(parent.limits, baseline, processes)
     os.chdir(parent.folder)
     confine.give_up_powers(parent.user)
     confine.die_with_parent()

@@ -17,6 +17,10 @@ _DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
 _LEFT_OUT = "left out on request"
 
 
+class TooPowerful(Exception):
+    """Nothing stands between a notebook and the machine."""
+
+
 class Parent:
     """What every child inherits: the walls that hold here, and why the others do not."""
 
@@ -86,6 +90,11 @@ def prepare_walls(parent, opening):
     except (seccomp.NoSeccomp, OSError) as error:
         parent.filter = None
         parent.missing["seccomp"] = str(error)
+    held_in = (signals_stay or parent.filter) and (parent.namespaces or parent.ruleset)
+    if os.geteuid() == 0 and parent.user is None and not held_in:
+        # One line of a notebook, os.kill(-1, 9), would end every process of the machine; another would erase its files.
+        raise TooPowerful("As root, and with nothing here to keep its signals and writes in, a notebook could end every process "
+                          "of this machine; run as an ordinary user.")
 
 
 def import_slow(names):

@@ -1,0 +1,47 @@
+"""How a command ends when it cannot do what it was asked: one sentence, a status, and never a traceback."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any, NoReturn
+
+HOLDS, FAILS, REFUSED = 0, 1, 2
+
+
+class Refusal(Exception):
+    """The request itself is wrong; the message says what, and what to do."""
+
+
+def refuse(sentence: str) -> NoReturn:
+    raise Refusal(sentence)
+
+
+def expected() -> tuple[type[BaseException], ...]:
+    """What the lower floors raise when a request or an author's file is wrong; looked up only when something was raised."""
+    names = {
+        "corollary.problem.complaint": ["Malformed"],
+        "corollary.problem.bank": ["Unknown"],
+        "corollary.problem.variant": ["OutOfRange"],
+        "corollary.derive.failing": ["NotDerivable"],
+        "corollary.mark.deal": ["NoVariant"],
+        "corollary.quantity.compiled": ["Undefined"],
+        "corollary.scene.run": ["BadSetting"],
+        "corollary.deliver.course": ["NotACourse"],
+        "corollary.deliver.grading": ["NotDealt"],
+        "corollary.deliver.nbgrader_book": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
+        "corollary.deliver.nbgrader_config": ["NotOurs"],
+        "corollary.submission.isolation": ["WeakIsolation"],
+        "corollary.submission.parent": ["CannotStart"],
+    }
+    return (Refusal, *(getattr(sys.modules[module], name) for module, kinds in names.items() if module in sys.modules for name in kinds))
+
+
+def say(sentence: str) -> None:
+    """A message for a person, on standard error."""
+    print(sentence, file=sys.stderr)
+
+
+def answer(document: Any) -> None:
+    """The one JSON document of a command, on standard output."""
+    print(json.dumps(document, ensure_ascii=False, allow_nan=False))

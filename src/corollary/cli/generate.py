@@ -1,0 +1,33 @@
+"""`corollary generate`: a problem set for a roster."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from corollary.cli.failure import HOLDS, answer, say
+from corollary.cli.progress import bar
+from corollary.deliver.generating import generate
+from corollary.mark.solutions import Solutions
+from corollary.problem.bank import open_bank
+from corollary.problem.problem_set import find_set
+from corollary.problem.roster import read_roster
+
+
+def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) -> int:
+    place = open_bank(bank)
+    problem_set = find_set(place, name)
+    students = read_roster(roster)
+    with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as tell:
+        made = generate(course, problem_set, students, Solutions(place), tell)
+    if json:
+        answer({
+            "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.passed_over,
+            "students": {id: {"sheet": str(path), "variants": made.dealt[id]} for id, path in made.sheets.items()},
+        })  # fmt: skip
+        return HOLDS
+    print(f"{problem_set.title}: {len(made.sheets)} notebooks in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/")
+    print(f"Each student has numbers of their own; {sum(made.passed_over.values())} draws were passed over.")
+    print(f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}")
+    if not made.registered:
+        say("nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one")
+    return HOLDS

@@ -1,0 +1,55 @@
+"""`corollary key`: the answers to a problem for given numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from corollary.cli.failure import HOLDS, answer
+from corollary.cli.given import from_case, from_options, read_cases
+from corollary.mark.key_record import key_record
+from corollary.mark.solutions import Solutions
+from corollary.problem.bank import home
+from corollary.problem.variant import OutOfRange
+from corollary.quantity.ball import Undefined
+
+
+def run(code: str, bank: Path | None, sets: list[str], cases: Path | None, json: bool) -> int:
+    place, problem = home(bank, code)
+    solutions = Solutions(place)
+    if cases is not None:
+        solutions.of(problem)
+        answer([_case(solutions, problem, case) for case in read_cases(cases)])
+        return HOLDS
+    record = key_record(solutions.key(from_options(problem, sets)))
+    if json:
+        answer(record)
+        return HOLDS
+    given = ", ".join(f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}" for name, value in record["given"].items())
+    print(f"{problem.code}  {problem.title}\n  given (SI): {given}")
+    for part, entry in record["parts"].items():
+        print(f"  ({part}) {_line(entry)}")
+    return HOLDS
+
+
+def _case(solutions: Solutions, problem, case: Any) -> dict[str, Any]:
+    if not isinstance(case, dict):
+        return {"error": "a case is an object of givens, such as {\"m\": 0.43}"}
+    try:
+        return key_record(solutions.key(from_case(problem, case)))
+    except (OutOfRange, Undefined) as error:
+        return {"error": str(error)}
+
+
+def _line(entry: dict[str, Any]) -> str:
+    if "value" in entry:
+        values = entry["value"] if isinstance(entry["value"], list) else [entry["value"]]
+        numbers = ", ".join(f"{value:.10g}" if isinstance(value, float) else str(value) for value in values)
+        unit = "" if entry["unit"] == "1" else f" {entry['unit']}"
+        how = "certified" if entry["certified"] else f"± {entry['error']:.1g}"
+        formula = entry.get("expression", "")
+        formula = f"   = {', '.join(formula) if isinstance(formula, list) else formula}" if formula else ""
+        return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"
+    if "choice" in entry:
+        return f"option ({entry['choice']})"
+    return "; ".join(f"{name}: {value if isinstance(value, str) else '; '.join(map(str, value))}" for name, value in entry.items() if name != "kind")

@@ -1,0 +1,47 @@
+"""`corollary list`: every problem of a bank."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from corollary.cli.failure import HOLDS, answer
+from corollary.problem.bank import load, open_bank
+from corollary.problem.count import variants
+from corollary.quantity.unit import canonical, show
+
+
+def run(bank: Path | None, json: bool) -> int:
+    problems = load(open_bank(bank))
+    counted = {problem.code: variants(problem) for problem in problems}
+    if json:
+        answer([
+            {
+                "code": problem.code, "name": problem.name, "title": problem.title, "topic": problem.topic, "source": problem.source,
+                "given": {
+                    given.symbol: {"is": given.meaning, "unit": canonical(given.unit), "value": float(given.value),
+                                   "from": float(given.grid.first), "to": float(given.grid.last), "step": float(given.grid.step)}
+                    for given in problem.givens
+                },
+                "parts": {
+                    part.id: {"title": part.title, "kind": "+".join(part.kinds), "unit": canonical(part.unit), "points": part.points,
+                              "components": list(part.components)}
+                    for part in problem.parts
+                },
+                "variants": counted[problem.code][0], "exact": counted[problem.code][1],
+            }
+            for problem in problems
+        ])  # fmt: skip
+        return HOLDS
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    table = Table(title=f"{len(problems)} problems, {sum(len(problem.parts) for problem in problems)} parts")
+    for heading, justify in (("code", "left"), ("title", "left"), ("givens", "left"), ("parts", "left"), ("variants", "right")):
+        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    for problem in problems:
+        givens = ", ".join(f"{given.symbol} [{show(given.unit) or '1'}]" for given in problem.givens)
+        number, exact = counted[problem.code]
+        table.add_row(problem.code, problem.title, escape(givens), " ".join(part.id for part in problem.parts), f"{'' if exact else '≈ '}{number:,}")
+    Console().print(table)
+    return HOLDS

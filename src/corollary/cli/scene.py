@@ -1,0 +1,47 @@
+"""`corollary scene`: a ready-made scene, played."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from corollary.cli.failure import FAILS, HOLDS, answer, refuse, say
+from corollary.mark.plainly import finite
+from corollary.scene.catalogue import run as play
+from corollary.scene.run import GuardFailed
+
+
+def run(name: str, sets: list[str], tolerance: float, json: bool) -> int:
+    settings = dict(_setting(option) for option in sets)
+    try:
+        found = play(name, settings, tolerance)
+    except GuardFailed as error:
+        say(f"corollary: {error}")
+        return FAILS
+    if json:
+        answer({
+            "scene": found.scene, "set": {name: _plain(value) for name, value in found.settings.items()},
+            "observed": {name: _plain(value) for name, value in found.observed.items()}, "error": finite(found.error), "model": found.model,
+            "why": found.why, "evaluations": found.evaluations, "seconds": found.seconds, "outcome": found.outcome,
+        })  # fmt: skip
+        return HOLDS
+    print(f"{found.scene}: {found.outcome}, by {found.model}: {found.why}")
+    for observed, value in found.observed.items():
+        values = value if isinstance(value, tuple) else (value,)
+        print(f"  {observed:18} {', '.join(f'{each:.12g}' for each in values)}")
+    print(f"  error {found.error:.1e} (of the natural scale), {found.evaluations} evaluations, {found.seconds * 1e3:.1f} ms")
+    return HOLDS
+
+
+def _setting(option: str) -> tuple[str, float | tuple[float, ...]]:
+    name, mark, text = option.partition("=")
+    try:
+        numbers = tuple(float(each) for each in text.strip("[]() ").split(",") if each.strip())
+    except ValueError:
+        numbers = ()
+    if not mark or not numbers:
+        refuse(f"--set {option}: write it as name=number, such as q=1.5, or masses=0.1,0.2,0.1")
+    return name.strip(), numbers if "," in text else numbers[0]
+
+
+def _plain(value: Any) -> Any:
+    return [finite(float(each)) for each in value] if isinstance(value, tuple) else finite(float(value)) if isinstance(value, (int, float)) else value

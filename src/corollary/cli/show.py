@@ -1,0 +1,63 @@
+"""`corollary show`: one problem as a student sees it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from corollary.cli.failure import HOLDS, refuse, say
+from corollary.mark.solutions import Solutions
+from corollary.problem.bank import Bank, home
+from corollary.problem.problem import Problem
+from corollary.problem.problem_set import ProblemSet, Scheme
+from corollary.problem.roster import Student
+from corollary.problem.variant import Variant, at, chapter, size
+from corollary.sheet.sheet import exercise, sheet
+
+FORMATS = ("text", "md", "html", "ipynb")
+
+
+def run(
+    code: str, bank: Path | None, student: str | None, course: Path | None, variant: int | None, solution: bool, format: str, output: Path | None
+) -> int:
+    if format not in FORMATS:
+        refuse(f"--format {format} is not known; choose one of {', '.join(FORMATS)}")
+    if student is not None and variant is not None:
+        refuse("--student and --variant both choose the numbers; give one of them")
+    place, problem = home(bank, code)
+    chosen = _variant(place, problem, student, course, variant)
+    story = Solutions(place).story(chosen) if solution else None
+    text = _text(chosen, story, format, student)
+    if output is not None:
+        output.write_text(text, encoding="utf-8")
+        say(f"written to {output}")
+    else:
+        print(text, end="" if text.endswith("\n") else "\n")
+    return HOLDS
+
+
+def _variant(place: Bank, problem: Problem, student: str | None, course: Path | None, variant: int | None) -> Variant:
+    if variant is not None:
+        return at(problem, variant)
+    if student is None:
+        return chapter(problem)
+    if course is None:
+        return Solutions(place).deal(problem, b"", student, ()).variant
+    from corollary.deliver.course import dealt_anywhere, open_course
+
+    row = dealt_anywhere(open_course(course), student)
+    if problem.code not in row and size(problem) > 1:
+        refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
+    return at(problem, row[problem.code]) if problem.code in row else chapter(problem)
+
+
+def _text(chosen: Variant, story: str | None, format: str, student: str | None) -> str:
+    if format == "ipynb":
+        from corollary.sheet.notebook import file_text, notebook
+
+        problem = chosen.problem
+        alone = ProblemSet(problem.name, problem.title, "", (problem,), (1.0,), None, Scheme(), False)
+        return file_text(notebook(sheet(alone, Student(student or "you"), [chosen])))
+    from corollary.deliver.show import show_html, show_markdown, show_text
+
+    shown = {"text": show_text, "md": show_markdown, "html": show_html}[format]
+    return shown(exercise(chosen), story)

@@ -1,0 +1,172 @@
+"""What was handed in, marked: run, judged, recorded, with feedback for each student; what is unchanged is left alone."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from corollary import __version__
+from corollary.deliver.course import Course, handed_in, read_dealt, students, submissions, write_atomically
+from corollary.deliver.feedback_page import feedback_page
+from corollary.deliver.generating import variants_of
+from corollary.deliver.nbgrader_book import NoNbgrader, need_nbgrader
+from corollary.deliver.report import handed_in as row_of
+from corollary.deliver.report import report, rows
+from corollary.deliver.report_page import report_page
+from corollary.deliver.tally import HandedIn, Report, Row
+from corollary.mark.grade import Marked
+from corollary.mark.marking import mark
+from corollary.mark.record import marked_record
+from corollary.mark.solutions import Solutions
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.sheet.notebook import notebook
+from corollary.sheet.sheet import sheet
+from corollary.submission.notebook import Notebook, content_of, read_notebook
+from corollary.submission.take import Runner
+
+
+class NotDealt(LookupError):
+    """The set was never generated for this course; one sentence says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a run of grading did. `records` holds every student's marks, those skipped included."""
+
+    graded: tuple[str, ...]
+    skipped: tuple[str, ...]
+    failed: tuple[str, ...]
+    strangers: tuple[str, ...]
+    records: dict[str, dict[str, Any]]
+    in_gradebook: bool
+    report: Report
+    page: Path
+
+
+def grade_set(
+    course: Course, problem_set: ProblemSet, solutions: Solutions, runner: Callable[[], Runner], *,
+    regrade: bool = False, tell: Callable[[str, int], None] = lambda student, left: None,
+) -> Outcome:  # fmt: skip
+    """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
+
+    Raises NotDealt, and what the gradebook refuses (GradebookLocked, NotRegistered).
+    """
+    dealt = read_dealt(course, problem_set.name)
+    if not dealt:
+        raise NotDealt(f"{problem_set.name} was never generated in {course.folder}; run corollary generate {problem_set.name} first")
+    roster = {student.id: student for student in students(course)}
+    papers = submissions(course, problem_set.name)
+    strangers = tuple(student for student in papers if student not in roster or student not in dealt)
+    todo, skipped = [], []
+    for student, path in papers.items():
+        if student in strangers:
+            continue
+        mark_of = _fingerprint(course, problem_set, solutions, student, path, dealt[student])
+        if not regrade and (kept := read_record(course, problem_set, student)) is not None and kept.get("fingerprint") == mark_of:
+            skipped.append(student)
+        else:
+            todo.append((roster[student], path, mark_of))
+    if todo:
+        with runner() as running:
+            for place, (student, path, mark_of) in enumerate(todo):
+                tell(student.id, len(todo) - place)
+                _grade_one(course, problem_set, solutions, running, student, path, mark_of, dealt[student.id])
+    records = {student: kept for student in papers if (kept := read_record(course, problem_set, student)) is not None}
+    found = report_of(course, problem_set)
+    page = course.folder / "reports" / f"{problem_set.name}.html"
+    write_atomically(page, report_page(found, problem_set))
+    failed = tuple(one.student for one in found.failed)
+    return Outcome(tuple(student.id for student, _, _ in todo), tuple(skipped), failed, strangers, records, has_nbgrader(), found, page)
+
+
+def _grade_one(
+    course: Course, problem_set: ProblemSet, solutions: Solutions, runner: Runner, student: Student, path: Path, mark_of: str, row: dict[str, int]
+) -> Marked:
+    """One submission from file to gradebook; its record is written last, so that a run cut short does it again."""
+    variants = variants_of(problem_set, row)
+    paper = sheet(problem_set, student, variants)
+    keys = {variant.problem.code: solutions.key(variant) for variant in variants}
+    read = read_notebook(path)
+    marked = mark(paper, notebook(paper), keys, read, runner, course.key, lateness(course, problem_set, student.id))
+    if has_nbgrader():
+        from corollary.deliver.nbgrader import record
+
+        record(course, problem_set, [marked], {student.id: read.node if isinstance(read, Notebook) else None})
+    stories = {variant.problem.code: solutions.story(variant) for variant in variants} if problem_set.reveal else None
+    write_atomically(feedback_path(course, problem_set, student.id), feedback_page(marked, problem_set, solutions=stories))
+    entry = marked_record(marked) | {
+        "fingerprint": mark_of, "handed_in": asdict(row_of(marked)), "rows": [asdict(each) for each in rows(marked)], "version": __version__,
+    }  # fmt: skip
+    text = json.dumps(entry, ensure_ascii=False)
+    history = course.folder / ".corollary" / "history" / f"{problem_set.name}.jsonl"
+    history.parent.mkdir(parents=True, exist_ok=True)
+    with history.open("a", encoding="utf-8") as file:
+        file.write(json.dumps({"student": student.id, **entry}, ensure_ascii=False) + "\n")
+    write_atomically(_record_path(course, problem_set, student.id), text)
+    return marked
+
+
+def lateness(course: Course, problem_set: ProblemSet, student: str) -> float:
+    """Seconds after the date on which it was due; 0 in time."""
+    when = handed_in(course, problem_set.name, student)
+    if when is None or problem_set.due is None:
+        return 0.0
+    return max(0.0, (when - problem_set.due).total_seconds())
+
+
+def report_of(course: Course, problem_set: ProblemSet) -> Report:
+    """The report from the records kept beside the course."""
+    order = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
+    roster = [student.id for student in students(course)]
+    kept = [entry for student in roster if (entry := read_record(course, problem_set, student)) is not None]
+    all_rows = [Row(**each) for entry in kept for each in entry["rows"]]
+    all_rows.sort(key=lambda each: order.index((each.problem, each.part)) if (each.problem, each.part) in order else len(order))
+    return report([HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster)
+
+
+def read_record(course: Course, problem_set: ProblemSet, student: str) -> dict[str, Any] | None:
+    """What was kept of a student's marks; None when nothing was, or what was there is damaged (then it is marked again)."""
+    try:
+        entry = json.loads(_record_path(course, problem_set, student).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return entry if isinstance(entry, dict) and {"fingerprint", "rows", "handed_in", "parts"} <= entry.keys() else None
+
+
+def feedback_path(course: Course, problem_set: ProblemSet, student: str) -> Path:
+    """Our own page, beside the one nbgrader would write."""
+    return course.folder / "feedback" / student / problem_set.name / f"{problem_set.name}.feedback.html"
+
+
+def has_nbgrader() -> bool:
+    try:
+        need_nbgrader()
+    except NoNbgrader:
+        return False
+    return True
+
+
+def _record_path(course: Course, problem_set: ProblemSet, student: str) -> Path:
+    return course.folder / ".corollary" / "graded" / problem_set.name / f"{student}.json"
+
+
+def _fingerprint(course: Course, problem_set: ProblemSet, solutions: Solutions, student: str, path: Path, row: dict[str, int]) -> str:
+    """What the marks depend on: the paper, its moment, the numbers, the problems and solutions, the scheme, and this program."""
+    digest = hashlib.sha256()
+
+    def add(content: bytes) -> None:
+        digest.update(len(content).to_bytes(8, "big") + content)
+
+    add(content_of(path))
+    add(str(handed_in(course, problem_set.name, student)).encode())
+    add(json.dumps(row, sort_keys=True).encode())
+    add(repr((problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)).encode())
+    for problem in problem_set.problems:
+        add(problem.path.read_bytes())
+        add(solutions.bank.solution(problem).read_bytes())
+    return digest.hexdigest()

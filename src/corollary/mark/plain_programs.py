@@ -1,0 +1,35 @@
+"""Programs handed in as plain text, without a notebook: run in isolation, and called."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from corollary.mark.key import Key
+from corollary.mark.programs import asks
+from corollary.mark.said import Shown
+from corollary.quantity.plain import Plain, Text
+from corollary.submission.job import Cell, Job
+from corollary.submission.take import Runner
+
+USUAL = "import numpy as np\nimport matplotlib.pyplot as plt"
+
+
+def run_programs(key: Key, answers: Mapping[str, Plain]) -> dict[str, Shown]:
+    """What the source texts among the answers do when run; starts nothing when there are none."""
+    problem = key.variant.problem
+    sources = {
+        part.id: given.text
+        for part in problem.parts
+        if {"code", "plot"} & set(part.kinds) and isinstance(given := answers.get(part.id), Text)
+    }
+    if not sources:
+        return {}
+    shown = {}
+    with Runner() as runner:
+        for part in problem.parts:
+            if (source := sources.get(part.id)) is None:
+                continue
+            cells = (Cell("usual", USUAL), Cell(part.id, source))
+            taken = runner.take(Job(cells, (), tuple(asks(key.solution, key.variant, part, b"", "")), (part.id,), pictures=False))
+            shown[part.id] = Shown(taken.calls, taken.figures, True)
+    return shown

@@ -1,0 +1,40 @@
+"""The solutions of a bank, each solved once and kept while a command runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from corollary.derive.solution import Solution
+from corollary.derive.solve import solve
+from corollary.derive.story import story
+from corollary.mark.deal import Dealt, deal
+from corollary.mark.key import Key, make_key
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.problem.variant import Variant
+
+
+@dataclass(slots=True)
+class Solutions:
+    bank: Bank
+    known: dict[str, Solution] = field(default_factory=dict)
+
+    def of(self, problem: Problem) -> Solution:
+        """Solved at the first call. Raises NotDerivable."""
+        if problem.code not in self.known:
+            self.known[problem.code] = solve(self.bank, problem)
+        return self.known[problem.code]
+
+    def key(self, variant: Variant) -> Key:
+        """Raises NotDerivable, and Undefined where an answer does not exist."""
+        return make_key(self.of(variant.problem), variant)
+
+    def deal(self, problem: Problem, secret: bytes, student: str, taken: Iterable[int]) -> Dealt:
+        """Raises NotDerivable and NoVariant."""
+        return deal(self.of(problem), secret, student, taken)
+
+    def story(self, variant: Variant) -> str:
+        """The worked solution with these numbers, as Markdown."""
+        key = self.key(variant)
+        return story(key.solution, variant, key.values, key.choices)

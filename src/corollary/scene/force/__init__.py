@@ -1,0 +1,1 @@
+"""The forces of the chapter, one a file."""

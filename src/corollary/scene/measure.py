@@ -1,0 +1,115 @@
+"""What is observed of a motion that was integrated, looked up between its steps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Sequence
+from typing import assert_never
+
+from corollary.scene.force.contact import Contact
+from corollary.scene.method.newton import Record, integrate
+from corollary.scene.method.pulls import contact_force, kinetic, overlap, pairs, place, velocity
+from corollary.scene.observe import Observable
+from corollary.scene.ready.scenery import Played
+from corollary.scene.run import BadSetting, Observed, Outcome
+from corollary.scene.scene import Scene
+
+Value = Callable[[Sequence[float]], float]
+GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+
+
+def measured(scene: Scene, observe: Collection[Observable], tolerance: float, why: str) -> Played:
+    """Integrate twice, a finer run after a coarser; the difference is the error of the coarser."""
+    coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, max(tolerance / 30.0, 1e-14))
+    rough = {o.value: _look(scene, coarse, o) for o in observe}
+    observed = {o.value: _look(scene, fine, o) for o in observe}
+    errors = {name: max(_apart(rough[name], observed[name]), fine.dropped) for name in observed}
+    spent = coarse.evaluations + fine.evaluations
+    return Played(observed, errors, "integration", why, spent, _outcome(scene, fine))
+
+
+def _outcome(scene: Scene, record: Record) -> Outcome:
+    if record.came_to_rest:
+        return "sticks"
+    if scene.until is not None:
+        return "bound"
+    touched = any(overlap(scene, leg.before, a, b)[0] > 0.0 for leg in record.legs for a, b in pairs(scene))
+    return "released" if touched else "missed"
+
+
+def _apart(a: Observed, b: Observed) -> float:
+    rough, fine = (x if isinstance(x, tuple) else (x,) for x in (a, b))
+    size = max((abs(x) for x in fine), default=1.0) or 1.0
+    if len(rough) != len(fine):
+        return math.inf
+    return max((abs(x - y) / size for x, y in zip(rough, fine, strict=True) if x != y), default=2e-15)
+
+
+def _look(scene: Scene, record: Record, what: Observable) -> Observed:
+    match what:
+        case Observable.VELOCITIES:
+            return tuple(v for i in range(len(scene.bodies)) for v in velocity(scene, record.state, i))
+        case Observable.ENERGY_RATIO:
+            before = kinetic(scene, 0.0, record.legs[0].before)
+            return kinetic(scene, record.time, record.state) / before if before else math.inf
+        case Observable.LARGEST_OVERLAP:
+            return max((_largest(record, lambda y, a=a, b=b: overlap(scene, y, a, b)[0]) for a, b in pairs(scene)), default=0.0)
+        case Observable.PEAK_FORCE:
+            return _peak_force(scene, record)
+        case Observable.DURATION:
+            touched = [leg for leg in record.legs if any(overlap(scene, leg.before, a, b)[0] > 0.0 for a, b in pairs(scene))]
+            return touched[-1].time + touched[-1].h - touched[0].time if touched else 0.0
+        case Observable.TURNING_POINTS:
+            turns = _turns(scene, record)
+            return tuple(sorted({min(turns, key=lambda t: t[1])[1], max(turns, key=lambda t: t[1])[1]})) if turns else ()
+        case Observable.PERIOD:
+            inner = [time for time, _, inward in _turns(scene, record) if inward]
+            if len(inner) < 2:
+                raise BadSetting(f"{scene.name}: the distance did not return twice before until = {scene.until} s.")
+            return (inner[-1] - inner[0]) / (len(inner) - 1)
+        case _:
+            assert_never(what)
+
+
+def _peak_force(scene: Scene, record: Record) -> float:
+    contacts = [force for force in scene.forces if isinstance(force, Contact)]
+    values: list[Value] = [
+        lambda y, f=f, a=a, b=b: math.hypot(*contact_force(f, scene, y, a, b)) for f in contacts for a, b in pairs(scene)
+    ]
+    return max((_largest(record, value) for value in values), default=0.0)
+
+
+def _largest(record: Record, value: Value) -> float:
+    """The largest value at any moment: the best step's neighbourhood, narrowed by golden sections."""
+    samples = [value(leg.before) for leg in record.legs] + [value(record.state)]
+    best = max(range(len(samples)), key=samples.__getitem__)
+    top = samples[best]
+    for leg in record.legs[max(best - 1, 0) : best + 1]:
+        left, right = 0.0, 1.0
+        while right - left > 1e-8:
+            a, b = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
+            left, right = (left, b) if value(leg.part_way(a)) > value(leg.part_way(b)) else (a, right)
+        top = max(top, value(leg.part_way(0.5 * (left + right))))
+    return top
+
+
+def _turns(scene: Scene, record: Record) -> list[tuple[float, float, bool]]:
+    """Times and distances from the origin at which the first body turns, and whether it had come inward."""
+
+    def along(y: Sequence[float]) -> float:
+        return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
+
+    found = []
+    for leg in record.legs:
+        before, after = along(leg.before), along(leg.part_way(1.0))
+        if before * after >= 0.0 and not (before == 0.0 and not found and leg is record.legs[0]):
+            continue
+        left, right = 0.0, 1.0
+        if before == 0.0:
+            right = 0.0
+        while right - left > 1e-15:
+            middle = 0.5 * (left + right)
+            left, right = (middle, right) if along(leg.part_way(middle)) * before > 0.0 else (left, middle)
+        r = math.hypot(*place(scene, leg.part_way(right), 0))
+        found.append((leg.time + right * leg.h, r, before < 0.0 or (before == 0.0 and after > 0.0)))
+    return found
