@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from textwrap import dedent
 
@@ -144,9 +145,8 @@ POOR = ((Mistaken("You divided."), 0.25), (Unread("nothing", blank=True), 0.0), 
 
 def command(course: Course, *words: str) -> str:
     environment = os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
-    done = subprocess.run(
-        [sys.executable, "-m", "nbgrader", *words], cwd=course.folder, env=environment, capture_output=True, text=True, check=False
-    )
+    line = [sys.executable, "-m", "nbgrader", *words]
+    done = subprocess.run(line, cwd=course.folder, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout + done.stderr
 
@@ -169,7 +169,10 @@ def test_stock_commands_work_on_what_we_wrote(course: Course, week: ProblemSet):
     record(course, week, [marked(week, ADA, *GOOD), marked(week, BOB, *POOR, late_share=0.5)], {"ada": explained, "bob": late})
 
     assert "ada (Lovelace, Ada)" in command(course, "db", "student", "list")
+    write_atomically(course.place("feedback", "ada", "week_1") / "week_1.html", "feedback on older marks")
+    write_atomically(course.place("autograded", "ada", "week_1") / "week_1.feedback.html", "our own page")
     command(course, "generate_feedback", "week_1")
+    assert (course.place("feedback", "ada", "week_1") / "week_1.feedback.html").read_text() == "our own page"
     page = (course.place("feedback", "ada", "week_1") / "week_1.html").read_text()
     assert "week_1 (Score: 9.0 / 12.0)" in page
     assert "Right</strong> (1 of 1 point)" in page
@@ -308,7 +311,8 @@ def test_the_marked_notebook_shows_what_the_student_added_where_it_stood(course:
     nb = hand_in(course, week, ADA)
     place = next(n for n, cell in enumerate(nb.cells) if cell.id == "X12_5_a_answer")
     nb.cells.insert(place, new_code_cell("helper = 3", id="mine"))
-    record(course, week, [replace(marked(week, ADA, *GOOD), trouble="The notebook was stopped: it ran out of memory.")], {"ada": nb})
+    stopped = replace(marked(week, ADA, *GOOD), trouble="The notebook was stopped: it ran out of memory.")
+    record(course, week, [stopped], {"ada": nb})
     written = nbformat.read(course.notebook("autograded", "ada", "week_1"), as_version=4)
     sources = [cell.source for cell in written.cells]
     at_helper = sources.index("helper = 3")
@@ -349,8 +353,9 @@ def test_who_was_recorded_before_an_accident_stays_recorded(course: Course, week
     assert len(book.assignment_submissions("week_1")) == 2
 
 
-def test_a_locked_gradebook_is_said_in_one_sentence(course: Course, week: ProblemSet):
+def test_a_locked_gradebook_is_said_in_one_sentence(course: Course, week: ProblemSet, monkeypatch: pytest.MonkeyPatch):
     nb = hand_in(course, week, ADA)
+    monkeypatch.setattr(sqlite3.dbapi2, "connect", partial(sqlite3.dbapi2.connect, timeout=0.2))
     other = sqlite3.connect(course.gradebook, isolation_level=None)
     other.execute("BEGIN IMMEDIATE")
     try:

@@ -21,6 +21,9 @@ from corollary.deliver.plain_text import plain
         (r"x = -1", "x = −1"),
         (r"F^{\text{net}}", "F^net"),
         (r"\vec p = m\vec v", "p\u20d7 = m v\u20d7"),
+        (r"F_x = \frac{\Delta p_x}{\Delta t} \qquad F_y = 0", "F_x = Δp_x/Δt   F_y = 0"),
+        (r"\frac{(a+b)(c+d)}{(e+f)}", "((a + b)(c + d))/(e + f)"),
+        (r"\frac{\vec J}{2}", "J\u20d7/2"),
         (r"\frac{a", r"\frac{a"),
     ],
 )

@@ -127,6 +127,14 @@ def test_it_fails_where_nbgrader_would_take_silence_for_success(
             space["check"]("X12_5_a")
 
 
+def test_an_old_python_is_told_so_and_nothing_fails(ada: Sheet, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    monkeypatch.setattr(sys, "version_info", (3, 9, 0))
+    space: dict = {}
+    exec(check_source(ada), space)
+    space["check"]("X12_5_a")
+    assert "check needs Python 3.11" in capsys.readouterr().out
+
+
 def test_it_carries_the_code_for_formulas_only_where_there_are_formulas(ada: Sheet, problem_set: ProblemSet):
     drop = problem_set.problems[1]
     small = check_source(Sheet(problem_set, Student("bob"), sheet(problem_set, Student("bob"), [at(drop, 3)]).exercises))

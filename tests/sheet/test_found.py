@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 
 import pytest
+from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
 from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
@@ -64,6 +65,12 @@ def test_what_runs_is_the_students_code_in_the_students_order(nb, ada: Sheet):
     assert run["mine"] == "helper = 3"
     assert list(run).index("mine") < list(run).index("X12_5_a_answer")
     assert {"X12_5_a", "check_all", "notes", "X12_5_e"}.isdisjoint(run)
+
+
+def test_our_own_code_is_left_out_even_when_an_editor_dropped_all_names(nb, ada: Sheet):
+    for number, each in enumerate(nb.cells):
+        each.metadata, each["id"] = NotebookNode(), f"cell-{number}"
+    assert not any("check" in source for _, source in code_to_run(nb, notebook(ada))[1:])
 
 
 def test_an_answer_written_into_a_check_cell_counts(nb, ada: Sheet):

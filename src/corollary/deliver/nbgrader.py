@@ -7,7 +7,6 @@ from contextlib import redirect_stderr
 from datetime import UTC
 from io import StringIO
 from typing import Any
-from typing import Any
 
 from nbformat import NotebookNode
 

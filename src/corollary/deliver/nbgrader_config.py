@@ -15,6 +15,9 @@ c.CourseDirectory.course_id = __NAME__
 # The source notebooks hold no solutions, so nothing has to be cut out of them.
 c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata, ComputeChecksums, SaveCells]
 
+# Feedback is made anew each time, so that it never shows older marks than the gradebook.
+c.GenerateFeedback.force = True
+
 
 class MarkedElsewhere(NbGraderPreprocessor):
     """A notebook of ours cannot mark itself, so the marks in the gradebook must not be replaced by what it says."""

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
+from itertools import accumulate
 from xml.etree.ElementTree import Element
 
 from corollary.deliver.maths import formula
 
 RAISED = dict(zip("0123456789+−-=nixyTabcdt′″∘", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼ⁿⁱˣʸᵀᵃᵇᶜᵈᵗ′″°", strict=True))
 LOWERED = dict(zip("0123456789+−-=aeijnpt", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌ₐₑᵢⱼₙₚₜ", strict=True))
+QUAD = "\N{EM SPACE}"
 SPACED = frozenset("=<>≤≥≈≠≪≫+−-±∓→⇒⇔∝∼×·⋅∈≡⟹↦")
 OVER = {"→": "\u20d7", "ˆ": "\u0302", "˜": "\u0303", "¯": "\u0304", "‾": "\u0305", "˙": "\u0307", "¨": "\u0308"}
 
@@ -16,7 +19,7 @@ OVER = {"→": "\u20d7", "ˆ": "\u0302", "˜": "\u0303", "¯": "\u0304", "‾": 
 def plain_formula(latex: str) -> str:
     """The formula as readable text, or its source when it is no LaTeX."""
     tree = formula(latex)
-    return latex if tree is None else " ".join(_said(tree).split())
+    return latex if tree is None else re.sub(" +", " ", _said(tree)).strip().replace(QUAD, "   ")
 
 
 def _said(element: Element) -> str:
@@ -27,7 +30,7 @@ def _said(element: Element) -> str:
         case "mo", _:
             return _operator(element)
         case "mspace", _:
-            return " "
+            return QUAD if element.get("width", "") in {"1em", "2em"} else " "
         case "mfrac", [above, below]:
             return f"{_grouped(above)}/{_grouped(below)}"
         case "msqrt", _:
@@ -57,7 +60,8 @@ def _row(children: list[Element]) -> str:
     for child in children:
         word = _said(child)
         product = said and word and (said[-1].isalnum() or said[-1] in ")") and (word[0].isalpha() or word[0] == "√")
-        if product and child.tag != "mo" and not (said.endswith(("Δ", "d", "∂")) and len(word) < 3):
+        differential = said.endswith(("Δ", "∂")) or (said.endswith("d") and len(word) == 1)
+        if product and child.tag != "mo" and not differential:
             said += " "
         said += word
     return said
@@ -78,8 +82,12 @@ def _letter(letter: str) -> str:
 
 
 def _grouped(element: Element) -> str:
+    """The text in parentheses, unless it is one word or has them."""
     said = _said(element).strip()
-    return said if said.replace("_", "").isalnum() or len(said) == 1 else f"({said})"
+    depths = list(accumulate((letter == "(") - (letter == ")") for letter in said))
+    enclosed = said.endswith(")") and all(depths[:-1])
+    word = all(letter.isalnum() or letter == "_" or unicodedata.combining(letter) for letter in said)
+    return said if enclosed or word or len(said) == 1 else f"({said})"
 
 
 def _script(text: str, letters: dict[str, str], sign: str) -> str:

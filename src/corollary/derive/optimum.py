@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 
 import sympy
 
+from corollary.derive.closed import tree
 from corollary.derive.roots import NoRoot
+from corollary.quantity.latex import latex
 
 
 def best(
@@ -30,7 +32,12 @@ def best(
         raise NoRoot(f"the extremum over {over} moves from {' to '.join(map(str, winners))} within the range of the givens")
     place = winners.pop()
     where = "the slope vanishes there" if place in slope else "it is an end of the range, where the slope does not vanish"
-    return place, f"Of the places where the slope vanishes ({', '.join(map(str, slope)) or 'none'}) and the ends {low} and {high}, this one gives the {'largest' if largest else 'smallest'} value; {where}."
+    inside = ", ".join(f"${latex(tree(each))}$" for each in slope) or "none"
+    size = "largest" if largest else "smallest"
+    return place, (
+        f"Of the places where the slope vanishes ({inside}) and the ends ${latex(tree(low))}$ and ${latex(tree(high))}$, "
+        f"this one gives the {size} value: {where}."
+    )
 
 
 def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Mapping) -> bool:

@@ -7,8 +7,11 @@ from dataclasses import dataclass
 
 import sympy
 
+from corollary.derive.closed import NoTree, relation, tree
 from corollary.derive.entries import Rejected
 from corollary.law.law import Law, sides, symbols
+from corollary.quantity.latex import latex
+from corollary.quantity.tree import Name, Relation
 
 Point = Mapping[sympy.Symbol, sympy.Expr]
 Root = Mapping[sympy.Symbol, sympy.Expr]
@@ -53,7 +56,7 @@ def pick(
         if reason is not None:
             refused.append(reason)
         elif not all(_real(root, point) for point in points):
-            refused.append(f"{_equations(root)} is not real for every value of the givens")
+            refused.append(f"{_shown(root)} is not real for every value of the givens")
         else:
             left.append(root)
     for entry in rejected:
@@ -67,7 +70,7 @@ def pick(
         elif any(held):
             raise NoRoot(f"where={where} holds for {_equations(root)} at some values of the givens and fails at others")
         else:
-            refused.append(f"{_equations(root)} contradicts {where}")
+            refused.append(f"{_shown(root)} contradicts ${_condition(where)}$")
     if not kept:
         raise NoRoot(f"no root is left: {'; '.join(refused)}")
     if len(kept) > 1:
@@ -100,6 +103,18 @@ def _holds(where: sympy.Basic | bool, root: Root, point: Point) -> bool:
 
 def _at(value: sympy.Expr, point: Point) -> sympy.Expr:
     return sympy.sympify(value).subs(point).evalf(30)
+
+
+def _shown(root: Root) -> str:
+    """A root as a formula of the worked solution."""
+    return ", ".join(f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items())
+
+
+def _condition(where: sympy.Basic | bool) -> str:
+    try:
+        return latex(relation(where))  # type: ignore[arg-type]
+    except NoTree:
+        return str(where)
 
 
 def _equations(root: Root) -> str:

@@ -44,7 +44,7 @@ def _find(find: Find, numbers: tuple[float, ...], part: Part | None, known: Mapp
     if find.note:
         lines += [find.note, ""]
     for reason in find.rejected:
-        lines += [f"*Another root of these laws is refused:* {_mathless(reason)}.", ""]
+        lines += [f"*Another root of these laws is refused:* {reason}.", ""]
     lines += _result(find, numbers, part, known)
     for way in find.routes_shown:
         lines += ["", f"*Another way.* {way.because}", "", *(_law(stated) + "\n" for stated in way.laws)]
@@ -149,7 +149,3 @@ def _empty(relation: Relation) -> bool:
 
 def _zero(tree: Tree) -> bool:
     return isinstance(tree, Number) and tree.value == 0
-
-
-def _mathless(reason: str) -> str:
-    return reason.replace("*", "·").replace("_", "\\_")

@@ -58,10 +58,15 @@ class Blank:
 
 @dataclass(frozen=True, slots=True)
 class Unclear:
-    """An attempt that cannot be read; `why` says what was met and how to write it."""
+    """An attempt that cannot be read; `why` says what was met and how to write it.
+
+    `readings` are what it could mean when it has several meanings (1,234 is 1.234 or 1234): never guessed among, but a person
+    is asked where one of them is right.
+    """
 
     why: str
     shown: str
+    readings: tuple[Numbers, ...] = ()
 
 
 Answer = Numbers | Formulas | Letter | Chain | Prose | Blank | Unclear

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
+from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 from corollary.kind.answer import Blank, Formulas, Numbers, Unclear
 from corollary.problem.problem import Problem
@@ -17,6 +20,7 @@ from corollary.quantity.trouble import Trouble, refused, sentence
 from corollary.quantity.unit import Unit, show
 
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
+AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
 COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
 
 
@@ -112,8 +116,17 @@ def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank
             why = sentence(dimension) if isinstance(dimension, Trouble) else f"this formula is not in {show(unit)}"
             return Unclear(why, text.strip())
     if isinstance(found, Trouble):
-        return Unclear(sentence(found), text.strip())
+        return Unclear(sentence(found), text.strip(), meanings(found, text, unit))
     return Unclear(found.why, found.shown)
+
+
+def meanings(trouble: Trouble, text: str, unit: Unit) -> tuple[Numbers, ...]:
+    """What an ambiguous text could mean: each choice put in the place of the number it is about."""
+    number = AMBIGUOUS.search(text)
+    if trouble.status != "asked" or number is None:
+        return ()
+    read = (read_quantity(text[: number.start()] + choice + text[number.end() :], unit) for choice in trouble.choices)
+    return tuple(_reading(each, unit) for each in read if isinstance(each, Reading) and each.fit != "wrong dimension")
 
 
 def formula(text: str, problem: Problem) -> Tree | Trouble:
@@ -141,7 +154,7 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
 def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
     for each in found:
         if isinstance(each, Unclear):
-            return each
+            return replace(each, readings=_combined(found))
     if any(isinstance(each, Blank) for each in found):
         return Unclear("a component is missing", ", ".join(each.shown or "—" for each in found))
     shown = f"({', '.join(each.shown for each in found)})"
@@ -153,6 +166,15 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
         )  # fmt: skip
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
+
+
+def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Numbers, ...]:
+    """Every combination of what the components could mean; none when a component has no meaning at all, or there are too many."""
+    choices = [each.readings if isinstance(each, Unclear) else (each,) if isinstance(each, Numbers) else () for each in found]
+    if math.prod(map(len, choices)) > 16:
+        return ()
+    together = (_together(list(each)) for each in product(*choices))
+    return tuple(each for each in together if isinstance(each, Numbers))
 
 
 def _tree(each: Numbers | Formulas | Blank | Unclear) -> Tree:

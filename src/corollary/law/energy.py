@@ -56,3 +56,32 @@ def spring_at_rest(*, m: object, v: object, k: object, x: object) -> Law:
     """All kinetic energy has gone into a spring at its largest compression."""
     return law("Conservation of mechanical energy", "m*v^2/2 = k*x^2/2", source="(12.25)",
                holds="the spring force is conservative; at the largest compression nothing moves", m=m, v=v, k=k, x=x)  # fmt: skip
+
+
+def change_of_kinetic_energy_in_plane(dK: object, *, before: list[tuple], after: list[tuple]) -> Law:
+    """Kinetic energy after less before, for velocities (x, y); both list (mass, velocity) of the same objects, in order."""
+    letters: dict[str, object] = {"dK": dK}
+
+    def total(bodies: list[tuple], moment: int) -> list[str]:
+        terms = []
+        for body, (mass, velocity) in zip("ABCDEFGH", bodies, strict=False):
+            m, x, y = f"m_{body}", f"v_{body}x{moment}", f"v_{body}y{moment}"
+            letters[m], letters[x], letters[y] = mass, *velocity
+            terms.append(f"{m}*({x}^2 + {y}^2)/2")
+        return terms
+
+    formula = " - ".join([" + ".join(total(after, 1)), *total(before, 0)])
+    return law("Change of kinetic energy", f"dK = {formula}", source="(12.61)", holds="", **letters)
+
+
+def energy_at_heights(g: object, *, before: tuple, after: tuple) -> Law:
+    """Kinetic and potential energy together stay the same (12.25); both are (velocity, height)."""
+    return law("Conservation of mechanical energy", "v_0^2/2 + g*y_0 = v_1^2/2 + g*y_1", source="(12.25)",
+               holds="all forces that do work are conservative",
+               g=g, v_0=before[0], y_0=before[1], v_1=after[0], y_1=after[1])  # fmt: skip
+
+
+def work_of_net_force(F: object, s: object, m: object, *, before: object, after: object) -> Law:
+    """The work of the net force is the change of kinetic energy (12.2); F and the displacement s along one axis."""
+    return law("Work and kinetic energy", "F*s = m*v_1^2/2 - m*v_0^2/2", source="(12.2)",
+               holds="the net force is constant along the way", F=F, s=s, m=m, v_0=before, v_1=after)  # fmt: skip

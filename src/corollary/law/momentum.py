@@ -52,3 +52,24 @@ def sticking(*, before: list[tuple], together: object) -> Law:
         "Conservation of momentum", f"{' + '.join(left)} = ({' + '.join(masses)})*v_1", source="(12.14), (12.81)",
         holds="no net external force acts along this direction, and the objects move as one afterwards", **letters,
     )  # fmt: skip
+
+
+def total_momentum(P: object, bodies: list[tuple]) -> Law:
+    """The total momentum is the sum over all objects (12.49), (12.56); `bodies` lists (mass, velocity), vectors allowed."""
+    letters: dict[str, object] = {"P": P}
+    terms = []
+    for place, (mass, velocity) in enumerate(bodies, 1):
+        letters[f"m_{place}"], letters[f"v_{place}"] = mass, velocity
+        terms.append(f"m_{place}*v_{place}")
+    return law("Total momentum", f"P = {' + '.join(terms)}", source="(12.49), (12.56)", holds="", **letters)
+
+
+def external_impulse(J: object, *, before: object, after: object) -> Law:
+    """Only external forces change the total momentum (12.53)."""
+    return law("External impulse", "J = P_1 - P_0", source="(12.53)",
+               holds="J is the impulse of all external forces; internal forces cancel in pairs", J=J, P_0=before, P_1=after)  # fmt: skip
+
+
+def magnitude(p: object, components: tuple) -> Law:
+    """The length of a vector in a plane, by Pythagoras."""
+    return law("Magnitude", "p = sqrt(p_x^2 + p_y^2)", p=p, p_x=components[0], p_y=components[1])

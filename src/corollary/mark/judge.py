@@ -16,7 +16,7 @@ from corollary.mark.numbers import judge_numbers
 from corollary.mark.programs import code_of, judge_code, judge_plot, plot_of
 from corollary.mark.replay import Numbers as Values
 from corollary.mark.said import Shown
-from corollary.mark.verdict import Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.quantity.plain import Nothing, Plain
 
@@ -48,7 +48,9 @@ def _judged(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Values])
     match answer:
         case Blank():
             return Unread("No answer was given.", blank=True)
-        case Unclear(why, _):
+        case Unclear(why, _, readings):
+            if any(isinstance(_judged(key, part, meant, earlier), Right | Follows) for meant in readings):
+                return Unmarked(f"This can be read in two ways, and one of them is right: a person will decide. {why}.")
             return Unread(f"This could not be read: {why}.".replace("..", "."))
         case Numbers() if part.kind == "example":
             return judge_example(key, part, answer)

@@ -42,7 +42,7 @@ def grade(
         points = out_of * sum(share(verdict, scheme) for verdict in verdicts) / len(verdicts)
         decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
         said = _said(part.kinds, verdicts)
-        if reveal and (told := revealed(key, part)):
+        if reveal and not isinstance(decisive, Right) and (told := revealed(key, part)):
             said = f"{said} {told}"
         parts.append(PartGrade(part, decisive, round(points, 6), out_of, shown, said))
     return Grade(key.variant, tuple(parts))

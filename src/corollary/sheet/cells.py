@@ -3,59 +3,60 @@
 from __future__ import annotations
 
 import hashlib
+from typing import Literal
 
 from nbformat import NotebookNode
-from nbformat.v4 import new_code_cell, new_markdown_cell
 
 
 def reading_cell(id: str, source: str) -> NotebookNode:
     """Markdown to be read, and locked."""
-    cell = new_markdown_cell(source, id=id)
-    return _marked(cell, id, locked=True)
+    return _cell("markdown", id, source, locked=True)
 
 
 def program_cell(id: str, source: str, *, folded: bool = False) -> NotebookNode:
     """Code that belongs to the sheet, and is locked; `folded` away unless somebody wants to see it."""
-    cell = new_code_cell(source, id=id)
+    cell = _cell("code", id, source, locked=True)
     if folded:
-        cell.metadata["jupyter"] = {"source_hidden": True}
+        cell.metadata["jupyter"] = NotebookNode(source_hidden=True)
         cell.metadata["tags"] = ["hide-input"]  # the same, for Jupyter Book
-    return _marked(cell, id, locked=True)
+    return cell
 
 
 def answer_cell(id: str, source: str) -> NotebookNode:
     """Code that a student writes; its points stand on the check cell below it."""
-    return _marked(new_code_cell(source, id=id), id, solution=True)
+    return _cell("code", id, source, solution=True)
 
 
 def graded_cell(id: str, source: str, points: float) -> NotebookNode:
     """The locked cell that carries the points of the answer above it."""
-    return _marked(new_code_cell(source, id=id), id, locked=True, points=points)
+    return _cell("code", id, source, locked=True, points=points)
 
 
 def written_cell(id: str, source: str, points: float) -> NotebookNode:
     """Markdown that a student writes and a person marks."""
-    return _marked(new_markdown_cell(source, id=id), id, solution=True, points=points)
+    return _cell("markdown", id, source, solution=True, points=points)
 
 
-def _marked(
-    cell: NotebookNode, id: str, *, locked: bool = False, solution: bool = False, points: float | None = None
+def _cell(
+    kind: Literal["code", "markdown"],
+    id: str,
+    source: str,
+    *,
+    locked: bool = False,
+    solution: bool = False,
+    points: float | None = None,
 ) -> NotebookNode:
-    cell.metadata["nbgrader"] = {
-        "schema_version": 3,
-        "grade_id": id,
-        "grade": points is not None,
-        "solution": solution,
-        "locked": locked,
-        "task": False,
-        "cell_type": cell.cell_type,
-    }
+    """Put together by hand: nbformat's own makers check every cell against the schema, and so does the file's writer."""
+    mark = NotebookNode(schema_version=3, grade_id=id, grade=points is not None, solution=solution, locked=locked, task=False)
     if points is not None:
-        cell.metadata["nbgrader"]["points"] = points
-    cell.metadata["deletable"] = False
+        mark["points"] = points
+    mark["cell_type"] = kind
+    cell = NotebookNode(cell_type=kind, id=id, metadata=NotebookNode(nbgrader=mark, deletable=False), source=source)
     if locked:
         cell.metadata["editable"] = False
-    cell.metadata["nbgrader"]["checksum"] = checksum(cell)
+    if kind == "code":
+        cell.execution_count, cell.outputs = None, []
+    mark["checksum"] = checksum(cell)
     return cell
 
 

@@ -66,13 +66,13 @@ def code_to_run(nb: NotebookNode, handed_out: NotebookNode) -> tuple[tuple[str, 
     Left out is what was handed out as it came back: the checks. Code written into a check cell does run, and its `check`
     is silent.
     """
-    locked = {cell.id: cell.source for cell in handed_out.cells if not cell.metadata.nbgrader["solution"]}
+    ours = {"", *(cell.source.strip() for cell in handed_out.cells if not cell.metadata.nbgrader["solution"])}
     run = [("setup", SILENT_CHECK)]
     for cell in nb.cells:
         if cell.cell_type != "code":
             continue
         id = grade_id(cell) or cell.get("id", "")
-        if id != "setup" and str(cell.source).strip() not in ("", locked.get(id)):
+        if id != "setup" and str(cell.source).strip() not in ours:
             run.append((cell.get("id", id), cell.source))
     return tuple(run)
 

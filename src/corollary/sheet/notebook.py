@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator
 
 import nbformat
 from nbformat import NotebookNode
-from nbformat.v4 import new_notebook
 
 from corollary.problem.part import Part
 from corollary.quantity.unit import show
@@ -21,6 +21,10 @@ METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
     "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python", "pygments_lexer": "ipython3"},
 }
+SIZELESS = re.compile(
+    r"""<svg(?![^>]*\s(?:width|height)=)[^>]*?\sviewBox=["'][\d.-]+[\s,]+[\d.-]+[\s,]+"""
+    r"""(?P<width>[\d.]+)[\s,]+(?P<height>[\d.]+)["']"""
+)
 HOW_TO_ANSWER = """\
 **How to answer**
 
@@ -40,7 +44,7 @@ def notebook(sheet: Sheet) -> NotebookNode:
     if twice := [id for id, count in Counter(cell.id for cell in cells).items() if count > 1]:
         raise ValueError(f"two cells of {sheet.problem_set.name} would be called {twice[0]}; rename one of the parts")
     about = {"corollary": {"set": sheet.problem_set.name, "student": sheet.student.id}}
-    return new_notebook(cells=cells, metadata=nbformat.from_dict(METADATA | about))
+    return NotebookNode(cells=cells, metadata=nbformat.from_dict(METADATA | about), nbformat=4, nbformat_minor=5)
 
 
 def file_text(nb: NotebookNode) -> str:
@@ -81,9 +85,10 @@ def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:
 
 
 def picture(svg: str, alt: str) -> str:
-    """An SVG drawing as Markdown that carries it along."""
+    """An SVG drawing as Markdown that carries it along, in its own size: without one it would fill the page."""
     words = " ".join(alt.replace("[", "(").replace("]", ")").split())
-    return f"![{words}](data:image/svg+xml;base64,{b64encode(svg.encode()).decode()})"
+    sized = SIZELESS.sub(r'\g<0> width="\g<width>" height="\g<height>"', svg, count=1)
+    return f"![{words}](data:image/svg+xml;base64,{b64encode(sized.encode()).decode()})"
 
 
 def points(number: float) -> str:

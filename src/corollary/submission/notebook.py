@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import stat
@@ -53,11 +52,12 @@ def _bytes_of(path: str | Path) -> bytes | Unreadable:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     except (OSError, ValueError) as error:
         return Unreadable(f"The file cannot be opened: {error.strerror if isinstance(error, OSError) else error}.")
-    with io.FileIO(descriptor) as file:
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        os.close(descriptor)
+        return Unreadable("This is not a file.")
+    with open(descriptor, "rb") as file:
         try:
-            if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-                return Unreadable("This is not a file.")
-            return io.BufferedReader(file).read(MOST_BYTES + 1)
+            return file.read(MOST_BYTES + 1)
         except OSError as error:
             return Unreadable(f"The file cannot be read: {error.strerror}.")
 

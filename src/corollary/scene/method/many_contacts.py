@@ -20,6 +20,9 @@ from corollary.scene.model.pair import Pair, after_parting, meet
 
 Array = NDArray[np.floating]
 
+# A pair whose error is larger than this after equal steps is followed alone.
+WORST = 1e-5
+
 
 @dataclass(frozen=True, slots=True)
 class Pairs:
@@ -68,7 +71,7 @@ def collide_many(pairs: Pairs, steps: int = 12) -> Swarm:
         )
         coarse, fine = (_turned(pairs, groups, inward, spin, speed, _through(groups, n)) for n in (steps, 2 * steps))
         errors = np.hypot(*(fine - coarse).T) / speed
-    alone = ~missed & (inside | ~np.isfinite(errors))
+    alone = ~missed & (inside | ~(errors < WORST))
     relative = np.where(missed[:, None], pairs.relative, fine)
     for i in np.flatnonzero(alone):
         relative[i], errors[i] = _one(pairs, int(i))

@@ -124,7 +124,7 @@ def _text(value):
 
 
 def _printable(text):
-    return text.encode("utf-8", "replace").decode("utf-8")
+    return str.encode(text, "utf-8", "replace").decode("utf-8")
 
 
 def _items(values, shape, depth, left):
@@ -173,7 +173,7 @@ def _sympy(value, kind, name, depth, left):
             return ("real", float(value))
         except (TypeError, ValueError, OverflowError):  # a number with a unit, or a complex one: let its text be read
             pass
-    return _text(str(value))
+    return _text(_printable(str(value)))
 
 
 def _measured(magnitude, unit):

@@ -5,6 +5,8 @@ import math
 
 import numpy
 
+from .outputs import clean
+
 MOST_POINTS = 5_000
 MOST_LINES = 60
 MOST_AXES = 20
@@ -89,11 +91,12 @@ def _numbers(values):
 
 def _told(x, y, label, kind):
     count = min(len(x), len(y))
-    return {"x": x[:count], "y": y[:count], "label": "" if str(label).startswith("_") else _short(label), "kind": kind}
+    x, y = [float(each) for each in x[:count]], [float(each) for each in y[:count]]
+    return {"x": x, "y": y, "label": "" if str(label).startswith("_") else _short(label), "kind": kind}
 
 
 def _short(text):
-    return str(text)[:500].encode("utf-8", "replace").decode("utf-8")
+    return clean(str(text))[:500]
 
 
 def _png(figure):

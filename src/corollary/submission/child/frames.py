@@ -42,12 +42,19 @@ def _exactly(count):
 
 
 def say(frame, poorer=()):
-    """Sends one frame; when it is too long, the first of the `poorer` ones that is not."""
+    """Sends one frame; when it is too long, or holds what cannot be sent, the first of the `poorer` ones that can.
+
+    Raises ValueError when none of them can.
+    """
     for each in (frame, *poorer):
-        text = _pack(each)
+        try:
+            text = _pack(each)
+        except (TypeError, ValueError, OverflowError, RecursionError):  # say, a string that is of the student's own class
+            continue
         if len(text) <= MOST_BYTES:
             _send(len(text).to_bytes(4, "big") + text)
             return
+    raise ValueError("none of the frames can be sent")
 
 
 def _send(text):

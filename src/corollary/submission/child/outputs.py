@@ -5,7 +5,7 @@ import base64
 
 def clean(text):
     """Text that can be written down: no half surrogate."""
-    return str.__str__(text).encode("utf-8", "replace").decode("utf-8")
+    return str.encode(text, "utf-8", "replace").decode("utf-8")
 
 
 class Outputs:

@@ -1,0 +1,66 @@
+"""`corollary read`: how an answer is read, and what would be decided."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from corollary.cli.failure import FAILS, HOLDS, answer, refuse
+from corollary.cli.given import read_cases
+from corollary.kind.reading import BadCase, read_case
+
+
+def run(
+    text: str | None, unit: str | None, equals: str | None, names: str | None, domain: list[str], cases: Path | None, json: bool
+) -> int:
+    if (text is None) == (cases is None):
+        refuse("give an answer to read, or --cases FILE with a list of them")
+    if cases is not None:
+        found = [_listed(case) for case in read_cases(cases)]
+        answer(found)
+        return HOLDS
+    case: dict[str, Any] = {"text": text, "unit": unit, "equals": equals, "names": names.split(",") if names else None, "domain": _domain(domain)}
+    if equals is not None or names is not None:
+        case["field"] = "expression"
+    try:
+        found = read_case(case)
+    except BadCase as error:
+        refuse(str(error))
+    if json:
+        answer(found)
+    else:
+        _show(found)
+    return HOLDS if found["status"] == "ok" and found["verdict"] in (None, "compatible", "equal") else FAILS
+
+
+def _listed(case: Any) -> dict[str, Any]:
+    try:
+        return read_case(case)
+    except BadCase as error:
+        return {"error": str(error)}
+
+
+def _domain(options: list[str]) -> dict[str, list[float]]:
+    """`v=-10..10` for each letter."""
+    domain = {}
+    for option in options:
+        name, _, bounds = option.partition("=")
+        low, mark, high = bounds.partition("..")
+        try:
+            domain[name.strip()] = [float(low), float(high)]
+        except ValueError:
+            mark = ""
+        if not mark:
+            refuse(f"--domain {option}: write it as v=-10..10")
+    return domain
+
+
+def _show(found: dict[str, Any]) -> None:
+    if found["status"] != "ok":
+        print(f"{found['status']}: {found['why']}")
+        return
+    print(f"read as {found['read']}")
+    if found["verdict"] is not None:
+        print(f"{found['verdict']}{': ' + found['why'] if found['why'] else ''}")
+    for name, value in (found.get("counterexample") or {}).items():
+        print(f"  for example at {name} = {value:g}")

@@ -1,0 +1,73 @@
+"""One contact of two spheres: the damped method against quadrature, the chapter's edge between release and sticking, invariants."""
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from corollary.scene.force.contact import Contact
+from corollary.scene.method.single_contact import follow
+from corollary.scene.model.beta import contact_time, largest_overlap
+from corollary.scene.model.glance import glance
+from corollary.scene.model.pair import Pair, after_parting, meet
+
+
+def chapter(eta=0.0, across=0.018, k=2e4, q=1.5):
+    return Pair(0.1, 0.1, (0.08, across), (-1.0, 0.0), 0.04, Contact(k, q, eta))
+
+
+@pytest.mark.parametrize("q", [1.0, 1.25, 1.5, 2.0, 2.6, 4.0])
+@pytest.mark.parametrize("across", [0.0, 0.018, 0.039, 0.04 * (1 - 1e-7)])
+def test_without_damping_steps_and_integrals_agree(q, across):
+    pair = chapter(across=across, q=q)
+    met = meet(pair)
+    stepped, integrated = follow(pair, met, 1e-14), glance(pair, met)
+    assert after_parting(pair, met, stepped) == pytest.approx(after_parting(pair, met, integrated), abs=2e-13)
+    assert stepped.duration == pytest.approx(integrated.duration, rel=1e-12)
+    assert stepped.overlap == pytest.approx(integrated.overlap, rel=1e-12)
+    assert stepped.force == pytest.approx(integrated.force, rel=2e-12)
+
+
+def test_head_on_it_is_the_contact_of_the_reduced_mass():
+    met = meet(chapter(across=0.0))
+    found = glance(chapter(across=0.0), met)
+    assert found.duration == pytest.approx(contact_time(0.05, 2e4, 1.5, 1.0), rel=1e-14)
+    assert found.overlap == pytest.approx(largest_overlap(0.05, 2e4, 1.5, 1.0), rel=1e-14)
+
+
+@pytest.mark.parametrize(("across", "edge"), [(0.018, 9.575), (0.0, 9.820)])
+def test_beyond_some_damping_the_contact_never_ends(across, edge):
+    for eta, sticks in ((edge - 0.002, False), (edge + 0.002, True)):
+        pair = chapter(eta, across)
+        assert follow(pair, meet(pair), 1e-12).sticks is sticks
+
+
+@given(st.floats(0.0, 9.0), st.floats(-0.039, 0.039), st.sampled_from([1.0, 1.5, 2.0, 3.0]))
+@settings(max_examples=25, deadline=None)
+def test_spin_fades_with_time_as_the_drag_says_and_energy_only_falls(eta, across, q):
+    pair = chapter(eta, across, q=q)
+    met = meet(pair)
+    found = follow(pair, met, 1e-12)
+    speed = math.hypot(*after_parting(pair, met, found))
+    assert speed <= 1.0 + 1e-10
+    if not found.sticks:
+        assert found.spin == pytest.approx(met.spin * math.exp(-eta / 0.05 * found.duration), rel=1e-10, abs=1e-15)
+
+
+@given(st.floats(0.5, 20.0), st.floats(-3.0, 3.0))
+def test_the_meeting_point_is_on_the_line_of_flight_at_the_reach(away, turn):
+    c, s = math.cos(turn), math.sin(turn)
+    x, y = 0.04 * away + 0.04, 0.01
+    pair = Pair(1.0, 2.0, (c * x - s * y, s * x + c * y), (-c, -s), 0.04, Contact(1.0))
+    met = meet(pair)
+    place = [a + v * met.after for a, v in zip(pair.apart, pair.relative, strict=True)]
+    assert math.hypot(*place) == pytest.approx(0.04, rel=1e-10)
+    assert math.remainder(math.atan2(place[1], place[0]) - met.angle, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
+    assert met.inward**2 + (met.spin / 0.04) ** 2 == pytest.approx(1.0, rel=1e-12)
+
+
+def test_spheres_that_pass_or_part_never_meet():
+    assert meet(Pair(1.0, 1.0, (0.08, 0.041), (-1.0, 0.0), 0.04, Contact(1.0))) is None
+    assert meet(Pair(1.0, 1.0, (0.08, 0.0), (1.0, 0.0), 0.04, Contact(1.0))) is None
+    assert meet(Pair(1.0, 1.0, (0.08, 0.0), (0.0, 0.0), 0.04, Contact(1.0))) is None

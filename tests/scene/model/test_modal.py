@@ -1,0 +1,67 @@
+"""Springs: exact swings against the closed case of two, the 30-digit cradle, and conservation."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from corollary.scene.force.contact import Contact
+from corollary.scene.line import Line, energy
+from corollary.scene.model.modal import collide
+
+REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
+
+
+def cradle(count):
+    return Line((1.0,) * count, (1.0,) + (0.0,) * (count - 1), (0.0,) * (count - 1), (Contact(1.0, 1.0),) * (count - 1))
+
+
+def test_two_balls_swing_half_a_period():
+    found = collide(Line((2.0, 3.0), (1.0, -1.0), (0.5,), (Contact(7.0, 1.0),)))
+    mass = 1.2
+    assert found.duration == pytest.approx(math.pi * math.sqrt(mass / 7.0), rel=1e-14)
+    assert found.overlaps[0] == pytest.approx(2.0 * math.sqrt(mass / 7.0), rel=1e-14)
+    assert found.velocities == pytest.approx((1.0 - 2.0 * mass / 2.0 * 2.0, -1.0 + 2.0 * mass / 3.0 * 2.0), abs=1e-14)
+
+
+@pytest.mark.parametrize("count", [3, 4, 5, 6])
+def test_cradles_of_springs_to_fourteen_digits(count):
+    assert collide(cradle(count)).velocities == pytest.approx([float(v) for v in REFERENCES[f"{count} 1"]], abs=3e-14)
+
+
+def test_a_row_of_twenty():
+    found = collide(cradle(20))
+    assert found.openings == 19
+    assert math.fsum(found.velocities) == pytest.approx(1.0, abs=1e-14)
+    assert math.fsum(v * v for v in found.velocities) == pytest.approx(1.0, abs=1e-13)
+
+
+def test_a_wall_is_a_body_that_does_not_move():
+    found = collide(Line((math.inf, 1.0, 2.0), (0.0, 0.0, -1.0), (0.0, 0.0), (Contact(5.0, 1.0), Contact(3.0, 1.0))))
+    assert found.velocities[0] == 0.0
+    assert 0.5 * found.velocities[1] ** 2 + found.velocities[2] ** 2 == pytest.approx(1.0, abs=1e-13)
+
+
+@given(
+    st.integers(2, 6).flatmap(
+        lambda n: st.builds(
+            Line,
+            st.tuples(*[st.floats(1e-3, 1e3)] * n),
+            st.tuples(*[st.floats(-1.0, 1.0)] * n),
+            st.tuples(*[st.sampled_from([0.0, 0.3])] * (n - 1)),
+            st.tuples(*[st.builds(Contact, st.floats(0.01, 100.0), st.just(1.0))] * (n - 1)),
+        )
+    )
+)
+@settings(max_examples=25, deadline=None)
+def test_momentum_energy_and_order_are_kept(line):
+    found = collide(line)
+    momentum = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
+    after = [m * v for m, v in zip(line.masses, found.velocities, strict=True)]
+    assert math.fsum(after) == pytest.approx(math.fsum(momentum), abs=1e-13 * sum(map(abs, momentum + after)) + 1e-15)
+    none = [0.0] * len(line.gaps)
+    assert energy(line, none, found.velocities) == pytest.approx(energy(line, none, line.velocities), rel=1e-10, abs=1e-12)
+    assert all(a <= b + 1e-9 for a, b in zip(found.velocities, found.velocities[1:], strict=False))
