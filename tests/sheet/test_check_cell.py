@@ -127,7 +127,7 @@ def test_it_fails_where_nbgrader_would_take_silence_for_success(
             space["check"]("X12_5_a")
 
 
-def test_an_old_python_is_told_so_and_nothing_fails(ada: Sheet, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+def test_an_old_python_is_told_so(ada: Sheet, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
     monkeypatch.setattr(sys, "version_info", (3, 9, 0))
     space: dict = {}
     exec(check_source(ada), space)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import pytest
+
 from corollary.submission.take import Ask, Cell, Job, Limits, Runner, Taken
 
 Run = Callable[..., Taken]

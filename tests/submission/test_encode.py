@@ -8,11 +8,12 @@ from fractions import Fraction
 
 import msgspec
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as some
+
 from corollary.quantity.plain import Complex, Exact, Items, Nothing, Real, Refused, Text
 from corollary.submission.child.encode import MOST_ITEMS, encode
 from corollary.submission.decode import read_plain
-from hypothesis import given, settings
-from hypothesis import strategies as some
 
 
 def told(value: object) -> object:
@@ -23,10 +24,12 @@ def told(value: object) -> object:
 def test_every_float_is_told_to_the_last_bit(value: float) -> None:
     back = told(value)
     assert isinstance(back, Real)
-    assert back.value == value or math.isnan(back.value) and math.isnan(value)
+    assert back.value == value or (math.isnan(back.value) and math.isnan(value))
 
 
-@given(some.fractions() | some.integers() | some.decimals(allow_nan=False, allow_infinity=False, min_value=-10**9, max_value=10**9))
+@given(
+    some.fractions() | some.integers() | some.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9)
+)
 def test_exact_numbers_stay_exact(value: Fraction | int | Decimal) -> None:
     assert told(value) == Exact(Fraction(value))
 
@@ -38,8 +41,17 @@ def test_text_is_told_and_can_be_written_down(text: str) -> None:
     assert back.text.encode("utf-8").decode() == text.encode("utf-8", "replace").decode()
 
 
-@given(some.recursive(some.none() | some.floats(allow_nan=False) | some.integers() | some.text(max_size=5) | some.complex_numbers(allow_nan=False),
-                      lambda inner: some.lists(inner, max_size=4) | some.tuples(inner, inner), max_leaves=20))
+@given(
+    some.recursive(
+        some.none()
+        | some.floats(allow_nan=False)
+        | some.integers()
+        | some.text(max_size=5)
+        | some.complex_numbers(allow_nan=False),
+        lambda inner: some.lists(inner, max_size=4) | some.tuples(inner, inner),
+        max_leaves=20,
+    )
+)
 @settings(max_examples=60)
 def test_lists_keep_their_order_and_survive_the_wire(value: object) -> None:
     encoded = encode(value)
@@ -48,11 +60,25 @@ def test_lists_keep_their_order_and_survive_the_wire(value: object) -> None:
     assert not isinstance(read_plain(encoded), Refused)
 
 
-@pytest.mark.parametrize(("value", "words"), [
-    (True, "True or False"), ({}, "dictionary"), ({1}, "set"), (range(3), "range"), (len, "function"), (int, "class"), (math, "module"),
-    (b"x", "bytes"), ((i for i in "ab"), "generator"), (object(), "kind object"), (10**40000, "digits"), ("x" * 20_000, "20000 letters"),
-    ([0] * (MOST_ITEMS + 1), "more than"),
-], ids=lambda each: type(each).__name__)
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (True, "True or False"),
+        ({}, "dictionary"),
+        ({1}, "set"),
+        (range(3), "range"),
+        (len, "function"),
+        (int, "class"),
+        (math, "module"),
+        (b"x", "bytes"),
+        ((i for i in "ab"), "generator"),
+        (object(), "kind object"),
+        (10**40000, "digits"),
+        ("x" * 20_000, "20000 letters"),
+        ([0] * (MOST_ITEMS + 1), "more than"),
+    ],
+    ids=lambda each: type(each).__name__,
+)
 def test_what_is_no_answer_is_refused_in_words(value: object, words: str) -> None:
     back = told(value)
     assert isinstance(back, Refused)
@@ -74,11 +100,28 @@ def test_pint_quantities_are_known_by_name() -> None:
     assert encode(kind()) == ("measured", 8.6, "kilogram * meter / second")
 
 
-@pytest.mark.parametrize("bad", [
-    None, 3, "real", [], ["real"], ["real", "x"], ["exact", "1", "0"], ["exact", "1; import os", "1"], ["exact", "g", "1"], ["exact", "f" * 30_000, "1"],
-    ["items", [["real", 1.0]], [2]], ["items", [["real", 1.0]], [-1]], ["items", [], [0] * 100], ["pickle", "x"], ["real", 1.0, 2.0],
-    ["text", 3], ["items", "abc", [3]],
-])
+@pytest.mark.parametrize(
+    "bad",
+    [
+        None,
+        3,
+        "real",
+        [],
+        ["real"],
+        ["real", "x"],
+        ["exact", "1", "0"],
+        ["exact", "1; import os", "1"],
+        ["exact", "g", "1"],
+        ["exact", "f" * 30_000, "1"],
+        ["items", [["real", 1.0]], [2]],
+        ["items", [["real", 1.0]], [-1]],
+        ["items", [], [0] * 100],
+        ["pickle", "x"],
+        ["real", 1.0, 2.0],
+        ["text", 3],
+        ["items", "abc", [3]],
+    ],
+)
 def test_forged_data_is_refused(bad: object) -> None:
     assert isinstance(read_plain(bad), Refused)
 

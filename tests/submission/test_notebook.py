@@ -8,9 +8,10 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from corollary.submission.notebook import MOST_BYTES, Notebook, Unreadable, code_cells, notebook_of, read_notebook
 from hypothesis import given, settings
 from hypothesis import strategies as some
+
+from corollary.submission.notebook import MOST_BYTES, Notebook, Unreadable, code_cells, notebook_of, read_notebook
 
 
 def code(source: str = "a = 1", **more: object) -> dict:
@@ -46,8 +47,14 @@ def test_missing_and_repeated_ids_are_mended() -> None:
 
 
 def test_an_old_notebook_is_upgraded() -> None:
-    old = {"nbformat": 3, "nbformat_minor": 0, "metadata": {"name": "old"},
-           "worksheets": [{"cells": [{"cell_type": "code", "input": ["a = 1\n", "b = 2"], "outputs": [], "language": "python"}], "metadata": {}}]}
+    old = {
+        "nbformat": 3,
+        "nbformat_minor": 0,
+        "metadata": {"name": "old"},
+        "worksheets": [
+            {"cells": [{"cell_type": "code", "input": ["a = 1\n", "b = 2"], "outputs": [], "language": "python"}], "metadata": {}}
+        ],
+    }
     notebook = opened(json.dumps(old).encode())
     assert code_cells(notebook)[0].source == "a = 1\nb = 2"
 
@@ -58,13 +65,29 @@ def test_a_byte_order_mark_and_odd_cells_are_survived() -> None:
     assert len(notebook.notes) == 2
 
 
-@pytest.mark.parametrize(("content", "words"), [
-    (b"", "empty"), (b"   ", "empty"), (b"\xff\xfe\x00", "UTF-8"), (b"{", "broken"), (b"[1]", "does not begin"), (b"{}", "neither"),
-    (b'{"nbformat": 4, "cells": []}', "no cells"), (b'{"nbformat": 4, "cells": {}}', "no cells"), (b'{"nbformat": 4, "cells": [3]}', "no cells"),
-    (b'{"nbformat": 3}', ""), (b'{"nbformat": 2, "worksheets": 7}', ""), (b"[" * 10**6, "nested"), (b'{"a":' * 10**5 + b"1" + b"}" * 10**5, "nested"),
-    (b'{"nbformat":4,"cells":' + b"[" * 200 + b"]" * 200 + b"}", "nested"), (b" " * (MOST_BYTES + 1), "larger"), (b"1" * 10_000, "not a notebook"),
-    (book(*[code()] * 2001), "more than"),
-], ids=lambda each: str(len(each)))
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "empty"),
+        (b"   ", "empty"),
+        (b"\xff\xfe\x00", "UTF-8"),
+        (b"{", "broken"),
+        (b"[1]", "does not begin"),
+        (b"{}", "neither"),
+        (b'{"nbformat": 4, "cells": []}', "no cells"),
+        (b'{"nbformat": 4, "cells": {}}', "no cells"),
+        (b'{"nbformat": 4, "cells": [3]}', "no cells"),
+        (b'{"nbformat": 3}', ""),
+        (b'{"nbformat": 2, "worksheets": 7}', ""),
+        (b"[" * 10**6, "nested"),
+        (b'{"a":' * 10**5 + b"1" + b"}" * 10**5, "nested"),
+        (b'{"nbformat":4,"cells":' + b"[" * 200 + b"]" * 200 + b"}", "nested"),
+        (b" " * (MOST_BYTES + 1), "larger"),
+        (b"1" * 10_000, "not a notebook"),
+        (book(*[code()] * 2001), "more than"),
+    ],
+    ids=lambda each: str(len(each)),
+)
 def test_what_is_no_notebook_is_said_in_a_sentence(content: bytes, words: str) -> None:
     answer = notebook_of(content)
     assert isinstance(answer, Unreadable)
@@ -86,15 +109,31 @@ def test_any_bytes_are_answered(content: bytes) -> None:
     assert isinstance(notebook_of(content), Notebook | Unreadable)
 
 
-_JSON = some.recursive(some.none() | some.booleans() | some.integers() | some.floats() | some.text(max_size=8),
-                       lambda inner: some.lists(inner, max_size=3) | some.dictionaries(
-                           some.sampled_from(["cells", "nbformat", "metadata", "source", "cell_type", "outputs", "id", "worksheets"]), inner, max_size=4),
-                       max_leaves=12)
+_JSON = some.recursive(
+    some.none() | some.booleans() | some.integers() | some.floats() | some.text(max_size=8),
+    lambda inner: (
+        some.lists(inner, max_size=3)
+        | some.dictionaries(
+            some.sampled_from(["cells", "nbformat", "metadata", "source", "cell_type", "outputs", "id", "worksheets"]),
+            inner,
+            max_size=4,
+        )
+    ),
+    max_leaves=12,
+)
 
 
-@given(some.lists(some.fixed_dictionaries({"cell_type": some.sampled_from(["code", "markdown", "raw"])},
-                                          optional={"source": _JSON, "metadata": _JSON, "outputs": _JSON, "id": _JSON, "attachments": _JSON}), max_size=4),
-       _JSON, some.sampled_from([1, 2, 3, 4, 5, "4", None]))
+@given(
+    some.lists(
+        some.fixed_dictionaries(
+            {"cell_type": some.sampled_from(["code", "markdown", "raw"])},
+            optional={"source": _JSON, "metadata": _JSON, "outputs": _JSON, "id": _JSON, "attachments": _JSON},
+        ),
+        max_size=4,
+    ),
+    _JSON,
+    some.sampled_from([1, 2, 3, 4, 5, "4", None]),
+)
 @settings(max_examples=150, deadline=None)
 def test_any_json_in_the_shape_of_a_notebook_is_answered(cells: list, metadata: object, version: object) -> None:
     answer = notebook_of(json.dumps({"nbformat": version, "metadata": metadata, "cells": cells}).encode())

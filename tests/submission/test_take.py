@@ -11,6 +11,7 @@ from typing import Any
 
 import nbformat
 import pytest
+
 from corollary.quantity.plain import Exact, Items, Nothing, Real, Text
 from corollary.submission.take import Ask, Cell, Job, Runner, WeakIsolation
 
@@ -29,8 +30,10 @@ def test_an_answer_changed_by_a_later_cell_is_the_later_one(run) -> None:
 
 
 def test_numpy_scalars_and_arrays_are_numbers(run) -> None:
-    taken = run("import numpy as np\na = np.float64(8.6)\nb = np.array([[1.0, 2.0], [3.0, np.inf]])\nc = np.int32(7)\nd = np.array(2.5)",
-                names=("a", "b", "c", "d"))
+    taken = run(
+        "import numpy as np\na = np.float64(8.6)\nb = np.array([[1.0, 2.0], [3.0, np.inf]])\nc = np.int32(7)\nd = np.array(2.5)",
+        names=("a", "b", "c", "d"),
+    )
     assert taken.values["a"] == Real(8.6)
     assert taken.values["b"] == Items((Real(1.0), Real(2.0), Real(3.0), Real(float("inf"))), (2, 2))
     assert taken.values["c"] == Exact(Fraction(7))
@@ -47,7 +50,7 @@ def test_sympy_numbers_are_exact_and_expressions_are_text(run) -> None:
 
 
 def test_outputs_are_valid_nbformat_in_their_order(run) -> None:
-    source = "import sys\nprint('one'); print('two', file=sys.stderr)\nfrom IPython.display import display, HTML\ndisplay(HTML('<b>x</b>'))\n8.6"
+    source = "import sys\nprint('one'); print('two', file=sys.stderr)\nfrom IPython.display import HTML\ndisplay(HTML('x'))\n8.6"
     outputs = run(source).cells[0].outputs
     assert [each["output_type"] for each in outputs] == ["stream", "stream", "display_data", "execute_result"]
     cell = nbformat.v4.new_code_cell(source, outputs=[nbformat.from_dict(dict(each)) for each in outputs])
@@ -65,20 +68,23 @@ def test_errors_show_the_students_line_and_nothing_of_ours(run) -> None:
     assert taken.cells[1].error.startswith("SyntaxError")
 
 
-@pytest.mark.parametrize("source", [
-    "%matplotlib inline\na = 1.5",
-    "%config InlineBackend.figure_format = 'retina'\na = 1.5",
-    "%%time\na = 1.5",
-    "import asyncio\nawait asyncio.sleep(0.001)\na = 1.5",
-    "import asyncio\nasync def f(): return 1.5\na = await f()",
-    "from dataclasses import dataclass\n@dataclass\nclass P: x: float\na = P(1.5).x",
-    "open('data.txt', 'w').write('1.5')\na = float(open('data.txt').read())",
-    "import numpy as np\nnp.savetxt('d.csv', [1.5]); a = float(np.loadtxt('d.csv'))",
-    "import shutil\nopen('x', 'w').write('1.5'); shutil.copy('x', 'y'); a = float(open('y').read())",
-    "from concurrent.futures import ThreadPoolExecutor\nwith ThreadPoolExecutor(3) as p: a = max(p.map(float, [0.5, 1.5]))",
-    "import pickle, __main__\nclass P: pass\np = P(); p.x = 1.5; a = pickle.loads(pickle.dumps(p)).x",
-    "import random, tempfile, datetime, json, csv, decimal, statistics\nwith tempfile.TemporaryFile() as f: f.write(b'x')\na = 1.5",
-])
+@pytest.mark.parametrize(
+    "source",
+    [
+        "%matplotlib inline\na = 1.5",
+        "%config InlineBackend.figure_format = 'retina'\na = 1.5",
+        "%%time\na = 1.5",
+        "import asyncio\nawait asyncio.sleep(0.001)\na = 1.5",
+        "import asyncio\nasync def f(): return 1.5\na = await f()",
+        "from dataclasses import dataclass\n@dataclass\nclass P: x: float\na = P(1.5).x",
+        "open('data.txt', 'w').write('1.5')\na = float(open('data.txt').read())",
+        "import numpy as np\nnp.savetxt('d.csv', [1.5]); a = float(np.loadtxt('d.csv'))",
+        "import shutil\nopen('x', 'w').write('1.5'); shutil.copy('x', 'y'); a = float(open('y').read())",
+        "from concurrent.futures import ThreadPoolExecutor\nwith ThreadPoolExecutor(3) as p: a = max(p.map(float, [0.5, 1.5]))",
+        "import pickle, __main__\nclass P: pass\np = P(); p.x = 1.5; a = pickle.loads(pickle.dumps(p)).x",
+        "import tempfile, csv, decimal, statistics\nwith tempfile.TemporaryFile() as f: f.write(b'x')\na = 1.5",
+    ],
+)
 def test_what_works_in_a_notebook_works_here(run, source: str) -> None:
     taken = run(source)
     assert taken.cells[0].status == "ok", taken.cells[0]
@@ -90,15 +96,23 @@ def test_results_of_earlier_cells_and_underscores_work(run) -> None:
 
 
 def test_displays_can_be_updated_and_cleared(run) -> None:
-    taken = run("h = display('one', display_id=True)\nh.update('two')", "print('gone')\nfrom IPython.display import clear_output\nclear_output()")
+    taken = run(
+        "h = display('one', display_id=True)\nh.update('two')",
+        "print('gone')\nfrom IPython.display import clear_output\nclear_output()",
+    )
     assert taken.cells[0].outputs[0]["data"]["text/plain"] == "'two'"
     assert taken.cells[1].outputs == ()
 
 
 def test_functions_are_called_on_numbers_from_outside(run) -> None:
     source = "def collide(m1, m2, v1, v2=0.0):\n    print('called')\n    return [m1 * v1, (m2, v2)]\nnot_one = 3"
-    asks = (Ask("p/0", "collide", (("m1", 2.0), ("m2", 3), ("v1", 1.5))), Ask("p/1", "collide", (("m1", 2.0),)),
-            Ask("p/2", "not_one", ()), Ask("p/3", "missing", ()), Ask("p/4", "collide", (("m1", 1.0), ("m2", (1.0, 2.0)), ("v1", 2.0))))
+    asks = (
+        Ask("p/0", "collide", (("m1", 2.0), ("m2", 3), ("v1", 1.5))),
+        Ask("p/1", "collide", (("m1", 2.0),)),
+        Ask("p/2", "not_one", ()),
+        Ask("p/3", "missing", ()),
+        Ask("p/4", "collide", (("m1", 1.0), ("m2", (1.0, 2.0)), ("v1", 2.0))),
+    )
     calls = run(source, asks=asks).calls
     assert calls["p/0"].value == Items((Real(3.0), Items((Exact(Fraction(3)), Real(0.0)), (2,))), (2,))
     assert calls["p/0"].output == "called\n"
@@ -118,15 +132,22 @@ def test_arguments_do_not_show_in_the_notebook(run) -> None:
 
 
 def test_a_figure_comes_back_as_what_was_drawn(run) -> None:
-    source = ("import numpy as np, matplotlib.pyplot as plt\nt = np.linspace(0, 1, 5)\nplt.plot(t, t**2, label='height')\n"
-              "plt.scatter([1, 2], [3, 4], label='seen')\nplt.plot([0, 1], [1, 1], 'o')\nplt.axhline(0.5)\n"
-              "plt.xlabel('t [s]'); plt.ylabel('$y$ [m]'); plt.title('fall'); plt.legend(); plt.xlim(0, 2); plt.yscale('symlog')")
-    figure, = run(source, pictures=True).figures
-    axes, = figure.axes
+    source = (
+        "import numpy as np, matplotlib.pyplot as plt\nt = np.linspace(0, 1, 5)\nplt.plot(t, t**2, label='height')\n"
+        "plt.scatter([1, 2], [3, 4], label='seen')\nplt.plot([0, 1], [1, 1], 'o')\nplt.axhline(0.5)\n"
+        "plt.xlabel('t [s]'); plt.ylabel('$y$ [m]'); plt.title('fall'); plt.legend(); plt.xlim(0, 2); plt.yscale('symlog')"
+    )
+    (figure,) = run(source, pictures=True).figures
+    (axes,) = figure.axes
     assert figure.cell == "c0"
     assert (axes.title, axes.xlabel, axes.ylabel, axes.xlim, axes.yscale) == ("fall", "t [s]", "$y$ [m]", (0.0, 2.0), "symlog")
     assert axes.legend == ("height", "seen")
-    assert [(line.kind, line.label) for line in axes.lines] == [("line", "height"), ("points", ""), ("line", ""), ("points", "seen")]
+    assert [(line.kind, line.label) for line in axes.lines] == [
+        ("line", "height"),
+        ("points", ""),
+        ("line", ""),
+        ("points", "seen"),
+    ]
     assert axes.lines[0].y == (0.0, 0.0625, 0.25, 0.5625, 1.0)
     assert axes.lines[2].x == (0.0, 2.0)
     assert axes.lines[3].x == (1.0, 2.0)
@@ -135,9 +156,9 @@ def test_a_figure_comes_back_as_what_was_drawn(run) -> None:
 
 
 def test_bars_and_several_axes_come_back(run) -> None:
-    source = "import matplotlib.pyplot as plt\nfig, (p, q) = plt.subplots(1, 2)\np.bar([1, 2], [3, 4], label='n'); q.set_title('right')\nplt.show()"
-    figure, = run(source).figures
-    bars, = figure.axes[0].lines
+    source = "import matplotlib.pyplot as plt\nfig, (p, q) = plt.subplots(1, 2)\np.bar([1, 2], [3, 4], label='n'); q.set_title('right')"
+    (figure,) = run(source).figures
+    (bars,) = figure.axes[0].lines
     assert (bars.kind, bars.label, bars.y) == ("bars", "n", (3.0, 4.0))
     assert bars.x == pytest.approx((1.0, 2.0), abs=1e-12)
     assert figure.axes[1].title == "right"
@@ -145,7 +166,9 @@ def test_bars_and_several_axes_come_back(run) -> None:
 
 
 def test_figures_belong_to_the_cell_that_shows_them_and_are_output_too(run) -> None:
-    taken = run("import matplotlib.pyplot as plt", "plt.plot([1, 2])\nplt.show()\nplt.plot([3])", "fig = plt.figure()\nfig", pictures=True)
+    taken = run(
+        "import matplotlib.pyplot as plt", "plt.plot([1, 2])\nplt.show()\nplt.plot([3])", "fig = plt.figure()\nfig", pictures=True
+    )
     assert [figure.cell for figure in taken.figures[:2]] == ["c1", "c1"]
     assert sum("image/png" in each.get("data", {}) for each in taken.cells[1].outputs) == 2
     assert any(figure.cell == "c2" for figure in taken.figures)
@@ -153,8 +176,10 @@ def test_figures_belong_to_the_cell_that_shows_them_and_are_output_too(run) -> N
 
 def test_notebooks_do_not_see_one_another(run) -> None:
     run("import builtins, os\nbuiltins.leak = 1\nleftover = 2\nopen('left', 'w').write('x')\nimport numpy as np\nnp.leak = 3")
-    taken = run("import builtins, os, numpy\na = str([x in globals() for x in ('leftover',)]) + str(os.listdir('.')) + "
-                "str('leak' in dir(builtins)) + str('leak' in dir(numpy))")
+    taken = run(
+        "import builtins, os, numpy\na = str([x in globals() for x in ('leftover',)]) + str(os.listdir('.')) + "
+        "str('leak' in dir(builtins)) + str('leak' in dir(numpy))"
+    )
     assert taken.values["a"] == Text("[False][]FalseFalse")
 
 
@@ -215,8 +240,15 @@ def test_without_namespaces_the_folder_is_still_bounded_and_removed() -> None:
     with Runner(without=frozenset({"namespaces"})) as running:
         if running.isolation.level < 2:
             pytest.skip(running.isolation.line)
-        taken = running.take(Job((Cell("c", "a = 1.5"), Cell("d", "import time\nfor i in range(40): open(f'f{i}', 'wb').write(b'x' * 10**6)\ntime.sleep(9)")),
-                                 ("a",)))
+        taken = running.take(
+            Job(
+                (
+                    Cell("c", "a = 1.5"),
+                    Cell("d", "import time\nfor i in range(40): open(f'f{i}', 'wb').write(b'x' * 10**6)\ntime.sleep(9)"),
+                ),
+                ("a",),
+            )
+        )
         assert "filled the disk" in taken.trouble
         assert taken.values["a"] == Real(1.5)
         assert any("watched" in each for each in running.isolation.missing)

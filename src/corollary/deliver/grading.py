@@ -98,7 +98,9 @@ def _grade_one(
 
         record(course, problem_set, [marked], {student.id: read.node if isinstance(read, Notebook) else None})
     stories = {variant.problem.code: solutions.story(variant) for variant in variants} if problem_set.reveal else None
-    write_atomically(feedback_path(course, problem_set, student.id), feedback_page(marked, problem_set, solutions=stories))
+    page = feedback_page(marked, problem_set, solutions=stories)
+    for place in feedback_places(course, problem_set, student.id):
+        write_atomically(place, page)
     entry = marked_record(marked) | {
         "fingerprint": mark_of, "handed_in": asdict(row_of(marked)), "rows": [asdict(each) for each in rows(marked)], "version": __version__,
     }  # fmt: skip
@@ -138,9 +140,11 @@ def read_record(course: Course, problem_set: ProblemSet, student: str) -> dict[s
     return entry if isinstance(entry, dict) and {"fingerprint", "rows", "handed_in", "parts"} <= entry.keys() else None
 
 
-def feedback_path(course: Course, problem_set: ProblemSet, student: str) -> Path:
-    """Our own page, beside the one nbgrader would write."""
-    return course.folder / "feedback" / student / problem_set.name / f"{problem_set.name}.feedback.html"
+def feedback_places(course: Course, problem_set: ProblemSet, student: str) -> tuple[Path, Path]:
+    """Where our own page lies: beside nbgrader's, and beside the marked notebook, from where nbgrader copies it back when it
+    makes the feedback folder anew."""
+    name = problem_set.name
+    return course.place("feedback", student, name) / f"{name}.feedback.html", course.place("autograded", student, name) / f"{name}.feedback.html"
 
 
 def has_nbgrader() -> bool:

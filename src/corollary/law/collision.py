@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from corollary.law.law import Law, law
+import sympy
+
+from corollary.law.energy import elastic
+from corollary.law.law import Law, law, sides
+from corollary.law.momentum import conservation_of_momentum
 
 
 def restitution(r: object, *, A: tuple, B: tuple) -> Law:
@@ -18,4 +22,36 @@ def reduced_mass(mu: object, m_A: object, m_B: object) -> Law:
 
 def half_oscillation(T: object, m: object, k: object) -> Law:
     """A contact with a linear spring lasts half a period of the oscillation."""
-    return law("Half a period", "T = pi*sqrt(m/k)", source="(12.137) with q = 1", holds="the contact force is linear, q = 1", T=T, m=m, k=k)
+    return law("Half a period", "T = pi*sqrt(m/k)", source="(12.137) with q = 1",
+               holds="the contact force is linear, q = 1", T=T, m=m, k=k)  # fmt: skip
+
+
+def after_elastic(*, A: tuple, B: tuple) -> tuple[sympy.Expr, sympy.Expr]:
+    """Both velocities after an elastic collision, (12.79) and (12.80), solved from momentum and energy.
+
+    A and B are (mass, velocity before). Of the two roots the one on which nothing has happened is left out.
+    """
+    (m_A, v_A0), (m_B, v_B0) = A, B
+    v_A1, v_B1 = sympy.symbols("v_A1 v_B1", real=True, cls=sympy.Dummy)
+    laws = (
+        conservation_of_momentum(before=[A, B], after=[(m_A, v_A1), (m_B, v_B1)]),
+        elastic(before=[A, B], after=[(m_A, v_A1), (m_B, v_B1)]),
+    )
+    equations = [left - right for stated in laws for left, right in sides(stated)]
+    (root,) = (
+        root for root in sympy.solve(equations, [v_A1, v_B1], dict=True)
+        if sympy.simplify(root[v_A1] - v_A0) != 0 or sympy.simplify(root[v_B1] - v_B0) != 0
+    )  # fmt: skip
+    return sympy.factor(root[v_A1]), sympy.factor(root[v_B1])
+
+
+def in_the_limit(found: object, formula: object, letter: sympy.Symbol, to: object, holds: str) -> Law:
+    """What a formula (or each of several) becomes as one letter vanishes or grows beyond all bounds; taken here."""
+    several = isinstance(formula, tuple)
+    limits = tuple(sympy.limit(one, letter, to) for one in formula) if several else sympy.limit(formula, letter, to)
+    return law("Limit", "v = v_limit", source="(12.69)-(12.72)", holds=holds, v=found, v_limit=limits)
+
+
+def seen_from(w: object, v: object, u: object) -> Law:
+    """A velocity v is that of the moving system, u, and the velocity w measured in it (12.74)."""
+    return law("Relative motion", "v = u + w", source="(12.74)", v=v, u=u, w=w)

@@ -67,7 +67,8 @@ def total_momentum(P: object, bodies: list[tuple]) -> Law:
 def external_impulse(J: object, *, before: object, after: object) -> Law:
     """Only external forces change the total momentum (12.53)."""
     return law("External impulse", "J = P_1 - P_0", source="(12.53)",
-               holds="J is the impulse of all external forces; internal forces cancel in pairs", J=J, P_0=before, P_1=after)  # fmt: skip
+               holds="J is the impulse of all external forces; internal forces cancel in pairs",
+               J=J, P_0=before, P_1=after)  # fmt: skip
 
 
 def magnitude(p: object, components: tuple) -> Law:

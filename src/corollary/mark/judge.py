@@ -35,7 +35,7 @@ def judge(
             result[part.id] = _programs(key, part, (shown or {}).get(part.id, NOTHING_RAN), secret, student), part.signature
             continue
         answer = KINDS[part.kind].read(answers.get(part.id, Nothing()), part, key.variant.problem)
-        verdict = _once(_judged(key, part, answer, earlier), told)
+        verdict = _once(verdict_on(key, part, answer, earlier), told)
         if part.id in key.truths:
             values = answer.values if isinstance(answer, Numbers) else values_of(key, answer) if isinstance(answer, Formulas) else None
             if values is not None:
@@ -44,12 +44,13 @@ def judge(
     return result
 
 
-def _judged(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Values]) -> Verdict:
+def verdict_on(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Values]) -> Verdict:
+    """One part on its own; `earlier` are the student's values of earlier parts, in SI."""
     match answer:
         case Blank():
             return Unread("No answer was given.", blank=True)
         case Unclear(why, _, readings):
-            if any(isinstance(_judged(key, part, meant, earlier), Right | Follows) for meant in readings):
+            if any(isinstance(verdict_on(key, part, meant, earlier), Right | Follows) for meant in readings):
                 return Unmarked(f"This can be read in two ways, and one of them is right: a person will decide. {why}.")
             return Unread(f"This could not be read: {why}.".replace("..", "."))
         case Numbers() if part.kind == "example":

@@ -9,7 +9,7 @@ from corollary.problem.complaint import Complaint
 from corollary.problem.part import KIND_NAMES, KindName, Option, Part
 from corollary.quantity.unit import Unit, unit
 
-HEADING = re.compile(r"##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>.*)\})?\s*$")
+HEADING = re.compile(r"""##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>(?:[^{}"]|"[^"]*")*)\})?\s*$""")
 ATTRIBUTE = re.compile(r"""\#(?P<id>[\w-]+)|\.(?P<kind>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))""")
 OPTION = re.compile(r"-\s+\((?P<letter>[a-z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")

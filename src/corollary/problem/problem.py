@@ -34,6 +34,7 @@ class Problem:
     figure: str
     figure_alt: str
     path: Path
+    figure_line: int
 
     def given(self, symbol: str) -> Given:
         return next(given for given in self.givens if given.symbol == symbol)

@@ -46,7 +46,7 @@ def read_problem(path: Path) -> Problem:
         complaints.append(Complaint(path, line, "asks nothing; add a part: ## Title {#a .value unit=\"m/s\" points=1}"))
     if complaints:
         raise Malformed(complaints)
-    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path)
+    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path, figure_line)
 
 
 def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Complaint]) -> Given | None:

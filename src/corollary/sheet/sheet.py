@@ -71,7 +71,8 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
         )
         for part in problem.parts
     )
-    return Exercise(variant, filled(problem.statement, variant), filled(problem.figure, variant), filled(problem.figure_alt, variant), prompts)
+    figure, alt = filled(problem.figure, variant), filled(problem.figure_alt, variant)
+    return Exercise(variant, filled(problem.statement, variant), figure, alt, prompts)
 
 
 def sheet(problem_set: ProblemSet, student: Student, variants: Iterable[Variant]) -> Sheet:

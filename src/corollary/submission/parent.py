@@ -40,6 +40,7 @@ class Parent:
     namespaces: bool
     user: int | None
     kilobytes: int
+    waiting: bool = False  # for the parent's word on how the last child ended
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +75,8 @@ def start(limits: Limits, without: frozenset[str] = frozenset()) -> Parent:
     except OSError as error:
         words = said.read_text(encoding="utf-8", errors="replace").strip().splitlines() or [str(error)]
         stop(parent)
-        raise CannotStart(f"The process that runs notebooks did not start: {words[-1]}") from None
+        why = words[-1].split(": ", 1)[-1]  # without the exception's name
+        raise CannotStart(f"The process that runs notebooks did not start: {why}") from None
     parent.missing, parent.namespaces = ready["missing"], ready["namespaces"]
     parent.user, parent.kilobytes = ready["user"], ready["kilobytes"]
     if ready["threads"] > 1:
@@ -92,6 +94,8 @@ def stop(parent: Parent) -> None:
 
 def fork(parent: Parent, seconds: float = 20.0) -> Child:
     """A new child that waits for its job. Raises OSError when it does not come up (the parent is then beyond use)."""
+    if parent.waiting:
+        reap(parent)
     if not parent.namespaces:
         shutil.rmtree(parent.folder, ignore_errors=True)
         parent.folder.mkdir(mode=0o700)
@@ -101,6 +105,7 @@ def fork(parent: Parent, seconds: float = 20.0) -> Child:
     ours.settimeout(seconds)
     with theirs:
         socket.send_fds(parent.control, [b"J"], [theirs.fileno()])
+    parent.waiting = True
     introduction, handles, _, _ = socket.recv_fds(ours, 9, 1)
     if len(introduction) != 9:
         ours.close()
@@ -120,15 +125,19 @@ def tell(child: Child, number: signal.Signals) -> None:
         return
 
 
-def reap(parent: Parent, child: Child, seconds: float = 30.0) -> int:
-    """How the child ended: its exit status, or 128 and the signal's number. Raises OSError when the parent does not say."""
+def leave(child: Child) -> None:
+    """Kills what may still run of it, and lets go of it; how it ended can be asked for later, or never."""
+    tell(child, signal.SIGKILL)
     child.channel.close()
     if child.handle is not None:
         os.close(child.handle)
+
+
+def reap(parent: Parent, seconds: float = 30.0) -> int:
+    """How the last child ended: its exit status, or 128 and the signal's number. Raises OSError when the parent does not say."""
     parent.control.settimeout(seconds)
     code = _receive(parent.control)["code"]
-    if not parent.namespaces:
-        shutil.rmtree(parent.folder, ignore_errors=True)
+    parent.waiting = False
     return code
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import signal
 import threading
 from types import TracebackType
 from typing import Self, final
@@ -13,7 +11,7 @@ from corollary.submission.conversation import Told, Watch, follow, give
 from corollary.submission.decode import plain
 from corollary.submission.isolation import UNKNOWN, WeakIsolation, isolation_of
 from corollary.submission.job import Ask, Cell, Job, Limits
-from corollary.submission.parent import Parent, fork, reap, start, stop, tell
+from corollary.submission.parent import Parent, fork, leave, reap, start, stop
 from corollary.submission.report import answered, cell_runs, figures_of, trouble_of
 from corollary.submission.taken import Answered, Axes, CellRun, Figure, Isolation, Line, Taken
 
@@ -84,13 +82,11 @@ class Runner:
             try:
                 give(child, job, self.limits, trial)
                 told = follow(child, job, self.limits, watch)
-            except BaseException:
-                tell(child, signal.SIGKILL)
-                raise
+                # How it ended matters only when it did not say that it was done; else the next job need not wait for it.
+                code = None if told.done or told.ended else reap(parent)
             finally:
-                with contextlib.suppress(OSError):
-                    child.channel.shutdown(2)
-            return told, reap(parent, child)
+                leave(child)
+            return told, code
         except OSError as error:
             # The machine's failing, or a notebook that got at the parent: start afresh for the next one.
             self._cool()

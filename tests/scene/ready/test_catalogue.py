@@ -36,6 +36,8 @@ def test_every_scene_runs_with_the_chapters_values_and_says_how(name):
         ("cradle", {"balls_in": 3}, "at least one must be hit"),
         ("ball_on_floor", {"y0": 0.01}, "inside the floor"),
         ("spheres", {"dx": 0, "dy": 0}, "one centre on the other"),
+        ("spheres", {"k": 1.0, "dy": 0.0, "eta": 0.0}, "so soft that they pass"),
+        ("spheres", {"k": 1.0, "dy": 0.0, "eta": 0.1}, "so soft that they pass"),
         ("atom", {"d": 1.0}, "must be less than b"),
         ("atom", {"r0": 0.5}, "inside the core"),
         ("chain", {"y": 2.0}, "more than the chain is long"),

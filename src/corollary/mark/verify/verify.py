@@ -6,6 +6,7 @@ from corollary.derive.failing import NotDerivable
 from corollary.derive.solve import solve
 from corollary.mark.key import make_key
 from corollary.mark.verify.checked import Checked, Tally
+from corollary.mark.verify.figure import check_figure
 from corollary.mark.verify.laws import check_dimensions, check_laws
 from corollary.mark.verify.samples import check_printed, check_samples
 from corollary.mark.verify.walk import LEAST, walk
@@ -20,6 +21,7 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST) -> Checked:
     """Everything that can be checked of a problem. Never raises for what an author did wrong; it is a complaint."""
     tally = Tally()
     number, exact = variants(problem)
+    check_figure(problem, tally)
     try:
         solution = solve(bank, problem)
         tally.count("parts", len(problem.parts))

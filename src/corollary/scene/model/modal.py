@@ -148,6 +148,9 @@ def _falling_zero(motion: Swing, j: int, sign: float, left: float, right: float)
     def value(t: float) -> float:
         return sign * motion.overlap(j, t)
 
+    if value(left) <= NOISE and sign * motion.rate(j, left) > 0.0 > sign * motion.rate(j, right):
+        # It has just changed, rises, and falls again within the cell: look beyond its highest point.
+        left = _zero(lambda t: sign * motion.rate(j, t), left, right)
     if value(left) <= 0.0:
         return left
     if value(right) > -NOISE:  # it dips between: fall to the lowest point only

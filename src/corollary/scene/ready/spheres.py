@@ -49,6 +49,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     else:
         parted, error, spent = _twice(pair, met, tolerance)
         model, why = "integration", "damping, or a start inside the contact: one contact followed in its own time"
+    if parted.overlap >= (1.0 - 1e-9) * reach:
+        raise BadSetting("spheres: they are so soft that they pass through each other; raise k, or lower the speed.")
     left = after_parting(pair, met, parted)
     total = ma + mb
     change = (left[0] - relative[0], left[1] - relative[1])

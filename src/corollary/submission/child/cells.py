@@ -74,7 +74,8 @@ def _run_cell(desk, index, source):
             "figures": desk.figures, "values": values}
     plain_figures = [{**figure, "png": None} for figure in desk.figures]
     poorer = {**rich, "outputs": [], "figures": plain_figures}
-    return rich, (poorer, {**poorer, "figures": []}, {**poorer, "figures": [], "error": "the cell broke its own error", "values": {}})
+    poorest = {**poorer, "figures": [], "error": "the cell's error cannot be told", "values": {}}
+    return rich, (poorer, {**poorer, "figures": []}, poorest)
 
 
 def _changed(desk):

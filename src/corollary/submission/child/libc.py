@@ -33,6 +33,10 @@ def unshare(flags):
     _checked(_libc.unshare(flags), "new namespaces")
 
 
+def setns(descriptor, flags):
+    _checked(_libc.setns(descriptor, flags), "returning to the namespaces of before")
+
+
 def mount(source, target, kind, flags, options=""):
     arguments = [None if text is None else text.encode() for text in (source, target, kind)]
     _checked(_libc.mount(*arguments, ctypes.c_ulong(flags), options.encode() or None), f"mount {target}")

@@ -32,8 +32,7 @@ class Parent:
         self.user = None  # whom to become, when this process is root
         self.ruleset = None
         self.filter = None
-        # Opened now: in the new root there is no /proc.
-        self.status = os.open("/proc/self/status", os.O_RDONLY) if libc.on_linux() else None
+        self.status = None
 
 
 def choose_root(parent, opening):
@@ -46,12 +45,13 @@ def choose_root(parent, opening):
         enter = functools.partial(walls.enter_new_root, opening["base"], visible, opening["hidden"], own_users)
         why = _LEFT_OUT if "namespaces" in opening["without"] else _tried(functools.partial(_enter, enter, parent))
         if why is None:
-            enter()
+            parent.status = enter()
             parent.namespaces, parent.folder = True, walls.FOLDER
             parent.missing.pop("namespaces", None)
             break
         parent.missing["namespaces"] = why
     else:
+        parent.status = os.open("/proc/self/status", os.O_RDONLY)
         own_users = False
     if root and not own_users:
         why = _tried(lambda: _read_as(confine.NOBODY, [stdlib, *opening["libraries"]]))
@@ -120,12 +120,13 @@ def _import_early():
 
 def _enter(enter, parent):
     enter()
-    walls.enter_own_namespaces(parent.limits["file_bytes"], os.geteuid(), os.getegid())
-    inner = os.fork()
-    if inner == 0:
-        os._exit(0 if os.getpid() == 1 else 1)
-    if os.waitpid(inner, 0)[1] != 0:
-        raise OSError("a process in its own namespaces did not start as the first one")
+    for _ in range(2):
+        inner = walls.fork_alone()
+        if inner == 0:
+            walls.enter_own_namespaces(parent.limits["file_bytes"], os.geteuid(), os.getegid())
+            os._exit(0 if os.getpid() == 1 else 1)
+        if os.waitpid(inner, 0)[1] != 0:
+            raise OSError("a process in its own namespaces did not come up")
 
 
 def _read_as(user, folders):

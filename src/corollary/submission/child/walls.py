@@ -1,6 +1,7 @@
 """Namespaces: a root that holds the interpreter and its libraries only, and for each notebook its own processes, net and disk."""
 
 import os
+import signal
 
 from . import libc
 
@@ -12,16 +13,23 @@ _DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
 def enter_new_root(base, visible, hidden, own_users):
     """Leaves the machine's files: only the paths in `visible` remain, read-only, without those in `hidden`.
 
-    `base` is an empty folder to build in; with `own_users` the powers to do so come from a user namespace. Raises OSError
-    where the kernel or the administrator does not allow it; the process may then be half-way, so try it in a throw-away
-    child first.
+    It returns in a new process, the first of its own process namespace, so that nothing it starts outlives it; the old one
+    stands by. Gives a descriptor of its /proc/self/status, to which the new root has no path. `base` is an empty folder to
+    build in; with `own_users` the powers to do so come from a user namespace. Raises OSError where the kernel or the
+    administrator does not allow it; the process may then be half-way, so try it in a throw-away child first.
     """
     user, group = os.geteuid(), os.getegid()
-    libc.unshare(libc.CLONE_NEWNS | (libc.CLONE_NEWUSER if own_users else 0))
+    libc.unshare(libc.CLONE_NEWNS | libc.CLONE_NEWPID | (libc.CLONE_NEWUSER if own_users else 0))
     if own_users:
         _write("/proc/self/setgroups", "deny")
         _write("/proc/self/uid_map", f"{user} {user} 1")
         _write("/proc/self/gid_map", f"{group} {group} 1")
+    first = os.fork()
+    if first:
+        os.closerange(3, 4096)
+        os._exit(os.waitstatus_to_exitcode(os.waitpid(first, 0)[1]) & 0xFF)
+    libc.prctl(libc.PR_SET_PDEATHSIG, signal.SIGKILL)
+    status = os.open("/proc/self/status", os.O_RDONLY)
     libc.mount(None, "/", None, libc.MS_REC | libc.MS_PRIVATE)
     libc.mount("desk", base, "tmpfs", libc.MS_NOSUID, "size=1m,mode=755")
     for path in (*_DEVICES, *visible):
@@ -36,6 +44,7 @@ def enter_new_root(base, visible, hidden, own_users):
     # The warm parent writes a little while its libraries start; each notebook's disk is mounted over it.
     libc.mount("warm", base + FOLDER, "tmpfs", libc.MS_NOSUID | libc.MS_NODEV, "size=16m,mode=755")
     libc.pivot_root(base)
+    return status
 
 
 def _show(base, path):
@@ -61,8 +70,24 @@ def _write(path, text):
         os.close(descriptor)
 
 
+def fork_alone():
+    """A fork whose child sees no process but its own, and is the first of them: with it all it started ends.
+
+    Gives what os.fork gives. The parent goes back to its own namespace after each, since a namespace dies with its first.
+    """
+    here = os.pidfd_open(os.getpid())
+    try:
+        libc.unshare(libc.CLONE_NEWPID)
+        child = os.fork()
+        if child:
+            libc.setns(here, libc.CLONE_NEWPID)
+    finally:
+        os.close(here)
+    return child
+
+
 def enter_own_namespaces(disk_bytes, user, group):
-    """For one notebook: no net, no other process in sight, and a small empty disk at `FOLDER`; takes effect for the next fork."""
-    libc.unshare(libc.CLONE_NEWNS | libc.CLONE_NEWPID | libc.CLONE_NEWNET | libc.CLONE_NEWIPC | libc.CLONE_NEWUTS)
+    """For one notebook: no net, no messages to others, and a small empty disk at `FOLDER`."""
+    libc.unshare(libc.CLONE_NEWNS | libc.CLONE_NEWNET | libc.CLONE_NEWIPC | libc.CLONE_NEWUTS)
     options = f"size={disk_bytes},nr_inodes=512,mode=700,uid={user},gid={group}"
     libc.mount("notebook", FOLDER, "tmpfs", libc.MS_NOSUID | libc.MS_NODEV, options)

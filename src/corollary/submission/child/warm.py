@@ -9,7 +9,7 @@ import socket
 import sys
 import tempfile
 
-from . import libc, life, ready
+from . import libc, life, ready, walls
 from . import outputs as shown
 from . import shell as shells
 
@@ -43,7 +43,7 @@ def serve(control, opening):
                      "threads": ready.reading(parent, "Threads"), "kilobytes": ready.reading(parent, "VmRSS")})
     while True:
         results = _next(control)
-        child = os.fork()
+        child = walls.fork_alone() if parent.namespaces else os.fork()
         if child == 0:
             control.close()
             life.live(parent, shell, outputs, results)

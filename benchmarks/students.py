@@ -1,0 +1,239 @@
+"""Simulated students: honest ones who round, mistaken ones who follow a listed misconception, and answers that are just anything."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from corollary.derive.solution import Formulas, Solution
+from corollary.mark.close import close
+from corollary.mark.deal import admitted, differs, first_asked
+from corollary.mark.judge import judge
+from corollary.mark.key import Key, make_key
+from corollary.mark.replay import Deviation, Numbers, number, replay
+from corollary.mark.verdict import Follows, Mistaken, Right, word
+from corollary.problem.draw import sample
+from corollary.problem.part import Part
+from corollary.quantity.ball import Exactly, Undefined
+from corollary.quantity.plain import Items, Plain, Text
+from corollary.quantity.tree import Number, Power, Tree, names, parts, rebuilt
+from corollary.quantity.unit import canonical
+
+FIXED = (0.01, 0.02, 0.05)
+SORTS = ("3 figures each step", "4 figures each step", "3 figures each operation")
+OTHER_G = {Fraction("9.8"): Fraction("9.81"), Fraction("9.81"): Fraction("9.8")}
+DRAWS_EACH = 20  # draws looked at for each student wanted, before a problem is given up as giving too few variants
+Answers = dict[str, tuple[float, ...]]
+
+
+@dataclass(slots=True)
+class Tallies:
+    """Answers judged, by sort of student; `fixed` holds what a fixed tolerance would have done with the same on every draw."""
+
+    drawn: int = 0
+    dealt: int = 0
+    answers: Counter[str] = field(default_factory=Counter)
+    rejected: Counter[str] = field(default_factory=Counter)
+    fixed_answers: Counter[str] = field(default_factory=Counter)
+    fixed_failed: Counter[tuple[str, float]] = field(default_factory=Counter)
+    mistaken: Counter[str] = field(default_factory=Counter)
+    worst: Counter[str] = field(default_factory=Counter)
+
+    def record(self) -> dict[str, Any]:
+        """Shares in per cent; `mistakes` counts verdicts on listed mistakes."""
+        return {
+            "drawn": self.drawn, "dealt": self.dealt, "redrawn_percent": _percent(self.drawn - self.dealt, self.drawn),
+            "honest": {
+                sort: {
+                    "answers": self.answers[sort], "rejected_percent": _percent(self.rejected[sort], self.answers[sort]),
+                    "fixed": {f"{limit:.0%}": _percent(self.fixed_failed[sort, limit], self.fixed_answers[sort]) for limit in FIXED},
+                }
+                for sort in SORTS
+            },
+            "mistakes": {
+                "answers": self.answers["mistaken"], "accepted_percent": _percent(self.mistaken["accepted"], self.answers["mistaken"]),
+                "named_percent": _percent(self.mistaken["named"], self.answers["mistaken"]),
+                "fixed": {f"{limit:.0%}": _percent(self.fixed_failed["mistaken", limit], self.fixed_answers["mistaken"]) for limit in FIXED},
+            },
+            "worst": [f"{what}: {count}" for what, count in self.worst.most_common(5)],
+        }  # fmt: skip
+
+    @staticmethod
+    def together(several: Iterable[Tallies]) -> Tallies:
+        total = Tallies()
+        for each in several:
+            total.drawn, total.dealt = total.drawn + each.drawn, total.dealt + each.dealt
+            for name in ("answers", "rejected", "fixed_answers", "fixed_failed", "mistaken", "worst"):
+                getattr(total, name).update(getattr(each, name))
+        return total
+
+
+def simulate(solution: Solution, students: int) -> Tallies:
+    """So many students with variants of their own; fixed tolerances are tried on as many draws, dealt or not, for they redraw nothing."""
+    tallies, dice = Tallies(), random.Random(solution.problem.code)
+    for variant in sample(solution.problem, DRAWS_EACH * students, salt="students"):
+        tallies.drawn += 1
+        key, _ = admitted(solution, variant)
+        try:
+            compared = key or (make_key(solution, variant) if tallies.drawn <= students else None)
+        except Undefined:
+            compared = None
+        if key is not None:
+            tallies.dealt += 1
+        if compared is not None:
+            _honest(compared, tallies, dice, dealt=key is not None)
+            _mistaken(compared, tallies, dice, dealt=key is not None)
+        if tallies.dealt >= students:
+            break
+    return tallies
+
+
+def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> None:
+    for sort, figures in zip(SORTS, (3, 4, 3), strict=True):
+        givens = _givens(key, dice)
+        try:
+            found = by_operation(key.solution, givens, figures) if sort == SORTS[2] else _by_step(key, givens, figures)
+        except Undefined:
+            continue
+        answers = {part: found[truth.place] for part, truth in key.truths.items()}
+        for part, values in answers.items():
+            _fixed(tallies, sort, key, part, values, accepted=False)
+        if not dealt:
+            continue
+        tallies.answers[sort] += len(answers)
+        for part, ((verdict,), _) in _judged(key, answers, figures):
+            if not isinstance(verdict, (Right, Follows)):
+                tallies.rejected[sort] += 1
+                if sort != SORTS[2]:
+                    tallies.worst[f"{key.variant.problem.code} ({part}) honest, {sort}, judged {word(verdict)}"] += 1
+
+
+def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> None:
+    """Each listed mistake once, by a student who rounds to three figures; looked at where it shows first."""
+    solution = key.solution
+    for place, find in enumerate(solution.finds):
+        for wrong in find.mistakes:
+            asked = [part for part in first_asked(solution, place) if differs(solution, place, wrong.rule, key.truths[part].place)]
+            try:
+                found = _by_step(key, _givens(key, dice), 3, {place: wrong.rule})
+            except Undefined:
+                continue
+            answers = {part: found[truth.place] for part, truth in key.truths.items()}
+            for part in asked:
+                _fixed(tallies, "mistaken", key, part, answers[part], accepted=True)
+            if not dealt:
+                continue
+            for part, ((verdict,), _) in _judged(key, answers, 3):
+                if part not in asked:
+                    continue
+                tallies.answers["mistaken"] += 1
+                tallies.mistaken["named"] += isinstance(verdict, Mistaken)
+                if isinstance(verdict, (Right, Follows)):
+                    tallies.mistaken["accepted"] += 1
+                    tallies.worst[f"{solution.problem.code} ({part}) accepted {word(verdict)}: {wrong.text[:60]}"] += 1
+
+
+def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Numbers, *, accepted: bool) -> None:
+    """What fixed tolerances would have said: counted where they are wrong."""
+    truth = key.truths[part]
+    if tallies.drawn > 0 and truth.scale:
+        tallies.fixed_answers[sort] += 1
+        for limit in FIXED:
+            tallies.fixed_failed[sort, limit] += close(values, truth.values, limit, truth.scale) == accepted
+
+
+def _givens(key: Key, dice: random.Random) -> Mapping[str, Exactly]:
+    """Three students in ten take the other usual value of g."""
+    givens = key.variant.exact
+    other = OTHER_G.get(givens["g"].ratio) if "g" in givens else None
+    return givens | {"g": Exactly(other)} if other is not None and dice.random() < 0.3 else givens
+
+
+def _by_step(key: Key, givens: Mapping[str, Exactly], figures: int, rules=None) -> list[Numbers]:
+    return replay(key.solution, givens, Deviation(rules=rules or {}, rounding=rounded(figures)))
+
+
+def rounded(figures: int) -> Callable[[float], float]:
+    """As it is written down with so many significant figures."""
+    return lambda x: float(f"{x:.{figures - 1}e}")
+
+
+def by_operation(solution: Solution, givens: Mapping[str, Exactly], figures: int) -> list[Numbers]:
+    """The derivation by a student who writes down every intermediate result rounded."""
+    short = rounded(figures)
+    values, found = dict(givens), []
+    for find in solution.finds:
+        if isinstance(find.local, Formulas):
+            numbers = tuple(short(number(_worked(tree, values, short), values)) for tree in find.local.trees)
+        else:
+            numbers = replay(solution, givens, Deviation(held=dict(enumerate(found))), len(found))[len(found)]
+        values |= {name: Exactly(Fraction(value)) for name, value in zip(find.names, numbers, strict=True)}
+        found.append(numbers)
+    return found
+
+
+def _worked(tree: Tree, values: Mapping[str, Exactly], short: Callable[[float], float]) -> Tree:
+    """The formula with everything below its last operation worked out and rounded; what holds no letter is exact."""
+    if not names(tree) - {"pi"}:
+        return tree
+    below = parts(tree)
+    if not below:
+        return tree
+    if isinstance(tree, Power):
+        return rebuilt(tree, (_rounded(tree.base, values, short), tree.exponent))
+    return rebuilt(tree, tuple(_rounded(each, values, short) for each in below))
+
+
+def _rounded(tree: Tree, values: Mapping[str, Exactly], short: Callable[[float], float]) -> Tree:
+    if not parts(tree) or not names(tree) - {"pi"}:
+        return tree
+    return Number(Fraction(short(number(_worked(tree, values, short), values))))
+
+
+def _judged(key: Key, answers: Answers, figures: int) -> Iterator[tuple[str, Any]]:
+    problem = key.variant.problem
+    judged = judge(key, {part: written(problem.part(part), values, figures) for part, values in answers.items()})
+    return ((part, judged[part]) for part in answers)
+
+
+def written(part: Part, values: Numbers, figures: int) -> Plain:
+    """Numbers as a student types them, with the part's unit."""
+    size = float(part.unit.factor) * math.pi**part.unit.pi
+    unit = "" if part.unit.text == "1" else f" {canonical(part.unit)}"
+    texts = [Text(f"{value / size:.{figures - 1}e}{unit}") for value in values]
+    return Items(tuple(texts), (len(texts),)) if part.components else texts[0]
+
+
+def wild(solutions: Iterable[Solution], count: int) -> dict[str, Any]:
+    """Answers that are just anything: even on (-3, 3) times the truth, and even in their logarithm over four powers of ten.
+
+    Given are the shares of each verdict, for answers to one part alone, and with wild answers to the parts before.
+    """
+    dice, result = random.Random(5), {}
+    scatter: dict[str, Callable[[], float]] = {
+        "even in -3..3": lambda: dice.uniform(-3, 3),
+        "even in the logarithm, 1/100..100": lambda: dice.choice((-1, 1)) * 10 ** dice.uniform(-2, 2),
+    }
+    keys = [make_key(solution, variant) for solution in solutions for variant in sample(solution.problem, 5, salt="wild")]
+    for name, ratio in scatter.items():
+        for earlier in (False, True):
+            verdicts: Counter[str] = Counter()
+            for _ in range(max(1, count // 20)):
+                for key in keys:
+                    answers = {part: tuple(ratio() * truth.scale for _ in truth.values) for part, truth in key.truths.items() if truth.scale}
+                    for chosen in [answers] if earlier else [{part: values} for part, values in answers.items()]:
+                        verdicts.update(word(verdict) for _, ((verdict,), _) in _judged(key, chosen, 5))
+            total = sum(verdicts.values())
+            result[f"{name}; {'after wild answers' if earlier else 'alone'}"] = {"answers": total} | {
+                verdict: _percent(verdicts[verdict], total) for verdict in ("right", "follows", "mistaken", "slip", "wrong")
+            }
+    return result
+
+
+def _percent(part: int, whole: int) -> float | None:
+    return round(100 * part / whole, 3) if whole else None

@@ -1,0 +1,39 @@
+"""One warm parent with narrow limits for the hostile notebooks, and a look after each whether the next one works."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+import pytest
+
+from corollary.quantity.plain import Exact, Real
+from corollary.submission.take import Ask, Cell, Job, Limits, Runner, Taken
+
+SECRET = "the key to part a is 8.6"
+
+
+@pytest.fixture(scope="session")
+def narrow_runner() -> Iterator[Runner]:
+    limits = Limits(cell_seconds=1.5, total_seconds=6.0, memory_bytes=512 << 20, output_bytes=100_000, file_bytes=4 << 20)
+    os.environ["COURSE_SECRET"] = SECRET
+    try:
+        with Runner(limits) as running:
+            if running.isolation.level < 2:
+                pytest.skip(f"not safe to try here: {running.isolation.line}")
+            yield running
+    finally:
+        del os.environ["COURSE_SECRET"]
+
+
+@pytest.fixture
+def run(narrow_runner: Runner) -> Iterator[Callable[..., Taken]]:
+    def take(*sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False) -> Taken:
+        cells = tuple(Cell(f"c{number}", source) for number, source in enumerate(sources))
+        return narrow_runner.take(Job(cells, names, asks, pictures=pictures))
+
+    yield take
+    after = take("import os\nfiles = len(os.listdir('.'))\na = 2.5", names=("a", "files"))
+    assert after.trouble == ""
+    assert after.values == {"a": Real(2.5), "files": Exact(Fraction(0))}

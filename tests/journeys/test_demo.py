@@ -1,0 +1,93 @@
+"""The whole way, end to end: each student of the demonstration gets what they deserve, and a second run changes nothing."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import sqlite3
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+BIN = Path(sys.executable).parent
+
+
+def corollary(*words: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([str(BIN / "corollary"), *map(str, words)], capture_output=True, text=True, timeout=240, check=False)
+
+
+@pytest.fixture(scope="module")
+def played(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict]:
+    folder = tmp_path_factory.mktemp("course") / "demo"
+    done = corollary("demo", folder, "--json")
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder, json.loads(done.stdout)
+
+
+def test_everybody_gets_what_they_deserve(played: tuple[Path, dict]) -> None:
+    _, told = played
+    assert len(told["students"]) >= 12
+    assert {id: row["points"] for id, row in told["students"].items()} == {id: row["deserved"] for id, row in told["students"].items()}
+    assert told["fair"]
+
+
+def test_the_gradebook_holds_the_same_points(played: tuple[Path, dict]) -> None:
+    folder, told = played
+    with sqlite3.connect(folder / "gradebook.db") as book:
+        rows = dict(book.execute(
+            "select s.student_id, sum(g.auto_score) from submitted_assignment s join submitted_notebook n on n.assignment_id = s.id "
+            "join grade g on g.notebook_id = n.id group by s.student_id"
+        ))  # fmt: skip
+    for id, row in told["students"].items():
+        share = 0.8 if id == "omar" else 1.0
+        assert (rows[id] or 0) * share == pytest.approx(row["points"]), id
+
+
+def test_a_second_run_skips_everybody_and_changes_nothing(played: tuple[Path, dict]) -> None:
+    folder, told = played
+    before = {path: path.read_bytes() for path in (folder / "feedback").rglob("*.html")}
+    done = corollary("grade", "momentum_1", "--course", folder, "--json")
+    again = json.loads(done.stdout)
+    assert (again["graded"], again["skipped"]) == (0, len(told["students"]))
+    assert done.returncode == 1, "two submissions could not be run to their end, and that is said"
+    assert {path: path.read_bytes() for path in before} == before
+
+
+def test_feedback_says_what_went_wrong_and_needs_nothing_from_outside(played: tuple[Path, dict]) -> None:
+    folder, _ = played
+    page = (folder / "feedback" / "finn" / "momentum_1" / "momentum_1.feedback.html").read_text(encoding="utf-8")
+    assert "Momentum has a direction" in page
+    assert "<math" in page
+    assert 'src="http' not in page
+    assert 'href="http' not in page
+
+
+def test_no_truth_in_what_students_get(played: tuple[Path, dict]) -> None:
+    folder, _ = played
+    for path in (folder / "release").rglob("*.ipynb"):
+        text = path.read_text(encoding="utf-8")
+        assert "two speeds add" not in text, "a mistake's message comes from the solution"
+        assert "def derive" not in text
+        assert (folder / ".corollary" / "key").read_bytes().hex() not in text
+
+
+def test_nbgraders_own_commands_work_on_it(played: tuple[Path, dict], tmp_path: Path) -> None:
+    folder, _ = played
+    course = tmp_path / "course"
+    shutil.copytree(folder, course)
+    for words in (["generate_feedback", "momentum_1", "--student", "ada"], ["export", "--to", "grades.csv"]):
+        done = subprocess.run([str(BIN / "nbgrader"), *words], cwd=course, capture_output=True, text=True, timeout=200, check=False)
+        assert done.returncode == 0, done.stderr
+    assert (course / "feedback" / "ada" / "momentum_1" / "momentum_1.html").stat().st_size > 10_000
+    rows = (course / "grades.csv").read_text(encoding="utf-8").splitlines()
+    assert len(rows) == 16
+
+
+def test_the_report_tells_the_same(played: tuple[Path, dict]) -> None:
+    folder, _ = played
+    done = corollary("report", "momentum_1", "--course", folder, "--json")
+    told = json.loads(done.stdout)
+    assert told["handed_in"] == 15
+    assert done.returncode == 0
