@@ -16,7 +16,7 @@ SECRET = "the key to part a is 8.6"
 
 @pytest.fixture(scope="session")
 def narrow_runner() -> Iterator[Runner]:
-    limits = Limits(cell_seconds=1.5, total_seconds=6.0, memory_bytes=512 << 20, output_bytes=100_000, file_bytes=4 << 20)
+    limits = Limits(cell_seconds=1.0, total_seconds=5.0, memory_bytes=512 << 20, output_bytes=100_000, file_bytes=4 << 20)
     os.environ["COURSE_SECRET"] = SECRET
     try:
         with Runner(limits) as running:

@@ -54,9 +54,9 @@ def test_a_sleep_inside_compiled_code_is_interrupted_or_killed(run: Run) -> None
 
 def test_many_slow_cells_meet_the_limit_of_the_whole(run: Run) -> None:
     began = time.monotonic()
-    taken = run(*["import time; time.sleep(1.3)"] * 20, "a = 1")
+    taken = run(*["import time; time.sleep(0.8)"] * 20, "a = 1")
     assert time.monotonic() - began < 10
-    assert "6 s in all" in taken.trouble
+    assert "5 s in all" in taken.trouble
     assert statuses(taken)[0] == "ok"
     assert statuses(taken)[-1] == "not run"
 
@@ -112,7 +112,7 @@ def test_many_small_files_are_bounded(run: Run) -> None:
 
 
 def test_a_thread_left_behind_ends_with_the_notebook(run: Run) -> None:
-    source = "import threading as t, time\ndef f():\n    while True: time.sleep(0.01)\nfor _ in 'abc': t.Thread(target=f).start()\na = 1"
+    source = "import threading as t, time\ndef f():\n    while 1: time.sleep(1)\nfor _ in 'abc': t.Thread(target=f).start()\na = 1"
     began = time.monotonic()
     taken = run(source)
     assert time.monotonic() - began < 2

@@ -156,7 +156,7 @@ def test_a_figure_comes_back_as_what_was_drawn(run) -> None:
 
 
 def test_bars_and_several_axes_come_back(run) -> None:
-    source = "import matplotlib.pyplot as plt\nfig, (p, q) = plt.subplots(1, 2)\np.bar([1, 2], [3, 4], label='n'); q.set_title('right')"
+    source = "from matplotlib.pyplot import *\nfig, (p, q) = subplots(1, 2)\np.bar([1, 2], [3, 4], label='n')\nq.set_title('right')"
     (figure,) = run(source).figures
     (bars,) = figure.axes[0].lines
     assert (bars.kind, bars.label, bars.y) == ("bars", "n", (3.0, 4.0))

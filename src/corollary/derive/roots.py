@@ -35,8 +35,8 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
         if strange := symbols(stated) - known - set(unknowns):
             raise NoRoot(f"{stated.name}: {_list(strange)} is neither given nor found before")
     equations = [left - right for stated in laws for left, right in sides(stated)]
-    live = [equation for equation in equations if sympy.simplify(equation) != 0]
-    found = sympy.solve(live, list(unknowns), dict=True)
+    live = [equation for equation in equations if sympy.expand(equation) != 0]
+    found = stated_outright(laws, unknowns) or sympy.solve(live, list(unknowns), dict=True)
     if not found:
         raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all")
     for root in found:
@@ -44,6 +44,17 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
         if free:
             raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: {_list(free)} stays free")
     return found
+
+
+def stated_outright(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol]) -> list[Root]:
+    """The root when each law says just what one unknown is: `x = …`, one law for each, in known letters only."""
+    root: dict[sympy.Symbol, sympy.Expr] = {}
+    for stated in laws:
+        for left, right in sides(stated):
+            if left not in unknowns or left in root or right.free_symbols & set(unknowns):
+                return []
+            root[left] = right  # type: ignore[index]
+    return [root] if len(root) == len(unknowns) else []
 
 
 def pick(
@@ -64,7 +75,7 @@ def pick(
             raise NoRoot(f"the root to reject ({entry.reason}) is no root of the laws")
     kept = []
     for root in left:
-        held = [_holds(where, root, point) for point in points]
+        held = [where] if isinstance(where, bool) else [_holds(where, root, point) for point in points]
         if all(held):
             kept.append(root)
         elif any(held):
@@ -91,12 +102,10 @@ def _is(root: Root, other: Root) -> bool:
 
 
 def _real(root: Root, point: Point) -> bool:
-    return all(abs(sympy.im(_at(value, point))) < 1e-20 for value in root.values())
+    return all(value.is_real or abs(sympy.im(_at(value, point))) < 1e-20 for value in root.values())
 
 
-def _holds(where: sympy.Basic | bool, root: Root, point: Point) -> bool:
-    if isinstance(where, bool):
-        return where
+def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
     numbers = {symbol: _at(value, point) for symbol, value in root.items()}
     return bool(where.subs(numbers).subs(point))
 

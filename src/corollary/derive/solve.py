@@ -232,7 +232,10 @@ class _Solver:
 
     def numbers(self) -> list[dict[sympy.Symbol, sympy.Expr]]:
         """The sample points, with the values of what has been found."""
-        return [point | {find: value.subs(point).evalf(30) for find, value in self.closed.items() if find not in point} for point in self.points]
+        for place, point in enumerate(self.points):
+            new = {find: value.subs(point).evalf(30) for find, value in self.closed.items() if find not in point}
+            self.points[place] = point | new
+        return self.points
 
     def formulas(self, finds: tuple[sympy.Symbol, ...], root: Root) -> Formulas:
         return Formulas(tuple(tree(simplest(root[symbol])) for symbol in finds))

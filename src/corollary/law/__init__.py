@@ -42,7 +42,6 @@ from corollary.law.momentum import (
     sticking,
     total_momentum,
 )
-from corollary.law.rotation import elastic_on_hinge, hit_on_hinge
 from corollary.law.potential import (
     angular_momentum,
     depth_of_well,
@@ -52,6 +51,7 @@ from corollary.law.potential import (
     small_excess,
     turning_points,
 )
+from corollary.law.rotation import elastic_on_hinge, hit_on_hinge
 from corollary.law.variable_mass import (
     burnt,
     change_in_absorption,

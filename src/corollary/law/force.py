@@ -24,9 +24,10 @@ def within(theta: object, room: object, holds: str) -> Law:
 def sphere_contact(
     F: object, *, theta: object, k: object, delta: object, eta: object, apart: tuple, r: object, passing: tuple
 ) -> Law:
-    """What sphere B does to sphere A: it pushes along the line of centres, and drags A along; `apart` and `passing` are B less A."""
+    """What sphere B does to sphere A: a push along the line of centres, and a drag; `apart` and `passing` are B less A."""
     return law("Contact of two spheres", "F = theta*(-k*abs(delta)^(3/2)*Dr/r + eta*Dv)", source="program of section 12.6",
-               holds="theta is 1 while they overlap and 0 otherwise", F=F, theta=theta, k=k, delta=delta, eta=eta, Dr=apart, r=r, Dv=passing)  # fmt: skip
+               holds="theta is 1 while they overlap and 0 otherwise",
+               F=F, theta=theta, k=k, delta=delta, eta=eta, Dr=apart, r=r, Dv=passing)  # fmt: skip
 
 
 def ionic(F: object, *, C: object, apart: tuple, r: object) -> Law:
@@ -36,8 +37,8 @@ def ionic(F: object, *, C: object, apart: tuple, r: object) -> Law:
 
 def towards_circle(F: object, *, k: object, b: object, place: tuple, r: object) -> Law:
     """A spring that pulls to the distance b from the origin, along the radius."""
-    return law("Central force", "F = -k*(r - b)*s/r", source="project 12.15 (f)", holds="b - d < r < b + d; s is the vector from the molecule to the atom",
-               F=F, k=k, b=b, r=r, s=place)  # fmt: skip
+    return law("Central force", "F = -k*(r - b)*s/r", source="project 12.15 (f)",
+               holds="b - d < r < b + d; s is the vector from the molecule to the atom", F=F, k=k, b=b, r=r, s=place)  # fmt: skip
 
 
 def on_a_circle(F: object, *, m: object, v: object, r: object) -> Law:

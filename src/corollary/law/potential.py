@@ -14,7 +14,8 @@ def depth_of_well(U_0: object, *, k: object, d: object) -> Law:
 
 def turning_points(x: object, *, E: object, k: object, b: object) -> Law:
     """Where all the energy is potential energy of the well; x may be both places."""
-    return law("Conservation of mechanical energy", "E = k*(x - b)^2/2", holds="at a turning point the kinetic energy is zero", E=E, k=k, x=x, b=b)
+    return law("Conservation of mechanical energy", "E = k*(x - b)^2/2", holds="at a turning point the kinetic energy is zero",
+               E=E, k=k, x=x, b=b)  # fmt: skip
 
 
 def energy_between(*, m: object, v_0: object, U_0: object, v_1: object, U_1: object) -> Law:
@@ -25,8 +26,8 @@ def energy_between(*, m: object, v_0: object, U_0: object, v_1: object, U_1: obj
 
 def angular_momentum(*, m: object, w_0: object, r_0: object, w_1: object, r_1: object) -> Law:
     """A central force keeps m r times the velocity across the radius."""
-    return law("Conservation of angular momentum", "m*w_0*r_0 = m*w_1*r_1", holds="the force points to the centre; w is the velocity across the radius",
-               m=m, w_0=w_0, r_0=r_0, w_1=w_1, r_1=r_1)  # fmt: skip
+    return law("Conservation of angular momentum", "m*w_0*r_0 = m*w_1*r_1",
+               holds="the force points to the centre; w is the velocity across the radius", m=m, w_0=w_0, r_0=r_0, w_1=w_1, r_1=r_1)  # fmt: skip
 
 
 def oscillation(T: object, *, m: object, k: object) -> Law:
@@ -42,7 +43,8 @@ def far_turning_point(r: object, *, b: object, kappa: object) -> Law:
     """
     return law("Root of the cubic", "r = b/3*(1 + (1 + 18*kappa + sqrt((1 + 18*kappa)^2 - (1 + 3*kappa)^3))^(1/3)"
                " + (1 + 18*kappa - sqrt((1 + 18*kappa)^2 - (1 + 3*kappa)^3))^(1/3))",
-               holds="$y = r/b$ solves $y^3 - y^2 - \\kappa y - \\kappa = 0$, which is energy and angular momentum at the turning point", r=r, b=b, kappa=kappa)  # fmt: skip
+               holds="energy and angular momentum at the turning point say $y^3 - y^2 - \\kappa y - \\kappa = 0$ for $y = r/b$",
+               r=r, b=b, kappa=kappa)  # fmt: skip
 
 
 def small_excess(x: object, *, m: sympy.Expr, k: sympy.Expr, b: sympy.Expr, v: sympy.Expr) -> Law:
@@ -53,5 +55,5 @@ def small_excess(x: object, *, m: sympy.Expr, k: sympy.Expr, b: sympy.Expr, v: s
     excess, square = sympy.symbols("x q", positive=True, cls=sympy.Dummy)
     exact = k * excess * (b + excess) ** 2 - m * square * (2 * b + excess)
     slope = (-sympy.diff(exact, square) / sympy.diff(exact, excess)).subs({excess: 0, square: 0})
-    return law("Turning point, lowest order", "x = c*v^2", holds="the speed is small; c is the slope of x as a function of v^2, from $k x (b + x)^2 = m v^2 (2b + x)$",
-               x=x, c=sympy.simplify(slope), v=v)  # fmt: skip
+    return law("Turning point, lowest order", "x = c*v^2",
+               holds="the speed is small; c is the slope of x against $v^2$, from $k x (b + x)^2 = m v^2 (2b + x)$", x=x, c=sympy.simplify(slope), v=v)  # fmt: skip

@@ -21,13 +21,15 @@ def rocket_equation(F: object, *, m: object, a: object, v: object, u: object, R:
 
 def thrust(F: object, v_rel: object, R: object) -> Law:
     """Mass thrown out with v_rel relative to the body, at the rate R = dm/dt (negative), pushes like a force (12.130)."""
-    return law("Thrust", "F = v_rel*R", source="(12.130)", holds="R = dm/dt, negative when mass is thrown out", F=F, v_rel=v_rel, R=R)
+    return law("Thrust", "F = v_rel*R", source="(12.130)", holds="R = dm/dt, negative when mass is thrown out",
+               F=F, v_rel=v_rel, R=R)  # fmt: skip
 
 
 def burnt(*, v_0: object, v_1: object, v_rel: object, m_0: object, m_1: object) -> Law:
     """The rocket equation integrated from the mass m_0 to m_1, v_rel the speed of the exhaust relative to the rocket (12.136)."""
     return law("Rocket equation, integrated", "v_1 - v_0 = v_rel*ln(m_0/m_1)", source="(12.136)",
-               holds="no external force acts, and the exhaust leaves straight backwards", v_0=v_0, v_1=v_1, v_rel=v_rel, m_0=m_0, m_1=m_1)  # fmt: skip
+               holds="no external force acts, and the exhaust leaves straight backwards",
+               v_0=v_0, v_1=v_1, v_rel=v_rel, m_0=m_0, m_1=m_1)  # fmt: skip
 
 
 def growing(m_1: object, *, m: object, R: object, t: object) -> Law:

@@ -33,7 +33,8 @@ def serve(control, opening):
     outputs = shown.Outputs(parent.limits["output_bytes"])
     shell = _warm_shell(outputs, opening["preload"])
     tempfile.tempdir = None
-    sys.modules[opening["absent"]] = None  # so that importing it says plainly that it is not here
+    modules: dict = sys.modules
+    modules[opening["absent"]] = None  # so that importing it says plainly that it is not here
     if libc.on_linux():
         ready.prepare_walls(parent, opening)
         libc.prctl(libc.PR_SET_DUMPABLE, 0)
