@@ -88,8 +88,18 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
     return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
 
 
+_ANCESTORS: dict[tuple[int, int], tuple[Solution, frozenset[int]]] = {}  # by identity; the solution is held, so its id stays its own
+
+
 def ancestors(solution: Solution, place: int) -> frozenset[int]:
     """The places of all finds that a find is made of, by any of its routes."""
+    kept = _ANCESTORS.get((id(solution), place))
+    if kept is None or kept[0] is not solution:
+        kept = _ANCESTORS[id(solution), place] = solution, _ancestors(solution, place)
+    return kept[1]
+
+
+def _ancestors(solution: Solution, place: int) -> frozenset[int]:
     owner = {name: at for at, find in enumerate(solution.finds) for name in find.names}
     seen: set[int] = set()
     todo = [place]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.derive.solution import Solution
@@ -17,28 +18,43 @@ GRAVITY = {Fraction("9.8"): Fraction("9.81"), Fraction("9.81"): Fraction("9.8")}
 LEAST, MOST = 0.005, 0.02
 
 
-def tolerance_of(solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers]) -> list[float]:
-    """The largest distance of each find from its value, over the replays, plus what 9.8 for 9.81 does (absolute, SI)."""
-    noise = [0.0] * len(values)
+@dataclass(slots=True)
+class Noise:
+    """How far honest rounding moves a find: the distance, and each component on its own (absolute, SI)."""
+
+    distance: float
+    components: list[float]
+
+
+def noise_of(solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers]) -> list[Noise]:
+    """The largest over the replays, plus what 9.8 for 9.81 does."""
+    noise = _silence(values)
     dice = random.Random(1)  # the same roundings for every variant: fair, and the same in ten years
     for _ in range(REPLAYS):
         _widen(noise, solution, givens, values, Deviation(rounding=lambda x: x + _half_unit(x) * dice.uniform(-1, 1)))
     if (other := GRAVITY.get(givens["g"].ratio) if "g" in givens else None) is not None:
-        shifts = [0.0] * len(values)
+        shifts = _silence(values)
         _widen(shifts, solution, {**givens, "g": Exactly(other)}, values, Deviation())
-        noise = [a + b for a, b in zip(noise, shifts, strict=True)]
+        for each, shift in zip(noise, shifts, strict=True):
+            each.distance += shift.distance
+            each.components = [a + b for a, b in zip(each.components, shift.components, strict=True)]
     return noise
 
 
-def _widen(noise: list[float], solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers], deviation: Deviation) -> None:
+def _silence(values: Sequence[Numbers]) -> list[Noise]:
+    return [Noise(0.0, [0.0] * len(numbers)) for numbers in values]
+
+
+def _widen(noise: list[Noise], solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers], deviation: Deviation) -> None:
     try:
         found = replay(solution, givens, deviation)
     except Undefined:
         return
-    for place, (numbers, truth) in enumerate(zip(found, values, strict=True)):
+    for each, numbers, truth in zip(noise, found, values, strict=True):
         off = math.dist(numbers, truth)
         if math.isfinite(off):
-            noise[place] = max(noise[place], off)
+            each.distance = max(each.distance, off)
+            each.components = [max(a, abs(x - y)) for a, x, y in zip(each.components, numbers, truth, strict=True)]
 
 
 def _half_unit(x: float) -> float:
