@@ -1,4 +1,4 @@
-"""Simulated students: honest ones who round, mistaken ones who follow a listed misconception, and answers that are just anything."""
+"""Simulated students: honest ones who round, mistaken ones with a listed misconception, and answers that are just anything."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ from corollary.quantity.tree import Number, Power, Tree, names, parts, rebuilt
 from corollary.quantity.unit import canonical
 
 FIXED = (0.01, 0.02, 0.05)
-SORTS = ("3 figures each step", "4 figures each step", "3 figures each operation")
+STEPS, OPERATIONS = "each step", "each operation"
+SORTS = {f"{figures} figures {often}": (figures, often) for often in (STEPS, OPERATIONS) for figures in (3, 4)}
 OTHER_G = {Fraction("9.8"): Fraction("9.81"), Fraction("9.81"): Fraction("9.8")}
 DRAWS_EACH = 20  # draws looked at for each student wanted, before a problem is given up as giving too few variants
 Answers = dict[str, tuple[float, ...]]
@@ -50,18 +51,21 @@ class Tallies:
             "drawn": self.drawn, "dealt": self.dealt, "redrawn_percent": _percent(self.drawn - self.dealt, self.drawn),
             "honest": {
                 sort: {
-                    "answers": self.answers[sort], "rejected_percent": _percent(self.rejected[sort], self.answers[sort]),
-                    "fixed": {f"{limit:.0%}": _percent(self.fixed_failed[sort, limit], self.fixed_answers[sort]) for limit in FIXED},
+                    "answers": self.answers[sort],
+                    "rejected_percent": _percent(self.rejected[sort], self.answers[sort]), "fixed": self._fixed(sort),
                 }
                 for sort in SORTS
             },
             "mistakes": {
-                "answers": self.answers["mistaken"], "accepted_percent": _percent(self.mistaken["accepted"], self.answers["mistaken"]),
-                "named_percent": _percent(self.mistaken["named"], self.answers["mistaken"]),
-                "fixed": {f"{limit:.0%}": _percent(self.fixed_failed["mistaken", limit], self.fixed_answers["mistaken"]) for limit in FIXED},
+                "answers": self.answers["mistaken"],
+                "accepted_percent": _percent(self.mistaken["accepted"], self.answers["mistaken"]),
+                "named_percent": _percent(self.mistaken["named"], self.answers["mistaken"]), "fixed": self._fixed("mistaken"),
             },
             "worst": [f"{what}: {count}" for what, count in self.worst.most_common(5)],
         }  # fmt: skip
+
+    def _fixed(self, sort: str) -> dict[str, float | None]:
+        return {f"{limit:.0%}": _percent(self.fixed_failed[sort, limit], self.fixed_answers[sort]) for limit in FIXED}
 
     @staticmethod
     def together(several: Iterable[Tallies]) -> Tallies:
@@ -74,7 +78,7 @@ class Tallies:
 
 
 def simulate(solution: Solution, students: int) -> Tallies:
-    """So many students with variants of their own; fixed tolerances are tried on as many draws, dealt or not, for they redraw nothing."""
+    """So many students with variants of their own. Fixed tolerances are tried on all the draws: they pass none over."""
     tallies, dice = Tallies(), random.Random(solution.problem.code)
     for variant in sample(solution.problem, DRAWS_EACH * students, salt="students"):
         tallies.drawn += 1
@@ -94,10 +98,10 @@ def simulate(solution: Solution, students: int) -> Tallies:
 
 
 def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> None:
-    for sort, figures in zip(SORTS, (3, 4, 3), strict=True):
+    for sort, (figures, often) in SORTS.items():
         givens = _givens(key, dice)
         try:
-            found = by_operation(key.solution, givens, figures) if sort == SORTS[2] else _by_step(key, givens, figures)
+            found = by_operation(key.solution, givens, figures) if often == OPERATIONS else _by_step(key, givens, figures)
         except Undefined:
             continue
         answers = {part: found[truth.place] for part, truth in key.truths.items()}
@@ -109,7 +113,7 @@ def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> 
         for part, ((verdict,), _) in _judged(key, answers, figures):
             if not isinstance(verdict, (Right, Follows)):
                 tallies.rejected[sort] += 1
-                if sort != SORTS[2]:
+                if often == STEPS:
                     tallies.worst[f"{key.variant.problem.code} ({part}) honest, {sort}, judged {word(verdict)}"] += 1
 
 
@@ -118,24 +122,26 @@ def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -
     solution = key.solution
     for place, find in enumerate(solution.finds):
         for wrong in find.mistakes:
-            asked = [part for part in first_asked(solution, place) if differs(solution, place, wrong.rule, key.truths[part].place)]
+            asked = first_asked(solution, place)
+            shown = [part for part in asked if differs(solution, place, wrong.rule, key.truths[part].place)]
+            if not shown:
+                continue
+            first = min(shown, key=list(key.truths).index)  # where it shows again it has been paid for
             try:
                 found = _by_step(key, _givens(key, dice), 3, {place: wrong.rule})
             except Undefined:
                 continue
             answers = {part: found[truth.place] for part, truth in key.truths.items()}
-            for part in asked:
-                _fixed(tallies, "mistaken", key, part, answers[part], accepted=True)
+            _fixed(tallies, "mistaken", key, first, answers[first], accepted=True)
             if not dealt:
                 continue
-            for part, ((verdict,), _) in _judged(key, answers, 3):
-                if part not in asked:
-                    continue
-                tallies.answers["mistaken"] += 1
-                tallies.mistaken["named"] += isinstance(verdict, Mistaken)
-                if isinstance(verdict, (Right, Follows)):
-                    tallies.mistaken["accepted"] += 1
-                    tallies.worst[f"{solution.problem.code} ({part}) accepted {word(verdict)}: {wrong.text[:60]}"] += 1
+            so_far = {part: values for part, values in answers.items() if key.truths[part].place <= key.truths[first].place}
+            *_, (_, ((verdict,), _)) = _judged(key, so_far | {first: answers[first]}, 3)
+            tallies.answers["mistaken"] += 1
+            tallies.mistaken["named"] += isinstance(verdict, Mistaken)
+            if isinstance(verdict, (Right, Follows)):
+                tallies.mistaken["accepted"] += 1
+                tallies.worst[f"{solution.problem.code} ({first}) accepted, {word(verdict)}: {wrong.text[:60]}"] += 1
 
 
 def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Numbers, *, accepted: bool) -> None:
@@ -223,9 +229,10 @@ def wild(solutions: Iterable[Solution], count: int) -> dict[str, Any]:
     for name, ratio in scatter.items():
         for earlier in (False, True):
             verdicts: Counter[str] = Counter()
-            for _ in range(max(1, count // 20)):
+            for _ in range(max(1, count // 10)):
                 for key in keys:
-                    answers = {part: tuple(ratio() * truth.scale for _ in truth.values) for part, truth in key.truths.items() if truth.scale}
+                    truths = {part: truth for part, truth in key.truths.items() if truth.scale}
+                    answers = {part: tuple(ratio() * truth.scale for _ in truth.values) for part, truth in truths.items()}
                     for chosen in [answers] if earlier else [{part: values} for part, values in answers.items()]:
                         verdicts.update(word(verdict) for _, ((verdict,), _) in _judged(key, chosen, 5))
             total = sum(verdicts.values())

@@ -4,7 +4,7 @@ import math
 
 import sympy
 
-from corollary.derive.author import choice, derivation, mistake, step, unknown, unknowns
+from corollary.derive.author import choice, derivation, mistake, route, step, unknown, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import change_of_kinetic_energy, falling, law, restitution
 
@@ -52,12 +52,14 @@ def derive(m, v0, r, h0, n, g):
         ),
         step(q, "Each bounce leaves the same fraction of the height before it.", law("Fraction", "q = h_1/h_0", q=q, h_1=h_1, h_0=h0)),
         step(
-            h_n, "So n bounces leave the n-th power of that fraction.",
-            law("Bounce after bounce", "h_n = h_0*q^n", h_n=h_n, h_0=h0, q=q, n=n), answers="d",
+            h_n, "Each bounce multiplies the speed by r and so the height by r²; n bounces do it n times.",
+            law("Bounce after bounce", "h_n = h_0*(r^2)^n", h_n=h_n, h_0=h0, r=r, n=n), answers="d",
+            routes=[route("The same from the height of the first bounce: every bounce leaves the same fraction of the height.",
+                          law("Bounce after bounce", "h_n = h_0*q^n", h_n=h_n, h_0=h0, q=q, n=n))],
             mistakes=[
                 mistake("Each bounce multiplies the speed by r, but the height by r².", law("Bounce after bounce", "h_n = h_0*r^n", h_n=h_n, h_0=h0, r=r, n=n)),
-                mistake("You are one bounce short: the first bounce counts too.", law("Bounce after bounce", "h_n = h_0*q^(n - 1)", h_n=h_n, h_0=h0, q=q, n=n)),
-                mistake("You are one bounce too far.", law("Bounce after bounce", "h_n = h_0*q^(n + 1)", h_n=h_n, h_0=h0, q=q, n=n)),
+                mistake("You are one bounce short: the first bounce counts too.", law("Bounce after bounce", "h_n = h_0*(r^2)^(n - 1)", h_n=h_n, h_0=h0, r=r, n=n)),
+                mistake("You are one bounce too far.", law("Bounce after bounce", "h_n = h_0*(r^2)^(n + 1)", h_n=h_n, h_0=h0, r=r, n=n)),
                 mistake("Each bounce takes the same *fraction* of the height, not the same number of metres.",
                         law("Bounce after bounce", "h_n = h_0 - n*(h_0 - h_1)", h_n=h_n, h_0=h0, h_1=h_1, n=n)),
             ],

@@ -43,7 +43,7 @@ def derive(m, v0, dt, g):
                 mistake("That is the impulse; asked is a force.", law("Impulse", "N = J", N=N, J=dp)),
                 mistake("You took half of the force: the floor must stop the ball and throw it back, all within this time.", law("Net force", "F/2 = N - m*g", F=F, N=N, m=m, g=g)),
             ],
-            check="A little more than the mean net force: the floor also has to carry the weight, which hardly matters in so short a time.",
+            check="A little more than the mean net force: the floor also has to carry the weight, which matters the less the shorter the contact.",
         ),
     )  # fmt: skip
 

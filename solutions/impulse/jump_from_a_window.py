@@ -68,9 +68,12 @@ def derive(h, m, dt, s, g):
             "Momentum: the mean force is the change of momentum divided by the time, so a long stopping time (bent knees, rolling) makes it small.",
             "Energy: the work of the force over the stopping distance takes the kinetic energy, so a long stopping distance makes it small.",
             "Mentions that the ground must carry the weight besides: the force of the ground is the net force plus $mg$.",
-            answer="The fall gives you the speed $v = \\sqrt{2gh}$, and in the landing it goes to zero: the change of momentum is $mv$ and depends on your mass and the height only, not on how you land. Momentum: the mean net "
-                   "force is $mv/\\Delta t$, so make the stopping time long. Energy: the mean net force, taken over the way $s$ on which you stop, does the work $\\frac{1}{2}mv^2 = mgh$, so it is $mgh/s$, and you should make "
-                   "the stopping distance long. Both ask for the same thing: bend your knees, roll off, land on something soft, for a longer way takes a longer time. The force from the ground is larger than "
+            answer="The fall gives you the speed $v = \\sqrt{2gh}$, and in the landing it goes to zero: the change of momentum is $mv$ and depends on your mass and "
+                   "the height only, not on how you land. Momentum: the mean net "
+                   "force is $mv/\\Delta t$, so make the stopping time long. Energy: the mean net force, taken over the way $s$ on which you stop, does the work "
+                   "$\\frac{1}{2}mv^2 = mgh$, so it is $mgh/s$, and you should make "
+                   "the stopping distance long. Both ask for the same thing: bend your knees, roll off, land on something soft, for a longer way takes a longer time. "
+                   "The force from the ground is larger than "
                    "the net force by your weight.",
         ),
     )  # fmt: skip

@@ -12,7 +12,9 @@ def derive(mA, mB, vAy, vBy, dt, g):
             law("Weight of both", "G = -m_A*g - m_B*g", source="(12.54)", G=G, m_A=mA, m_B=mB, g=g),
             mistakes=[
                 mistake("The y-axis points up and gravity down: the impulse of gravity is negative.", law("Weight of both", "G = m_A*g + m_B*g", G=G, m_A=mA, m_B=mB, g=g)),
-                mistake("You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.", law("Weight of both", "G = -(m_A + m_B)", G=G, m_A=mA, m_B=mB)),
+                mistake("You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.", law("Weight of both", "G "
+                                                                                                                                                                  "= "
+                                                                                                                                                                  "-(m_A + m_B)", G=G, m_A=mA, m_B=mB)),
                 mistake("Gravity acts on both objects.", law("Weight of both", "G = -m_A*g", G=G, m_A=mA, g=g)),
             ],
         ),
@@ -30,7 +32,7 @@ def derive(mA, mB, vAy, vBy, dt, g):
             total_momentum(P_0, [(mA, vAy), (mB, vBy)]),
             mistakes=[
                 mistake("A velocity along -y counts negative: momenta along a line are added with their signs.", total_momentum(P_0, [(mA, vAy), (mB, -vBy)])),
-                mistake("Both objects have a momentum.", total_momentum(P_0, [(mA, vAy)])),
+                mistake("You counted A alone; B has a momentum, too.", total_momentum(P_0, [(mA, vAy)])),
             ],
         ),
         step(
@@ -74,8 +76,10 @@ def derive(mA, mB, vAy, vBy, dt, g):
             "States the condition: the net external force on the system is zero (internal forces may be of any kind).",
             "Says that it may hold for one direction alone, since momentum is a vector.",
             "Says that an external force may be neglected when its impulse during the (short) collision is small compared with the momentum.",
-            answer="The total momentum of a system is conserved when the net external force on it is zero; the internal forces may be of any kind, for they come in pairs that cancel. It is a vector law: if the net "
+            answer="The total momentum of a system is conserved when the net external force on it is zero; the internal forces may be of any kind, for they come in "
+                   "pairs that cancel. It is a vector law: if the net "
                    "external force vanishes in one direction only, the component of the momentum in this direction is conserved. When an external force does act, the momentum changes by its impulse "
-                   "$\\int \\vec F^{ext}dt$. If the collision is so short that this impulse is small compared with the momenta in question, momentum is conserved in good approximation from just before to just after the collision.",
+                   "$\\int \\vec F^{ext}dt$. If the collision is so short that this impulse is small compared with the momenta in question, momentum is conserved in "
+                   "good approximation from just before to just after the collision.",
         ),
     )  # fmt: skip

@@ -57,8 +57,10 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
             "Says that momentum gives one vector equation (one equation for each direction) for two unknown velocities, so only their sum, weighted with the masses, is known.",
             "Says that here both move on as one, with the same velocity, which leaves a single unknown velocity.",
             "Names another possible fact: kinetic energy is conserved, a known loss of energy or coefficient of restitution, or one of the velocities measured.",
-            answer="In each direction there is one equation, but two unknowns: the velocities of the two bodies. Momentum fixes $m_A\\vec v_{A,1} + m_B\\vec v_{B,1}$ and says nothing on how it is shared. In this impact "
-                   "we know besides that the meteor stays in the planet: $\\vec v_{A,1} = \\vec v_{B,1} = \\vec v_1$. That is the second vector equation, and the common velocity follows. In other collisions one may know "
+            answer="In each direction there is one equation, but two unknowns: the velocities of the two bodies. Momentum fixes $m_A\\vec v_{A,1} + m_B\\vec v_{B,1}$ "
+                   "and says nothing on how it is shared. In this impact "
+                   "we know besides that the meteor stays in the planet: $\\vec v_{A,1} = \\vec v_{B,1} = \\vec v_1$. That is the second vector equation, and the "
+                   "common velocity follows. In other collisions one may know "
                    "that the kinetic energy is kept (elastic), how much of it is lost (a coefficient of restitution), or have measured one of the velocities.",
         ),
     )  # fmt: skip

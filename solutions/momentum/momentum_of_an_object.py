@@ -38,7 +38,8 @@ def derive(m, vx, vy):
             },
         ),
         choice(
-            "d", "Mass that comes or goes carries momentum with it. Newton's second law speaks of a definite lot of matter; so count the object and that mass together, and the law holds. For the object "
+            "d", "Mass that comes or goes carries momentum with it. Newton's second law speaks of a definite lot of matter; so count the object and that mass "
+                 "together, and the law holds. For the object "
                  "alone, $d(mv)/dt = m\\,dv/dt + v\\,dm/dt$ depends on who looks: to an observer who moves along, the last term vanishes, yet the force is the same for both.",
             a=False, b=False, c=True, d=False,
             mistakes={

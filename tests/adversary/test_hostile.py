@@ -112,7 +112,7 @@ def test_many_small_files_are_bounded(run: Run) -> None:
 
 
 def test_a_thread_left_behind_ends_with_the_notebook(run: Run) -> None:
-    source = "import threading as t, time\ndef f():\n    while 1: time.sleep(1)\nfor _ in 'abc': t.Thread(target=f).start()\na = 1"
+    source = "import threading as t, time\ndef f():\n    while 1:time.sleep(1)\nfor _ in 'abc': t.Thread(target=f).start()\na = 1"
     began = time.monotonic()
     taken = run(source)
     assert time.monotonic() - began < 2

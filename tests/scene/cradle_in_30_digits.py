@@ -53,7 +53,7 @@ def velocities(count: int, q: str) -> list[mp.mpf]:
         for j in rest:
             if touching[j] and d[j] < TINY and u[j] < 0:
                 touching[j] = False
-            elif not touching[j] and -TINY < d[j] and u[j] > 0:
+            elif not touching[j] and d[j] > -TINY and u[j] > 0:
                 touching[j] = True
                 state[j] = TINY
         if not any(touching[j] and state[j] > TINY for j in rest):

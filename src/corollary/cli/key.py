@@ -52,4 +52,4 @@ def _line(entry: dict[str, Any]) -> str:
         return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"
     if "choice" in entry:
         return f"option ({entry['choice']})"
-    return "; ".join(f"{name}: {value if isinstance(value, str) else '; '.join(map(str, value))}" for name, value in entry.items() if name != "kind")
+    return "; ".join(f"{name}: {'; '.join(value) if isinstance(value, list) else value}" for name, value in entry.items())

@@ -108,7 +108,7 @@ def generate(
 def grade(
     set: SetName, course: Course, bank: Bank = None, json: Json = False,
     regrade: Annotated[bool, typer.Option("--regrade", help="Mark again what is marked and unchanged.")] = False,
-    require_isolation: Annotated[int, typer.Option(help="Refuse to run notebooks below this isolation level (0 to 3).")] = 0,
+    require_isolation: Annotated[int, typer.Option(help="Refuse to run notebooks below this isolation level (0 to 3).")] = 1,
 ) -> None:  # fmt: skip
     """Marks what was handed in: gradebook, feedback, report."""
     _run("grade", name=set, course=course, bank=bank, json=json, regrade=regrade, require=require_isolation)

@@ -11,7 +11,7 @@ from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.mark.verify.checked import Checked
 from corollary.mark.verify.verify import verify
-from corollary.problem.bank import files, home, open_bank
+from corollary.problem.bank import doubles, files, home, open_bank
 from corollary.problem.complaint import Malformed
 from corollary.problem.read import read_problem
 
@@ -29,6 +29,7 @@ def run(codes: list[str], bank: Path | None, variants: int, json: bool) -> int:
                 todo.append((place, read_problem(path)))
             except Malformed as error:
                 broken += map(str, error.complaints)
+        broken += map(str, doubles([problem for _, problem in todo]))
     found: list[Checked] = []
     for place, problem in steps(todo, lambda each: each[1].code, "verifying"):
         found.append(verify(place, problem, variants))

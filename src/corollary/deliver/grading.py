@@ -24,7 +24,6 @@ from corollary.mark.record import marked_record
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.sheet.notebook import notebook
 from corollary.sheet.sheet import sheet
 from corollary.submission.notebook import Notebook, content_of, read_notebook
 from corollary.submission.take import Runner
@@ -92,7 +91,7 @@ def _grade_one(
     paper = sheet(problem_set, student, variants)
     keys = {variant.problem.code: solutions.key(variant) for variant in variants}
     read = read_notebook(path)
-    marked = mark(paper, notebook(paper), keys, read, runner, course.key, lateness(course, problem_set, student.id))
+    marked = mark(paper, keys, read, runner, course.key, lateness(course, problem_set, student.id))
     if has_nbgrader():
         from corollary.deliver.nbgrader import record
 
@@ -172,5 +171,5 @@ def _fingerprint(course: Course, problem_set: ProblemSet, solutions: Solutions, 
     add(repr((problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)).encode())
     for problem in problem_set.problems:
         add(problem.path.read_bytes())
-        add(solutions.bank.solution(problem).read_bytes())
+        add(solutions.source(problem))
     return digest.hexdigest()

@@ -112,22 +112,27 @@ def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime |
     formgrader takes a submission for graded only when the file in `submitted/` says the very moment the gradebook has, and
     release_feedback fails without one: a file that is missing or says nothing nbgrader understands is written.
     """
-    from nbgrader.utils import parse_utc
-
-    place = course.place("submitted", student, name)
     when = handed_in(course, name, student)
     if when is None:
         return "", None
     moment = when.astimezone(UTC).replace(tzinfo=None)
-    try:
-        text = (place / "timestamp.txt").read_text(encoding="utf-8").strip()
-        if parse_utc(text) == moment:
-            return text, moment
-    except (OSError, ValueError, OverflowError):
-        pass
-    text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
-    write_atomically(place / "timestamp.txt", text)
+    path = course.place("submitted", student, name) / "timestamp.txt"
+    text = _stamped(path, moment)
+    if text is None:
+        text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
+        write_atomically(path, text)
     return text, moment
+
+
+def _stamped(path: Path, moment: datetime) -> str | None:
+    """The text of a timestamp.txt that means this moment to nbgrader too; None when it is missing or means anything else."""
+    from nbgrader.utils import parse_utc
+
+    try:
+        text = path.read_text(encoding="utf-8").strip()
+        return text if parse_utc(text) == moment else None
+    except (OSError, ValueError, OverflowError):
+        return None
 
 
 def _secret(course: Course, name: str, student: str) -> bytes:

@@ -26,6 +26,7 @@ from corollary.derive.entries import (
     Step,
 )
 from corollary.law.law import Law
+from corollary.law.put import as_expression
 
 HALF_PI = sympy.pi / 2
 
@@ -69,9 +70,9 @@ def route(because: str, *laws: Law) -> Route:
     return Route(because, laws)
 
 
-def reject(reason: str, **roots: sympy.Expr) -> Rejected:
+def reject(reason: str, **roots: object) -> Rejected:
     """A root that is on record as refused: `reject("no collision took place", v_A=vA)`."""
-    return Rejected(reason, {unknown(name): sympy.sympify(root) for name, root in roots.items()})
+    return Rejected(reason, {unknown(name): as_expression(root) for name, root in roots.items()})
 
 
 def optimum(
@@ -80,7 +81,7 @@ def optimum(
 ) -> Optimum:  # fmt: skip
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
     low, high = between
-    return Optimum(_tuple(finds), because, of, over, (sympy.sympify(low), sympy.sympify(high)), largest, answers, tuple(mistakes), check)
+    return Optimum(_tuple(finds), because, of, over, (as_expression(low), as_expression(high)), largest, answers, tuple(mistakes), check)
 
 
 def simulated(
@@ -88,7 +89,7 @@ def simulated(
     mistakes: Sequence[Mistake] = (), check: str = "",
 ) -> Simulated:  # fmt: skip
     """Finds that are measured in a run of a ready-made scene."""
-    formulas = {name: sympy.sympify(value) for name, value in settings.items()}
+    formulas = {name: as_expression(value) for name, value in settings.items()}
     return Simulated(_tuple(finds), because, scene, formulas, observe, answers, tuple(mistakes), check)
 
 
@@ -101,8 +102,8 @@ def example(
     part: str, finds: Finds, because: str, *laws: Law, apart: Sequence[tuple[tuple, str]] = (), free: int = 1, scale: object = 1,
 ) -> Example:  # fmt: skip
     """Any numbers that satisfy the laws and are none of the `apart` ones; `free` unknowns must stay free, which is checked."""
-    away = tuple((tuple(sympy.sympify(value) for value in values), why) for values, why in apart)
-    return Example(part, _tuple(finds), because, laws, away, free, sympy.sympify(scale))
+    away = tuple((tuple(as_expression(value) for value in values), why) for values, why in apart)
+    return Example(part, _tuple(finds), because, laws, away, free, as_expression(scale))
 
 
 def code(part: str, because: str, *, inputs: Callable, judge: Callable, example: str) -> Code:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import cast
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -64,7 +65,7 @@ def _rational(value: Fraction) -> Tree:
 
 def _in_order(expr: sympy.Add) -> list[sympy.Expr]:
     """The terms, a positive one first where there is one."""
-    terms = list(expr.as_ordered_terms())
+    terms = cast(list[sympy.Expr], expr.as_ordered_terms())
     first = next((i for i, term in enumerate(terms) if not term.could_extract_minus_sign()), 0)
     return [terms[first], *terms[:first], *terms[first + 1 :]]
 
@@ -77,7 +78,7 @@ def _signed(term: sympy.Expr) -> Tree:
 
 def _product(expr: sympy.Mul) -> Tree:
     if expr.could_extract_minus_sign() and not isinstance(-expr, sympy.Add):
-        return Negative(tree(-expr))
+        return Negative(tree(cast(sympy.Expr, -expr)))
     top, bottom = sympy.fraction(expr)
     root, plain = _roots_together(top, bottom)
     if root is not None:

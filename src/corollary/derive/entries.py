@@ -9,6 +9,7 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.said import Said
 from corollary.law.law import Law
 
 Finds = sympy.Symbol | tuple[sympy.Symbol, ...]
@@ -115,7 +116,7 @@ class Code:
     part: str
     because: str
     inputs: Callable[[Mapping[str, float], Callable[[float, float], float]], Sequence[Mapping[str, Any]]]
-    judge: Callable[..., str | None]
+    judge: Callable[..., Said | None]
     example: str
 
 
@@ -125,7 +126,7 @@ class Plot:
 
     part: str
     because: str
-    judge: Callable[..., str | None]
+    judge: Callable[..., Said | None]
     example: str
 
 

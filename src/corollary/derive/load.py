@@ -45,7 +45,7 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)")
     module = _module(path)
     derive = getattr(module, "derive", None)
-    if not callable(derive):
+    if not inspect.isfunction(derive):
         raise NotDerivable(path, 1, "defines no function derive(…) with the givens as arguments")
     line = derive.__code__.co_firstlineno
     wanted = list(inspect.signature(derive).parameters)
@@ -54,12 +54,35 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(path, line, f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})")
     try:
         derivation = derive(**{name: symbol_of(problem, name) for name in wanted})
-    except Exception as error:
-        raise NotDerivable(path, _line(error, path) or line, f"derive fails: {type(error).__name__}: {error}") from error
+    except (Exception, SystemExit) as error:
+        raise NotDerivable(path, line_in(error, path) or line, f"derive fails: {type(error).__name__}: {error}") from error
     if not isinstance(derivation, Derivation):
         raise NotDerivable(path, line, "derive must return derivation(…)")
     scene = getattr(module, "scene", None)
-    return Loaded(path, derivation, line, scene if callable(scene) else None)
+    return Loaded(path, derivation, line, scene if inspect.isfunction(scene) else None)
+
+
+def content(bank: Bank, problem: Problem) -> bytes:
+    """The solution file as it stands: what marks depend on. Raises NotDerivable when it is missing."""
+    try:
+        return bank.solution(problem).read_bytes()
+    except OSError as error:
+        raise NotDerivable(bank.solution(problem), 0, f"cannot be read: {error.strerror}") from None
+
+
+def line_of(path: Path, words: str) -> int:
+    """The first line of a solution that holds the beginning of these words; 0 when none does."""
+    lines = path.read_text(encoding="utf-8").splitlines() if words else []
+    return next((number for number, text in enumerate(lines, 1) if words[:40] in text), 0)
+
+
+def source(bank: Bank, problem: Problem) -> bytes:
+    """The text of a solution. Raises NotDerivable when it is missing."""
+    path = bank.solution(problem)
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
 
 
 def _module(path: Path):
@@ -71,12 +94,12 @@ def _module(path: Path):
         spec.loader.exec_module(module)
     except SyntaxError as error:
         raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
-    except Exception as error:
-        raise NotDerivable(path, _line(error, path), f"cannot be loaded: {type(error).__name__}: {error}") from error
+    except (Exception, SystemExit) as error:
+        raise NotDerivable(path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}") from error
     return module
 
 
-def _line(error: BaseException, path: Path) -> int:
+def line_in(error: BaseException, path: Path) -> int:
     """The deepest line of the file that took part in an exception."""
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
     return lines[-1] or 0 if lines else 0

@@ -8,6 +8,7 @@ import sympy
 
 from corollary.derive.closed import tree
 from corollary.derive.roots import NoRoot
+from corollary.law.put import as_expression, put
 from corollary.quantity.latex import latex
 
 
@@ -16,14 +17,20 @@ def best(
     points: Sequence[Mapping[sympy.Symbol, sympy.Expr]],
 ) -> tuple[sympy.Expr, str]:  # fmt: skip
     """The place of the extremum and a line on how it was found. Raises NoRoot when it differs from point to point."""
+    known = {over, *(letter for point in points for letter in point)}
+    if strange := {letter for formula in (goal, *between) for letter in formula.free_symbols} - known:
+        raise NoRoot(f"the extremum over {over}: {', '.join(sorted(map(str, strange)))} has no value here")
     letter = sympy.Dummy("x", real=True)
-    free = goal.subs(over, letter)
+    free = put(goal, {over: letter})
     low, high = between
-    slope = sympy.solve(sympy.diff(free, letter), letter)
+    try:
+        slope = sympy.solve(sympy.diff(free, letter), letter)
+    except NotImplementedError:
+        raise NoRoot(f"where the slope over {over} vanishes cannot be put in a formula; use simulated(…)") from None
     winners: set[sympy.Expr] = set()
     for point in points:
         def height(place: sympy.Expr, point: Mapping = point) -> sympy.Expr:
-            return free.subs(letter, place).subs(point).evalf(30)
+            return put(put(free, {letter: place}), point).evalf(30)
 
         inside = [place for place in slope if _between(place, between, point)]
         candidates = list(dict.fromkeys([*inside, low, high]))
@@ -41,5 +48,5 @@ def best(
 
 
 def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Mapping) -> bool:
-    value, low, high = (sympy.sympify(x).subs(point).evalf(30) for x in (place, *between))
+    value, low, high = (put(as_expression(x), point).evalf(30) for x in (place, *between))
     return bool(value.is_real) and low <= value <= high

@@ -10,6 +10,7 @@ import sympy
 from corollary.derive.closed import NoTree, relation, tree
 from corollary.derive.entries import Rejected
 from corollary.law.law import Law, sides, symbols
+from corollary.law.put import as_expression, put
 from corollary.quantity.latex import latex
 from corollary.quantity.tree import Name, Relation
 
@@ -36,7 +37,10 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
             raise NoRoot(f"{stated.name}: {_list(strange)} is neither given nor found before")
     equations = [left - right for stated in laws for left, right in sides(stated)]
     live = [equation for equation in equations if sympy.expand(equation) != 0]
-    found = stated_outright(laws, unknowns) or sympy.solve(live, list(unknowns), dict=True)
+    try:
+        found = stated_outright(laws, unknowns) or sympy.solve(live, list(unknowns), dict=True)
+    except NotImplementedError:
+        raise NoRoot(f"these laws cannot be solved for {_list(unknowns)} in a formula; find one letter after the other") from None
     if not found:
         raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all")
     for root in found:
@@ -102,16 +106,24 @@ def _is(root: Root, other: Root) -> bool:
 
 
 def _real(root: Root, point: Point) -> bool:
-    return all(value.is_real or abs(sympy.im(_at(value, point))) < 1e-20 for value in root.values())
+    return all(value.is_real or _settled(abs(sympy.im(_at(value, point))) < 1e-20, f"whether {value} is real") for value in root.values())
 
 
 def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
     numbers = {symbol: _at(value, point) for symbol, value in root.items()}
-    return bool(where.subs(numbers).subs(point))
+    return _settled(put(put(where, numbers), point), f"where={where}")
+
+
+def _settled(held: sympy.Basic | bool, what: str) -> bool:
+    """A truth that numbers have settled. Raises NoRoot when a letter without a value is left in it."""
+    if held not in (sympy.true, sympy.false):
+        letters = _list(held.free_symbols) if isinstance(held, sympy.Basic) else ""
+        raise NoRoot(f"{what} cannot be decided: {letters or held} has no value here")
+    return bool(held)
 
 
 def _at(value: sympy.Expr, point: Point) -> sympy.Expr:
-    return sympy.sympify(value).subs(point).evalf(30)
+    return put(as_expression(value), point).evalf(30)
 
 
 def _shown(root: Root) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from corollary.derive.failing import NotDerivable
-from corollary.derive.load import load
+from corollary.derive.load import line_in, load
 from corollary.problem.bank import Bank
 from corollary.problem.variant import Variant
 
@@ -34,7 +34,10 @@ def simulations(bank: Bank, variant: Variant, answers: Mapping[str, Seen]) -> li
     if loaded.scene is None:
         return []
     try:
-        wanted = loaded.scene(**variant.si, answer=answers)
+        wanted = list(loaded.scene(**variant.si, answer=answers))
     except Exception as error:
-        raise NotDerivable(loaded.path, loaded.scene.__code__.co_firstlineno, f"scene fails: {type(error).__name__}: {error}") from error
-    return list(wanted)
+        line = line_in(error, loaded.path) or loaded.scene.__code__.co_firstlineno
+        raise NotDerivable(loaded.path, line, f"scene fails: {type(error).__name__}: {error}") from error
+    if not all(isinstance(each, Simulation) for each in wanted):
+        raise NotDerivable(loaded.path, loaded.scene.__code__.co_firstlineno, "scene must return a list of simulate(…)")
+    return wanted

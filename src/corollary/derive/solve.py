@@ -7,11 +7,25 @@ from typing import assert_never
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.closed import NoTree, relation, tree
-from corollary.derive.entries import Choice, Code, Example, Explain, Mistake, Optimum, Plot, Printed, Proof, Simulated, Step
+from corollary.derive.closed import relation, tree
+from corollary.derive.entries import (
+    Choice,
+    Code,
+    Example,
+    Explain,
+    Found,
+    Mistake,
+    Optimum,
+    Plot,
+    Printed,
+    Proof,
+    Simulated,
+    Step,
+)
 from corollary.derive.failing import NotDerivable
-from corollary.derive.load import Loaded, load, symbol_of
+from corollary.derive.load import Loaded, line_of, load, symbol_of
 from corollary.derive.optimum import best
+from corollary.derive.parts import answered, misfits, words
 from corollary.derive.roots import NoRoot, Root, pick, roots, simplest
 from corollary.derive.shown import shown
 from corollary.derive.solution import (
@@ -22,11 +36,11 @@ from corollary.derive.solution import (
     Measured,
     ProofTruth,
     RouteShown,
-    Rule,
     Solution,
     WrongRule,
 )
 from corollary.law.law import Law, sides
+from corollary.law.put import as_expression, put
 from corollary.problem.bank import Bank
 from corollary.problem.draw import sample
 from corollary.problem.problem import Problem
@@ -34,7 +48,8 @@ from corollary.problem.variant import chapter
 from corollary.quantity.dimension import dimension_of
 from corollary.quantity.tree import Number, Tree
 from corollary.quantity.trouble import Trouble
-from corollary.quantity.unit import Dimension, show
+from corollary.quantity.unit import Dimension, called, show
+from corollary.scene.catalogue import SCENES
 
 POINTS = 6
 
@@ -48,11 +63,12 @@ def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
         if isinstance(entry, Step):
             for stated in (*entry.laws, *(law for way in entry.routes for law in way.laws)):
                 for one, other in sides(stated):
-                    residual = (one - other).subs(solver.closed).subs(solver.aside)
+                    residual = put(put(one - other, solver.closed), solver.aside)
                     if sympy.simplify(sympy.expand(residual)) == 0:
                         proven += 1
                     elif not residual.free_symbols & solver.measured:
-                        left.append(f"line {solver.line(entry.because)}: {stated.name} does not hold for the answers: {one} = {other}")
+                        sentence = f"{stated.name} does not hold for the answers: {one} = {other}"
+                        left.append(str(solver.failing(sentence, entry.because)))
     return proven, left
 
 
@@ -78,31 +94,28 @@ class _Solver:
         self.measured: set[sympy.Symbol] = set()
 
     def solution(self) -> Solution:
+        for sentence, about in misfits(self.problem, self.loaded.derivation):
+            raise self.failing(sentence, about)
         finds, choices, examples, proofs = [], {}, {}, {}
-        answered: set[str] = set()
         for entry in self.loaded.derivation.entries:
-            match entry:
-                case Step() | Optimum() | Simulated():
-                    finds.append(self.find(entry))
-                    part = entry.answers
-                case Choice():
-                    choices[entry.part], part = self.choice(entry), entry.part
-                case Example():
-                    examples[entry.part], part = self.example(entry), entry.part
-                case Proof():
-                    proofs[entry.part], part = self.proof(entry), entry.part
-                case Code(part=part) | Plot(part=part) | Explain(part=part):
-                    pass
-                case Printed():
-                    part = ""
-                case _:
-                    assert_never(entry)
-            answered.add(part)
-        ids = {part.id for part in self.problem.parts}
-        if missing := sorted(ids - answered):
-            raise self.failing(f"answers no part {', '.join(missing)}; each part of {self.problem.path.name} needs an entry")
-        if strange := sorted(answered - ids - {""}):
-            raise self.failing(f"answers part {', '.join(strange)}, which {self.problem.path.name} does not have")
+            try:
+                match entry:
+                    case Step() | Optimum() | Simulated():
+                        finds.append(self.find(entry))
+                    case Choice():
+                        choices[entry.part] = self.choice(entry)
+                    case Example():
+                        examples[entry.part] = self.example(entry)
+                    case Proof():
+                        proofs[entry.part] = self.proof(entry)
+                    case Code() | Plot() | Explain() | Printed():
+                        continue
+                    case _:
+                        assert_never(entry)
+            except ValueError as error:  # NoRoot and NoTree among them
+                part = answered(entry)
+                about = ", ".join(map(str, entry.finds)) if not part and isinstance(entry, Found) else f"part {part}"
+                raise self.failing(f"{about}: {error}", words(entry)) from error
         return Solution(self.problem, tuple(finds), choices, examples, proofs, self.loaded.derivation.entries, self.loaded.scene)
 
     def failing(self, sentence: str, about: str = "") -> NotDerivable:
@@ -110,27 +123,19 @@ class _Solver:
 
     def line(self, about: str) -> int:
         """The line of the solution that holds these words, or of derive."""
-        if about:
-            for number, text in enumerate(self.loaded.path.read_text(encoding="utf-8").splitlines(), 1):
-                if about[:40] in text:
-                    return number
-        return self.loaded.line
+        return line_of(self.loaded.path, about) or self.loaded.line
 
     def find(self, entry: Step | Optimum | Simulated) -> Find:
         for symbol in entry.finds:
             if symbol.name in self.dimensions:
-                raise self.failing(f"{symbol} is given or found already; give the new find another letter", entry.because)
-        try:
-            match entry:
-                case Step():
-                    found = self.step(entry)
-                case Optimum():
-                    found = self.optimum(entry)
-                case Simulated():
-                    found = self.simulated(entry)
-        except (NoRoot, NoTree, ValueError) as error:
-            about = f"part {entry.answers}" if entry.answers else ", ".join(symbol.name for symbol in entry.finds)
-            raise self.failing(f"{about}: {error}", entry.because) from error
+                raise NoRoot(f"{symbol} is given or found already; give the new find another letter")
+        match entry:
+            case Step():
+                found = self.step(entry)
+            case Optimum():
+                found = self.optimum(entry)
+            case Simulated():
+                found = self.simulated(entry)
         self.dimensions |= dict(zip(found.names, found.dimensions, strict=True))
         return found
 
@@ -145,17 +150,17 @@ class _Solver:
         for slip in entry.mistakes:
             wrong.append(self.wrong(entry, slip, exchanged(entry.laws, slip), entry.where))
         self.close(entry.finds, picked.root)
-        self.aside |= {symbol: simplest(picked.root[symbol].subs(self.closed)) for symbol in entry.also}
+        self.aside |= {symbol: simplest(put(picked.root[symbol], self.closed)) for symbol in entry.also}
         return Find(
             names=tuple(symbol.name for symbol in entry.finds), answers=entry.answers, because=entry.because,
             laws=tuple(map(shown, entry.laws)), local=local, closed=self.closed_trees(entry.finds), routes=tuple(routes),
             routes_shown=tuple(RouteShown(way.because, tuple(map(shown, way.laws))) for way in entry.routes),
             mistakes=tuple(wrong), rejected=picked.refused, dimensions=self.checked(entry, local.trees),
-            scale=None if entry.scale is None else tree(entry.scale.subs(self.closed)), check=entry.check, note="",
+            scale=None if entry.scale is None else tree(put(entry.scale, self.closed)), check=entry.check, note="",
         )  # fmt: skip
 
     def optimum(self, entry: Optimum) -> Find:
-        goal = sympy.sympify(entry.of).subs(self.closed)
+        goal = put(as_expression(entry.of), self.closed)
         value, note = best(goal, entry.over, entry.between, entry.largest, self.points)
         root = {entry.finds[0]: value}
         local = self.formulas(entry.finds, root)
@@ -168,6 +173,10 @@ class _Solver:
         )  # fmt: skip
 
     def simulated(self, entry: Simulated) -> Find:
+        if entry.scene not in SCENES:
+            raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(SCENES)}")
+        if strange := entry.settings.keys() - {setting.name for setting in SCENES[entry.scene].settings}:
+            raise NoRoot(f"scene {entry.scene} has no setting {', '.join(sorted(strange))}")
         settings = {name: tree(value) for name, value in entry.settings.items()}
         part = self.problem.part(entry.answers)
         wrong = tuple(self.wrong(entry, slip, slip.laws, True) for slip in entry.mistakes)
@@ -187,36 +196,35 @@ class _Solver:
     def choice(self, entry: Choice) -> ChoiceTruth:
         letters = {option.letter for option in self.problem.part(entry.part).options}
         if letters != entry.options.keys():
-            raise self.failing(f"part {entry.part} has the options {', '.join(sorted(letters))}; give each its condition", entry.because)
+            raise NoRoot(f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition")
         options = {}
         for letter, condition in entry.options.items():
-            held = sympy.sympify(condition).subs(self.closed)
+            held = put(sympy.sympify(condition), self.closed)
             options[letter] = bool(held) if held in (sympy.true, sympy.false) else relation(held)
         return ChoiceTruth(options, entry.because, entry.mistakes)
 
     def example(self, entry: Example) -> ExampleTruth:
         """Counts how many unknowns the laws leave free, for an example must leave room for the student's own."""
-        equations = [sympy.simplify((left - right).subs(self.closed)) for stated in entry.laws for left, right in sides(stated)]
+        equations = [sympy.simplify(put(left - right, self.closed)) for stated in entry.laws for left, right in sides(stated)]
         independent = sympy.Matrix(equations).jacobian(list(entry.finds)).rank()
         if len(entry.finds) - independent != entry.free:
-            raise self.failing(
-                f"{len(equations)} laws for {len(entry.finds)} unknowns leave {len(entry.finds) - independent} free, "
-                f"not {entry.free}", entry.because,
-            )  # fmt: skip
-        apart = tuple((tuple(tree(value.subs(self.closed)) for value in values), why) for values, why in entry.apart)
+            raise NoRoot(
+                f"{len(equations)} laws for {len(entry.finds)} unknowns leave {len(entry.finds) - independent} free, not {entry.free}"
+            )
+        apart = tuple((tuple(tree(put(value, self.closed)) for value in values), why) for values, why in entry.apart)
         names = tuple(symbol.name for symbol in entry.finds)
-        return ExampleTruth(names, tuple(map(shown, entry.laws)), apart, tree(entry.scale.subs(self.closed)), entry.because, entry.free, self.instance(entry, equations))
+        return ExampleTruth(names, tuple(map(shown, entry.laws)), apart, tree(put(entry.scale, self.closed)), entry.because, entry.free, self.instance(entry, equations))
 
     def instance(self, entry: Example, equations: list[sympy.Expr]) -> tuple[Tree, ...] | None:
         """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
-        scale = entry.scale.subs(self.closed)
+        scale = put(entry.scale, self.closed)
         for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
             fixed = {symbol: share * scale for symbol in entry.finds[: entry.free]}
             others = list(entry.finds[entry.free :])
-            for root in sympy.solve([equation.subs(fixed) for equation in equations], others, dict=True) if others else [{}]:
+            for root in sympy.solve([put(equation, fixed) for equation in equations], others, dict=True) if others else [{}]:
                 whole = fixed | root
                 if all(symbol in whole and not whole[symbol].free_symbols - set(self.closed) for symbol in entry.finds) and all(
-                    abs(sympy.im(value.subs(point).evalf(20))) < 1e-15 for value in whole.values() for point in self.points
+                    abs(sympy.im(put(value, point).evalf(20))) < 1e-15 for value in whole.values() for point in self.points
                 ):
                     return tuple(tree(simplest(whole[symbol])) for symbol in entry.finds)
         return None
@@ -233,7 +241,7 @@ class _Solver:
     def numbers(self) -> list[dict[sympy.Symbol, sympy.Expr]]:
         """The sample points, with the values of what has been found."""
         for place, point in enumerate(self.points):
-            new = {find: value.subs(point).evalf(30) for find, value in self.closed.items() if find not in point}
+            new = {find: put(value, point).evalf(30) for find, value in self.closed.items() if find not in point}
             self.points[place] = point | new
         return self.points
 
@@ -242,7 +250,7 @@ class _Solver:
 
     def close(self, finds: tuple[sympy.Symbol, ...], root: Root) -> None:
         for symbol in finds:
-            self.closed[symbol] = simplest(root[symbol].subs(self.closed))
+            self.closed[symbol] = simplest(put(root[symbol], self.closed))
 
     def closed_trees(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Tree, ...] | None:
         if any(self.closed[symbol].free_symbols & self.measured for symbol in finds):
@@ -260,13 +268,15 @@ class _Solver:
             if isinstance(formula, Number) and formula.value == 0:
                 dimension = part.unit.dimension if part else Dimension()
             if part and dimension != part.unit.dimension:
-                raise ValueError(f"the answer is not in {show(part.unit)}: its dimension is {dimension}")
+                raise ValueError(f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}")
             result.append(dimension)
         return tuple(result)
 
 
 def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
     """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
+    if not slip.laws:
+        raise NoRoot(f"mistake {slip.text!r} names no law; say which law was used wrongly")
     if not slip.instead and len(laws) == 1:
         return slip.laws
     wanted = slip.instead or slip.laws[0].name

@@ -11,13 +11,15 @@ from corollary.quantity.tree import Relation, Tree
 class Numbers:
     """Values in SI, one for each component; `figures` as written (0: a machine number with many digits).
 
-    `unitless` tells that a unit was needed and none was written; the values then take the part's unit.
+    `unitless` tells that a unit was needed and none was written; the values then take the part's unit. `misfit` is a
+    sentence when the unit measures something else than was asked for.
     """
 
     values: tuple[float, ...]
     figures: tuple[int, ...]
     shown: str
     unitless: bool = False
+    misfit: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import final
 
-from corollary.kind.answer import Answer, Formulas, Unclear
+from corollary.kind.answer import Answer, Formulas, Numbers, Unclear
 from corollary.kind.kind import Kind, Sample
 from corollary.kind.number import vector
 from corollary.problem.part import Part
@@ -19,6 +19,8 @@ class Example(Kind):
         found = vector(given, part.unit, len(part.components), problem)
         if isinstance(found, Formulas):
             return Unclear("give numbers for an example, not formulas", found.shown)
+        if isinstance(found, Numbers) and found.misfit:
+            return Unclear(found.misfit, found.shown)
         return found
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:

@@ -17,7 +17,7 @@ from corollary.quantity.read import Reading, read_quantities, read_quantity
 from corollary.quantity.syntax import parse
 from corollary.quantity.tree import Number, Tree, names
 from corollary.quantity.trouble import Trouble, refused, sentence
-from corollary.quantity.unit import Unit, show
+from corollary.quantity.unit import ONE, Unit, show
 
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
@@ -61,6 +61,8 @@ def vector(given: Plain, unit: Unit, count: int, problem: Problem) -> Numbers | 
             if isinstance(found, Trouble):
                 return Unclear(sentence(found), text.strip())
             return _together([_reading(each, unit) for each in found])
+        case Items((Text(length), Text(angle)), _) if count == 2 and _is_angle(angle, unit):
+            return vector(Text(f"{length} at {angle}"), unit, count, problem)
         case Items(items, shape):
             if len([size for size in shape if size != 1]) > 1:
                 return Unclear(f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}", "an array")
@@ -93,7 +95,7 @@ def exact(value: Fraction, unit: Unit) -> Numbers | Unclear:
     try:
         number = float(value * size) * math.pi**unit.pi
     except OverflowError:
-        number = math.copysign(float("inf"), value.numerator)
+        number = math.inf if value > 0 else -math.inf
         return Numbers((number,), (0,), "a number too large to show")
     digits = len(str(abs(value.numerator)).rstrip("0")) if value.denominator == 1 and abs(value) < 10**9 else 0
     shown = decimal_text(value, 6) if value.denominator > 1 else (str(value) if abs(value) < 10**12 else f"{float(value):.6g}")
@@ -117,7 +119,7 @@ def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank
             return Unclear(why, text.strip())
     if isinstance(found, Trouble):
         return Unclear(sentence(found), text.strip(), meanings(found, text, unit))
-    return Unclear(found.why, found.shown)
+    return _reading(found, unit)
 
 
 def meanings(trouble: Trouble, text: str, unit: Unit) -> tuple[Numbers, ...]:
@@ -131,12 +133,16 @@ def meanings(trouble: Trouble, text: str, unit: Unit) -> tuple[Numbers, ...]:
 
 def formula(text: str, problem: Problem) -> Tree | Trouble:
     """A formula that uses at least one given."""
-
-
     tree = parse(text, [given.symbol for given in problem.givens])
     if not isinstance(tree, Trouble) and not names(tree) - {"pi"}:
         return refused("this has no letters of the problem in it")
     return tree
+
+
+def _is_angle(text: str, unit: Unit) -> bool:
+    """Whether a text is an angle where something else is asked for: then it is a direction."""
+    found = read_quantity(text, None)
+    return unit.dimension != ONE and isinstance(found, Reading) and found.unit is not None and found.unit.text in ("deg", "rad")
 
 
 def _reading(found: Reading, unit: Unit) -> Numbers:
@@ -147,8 +153,8 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
     try:
         value = float(ratio) * math.pi**pi
     except OverflowError:
-        value = math.copysign(float("inf"), ratio)
-    return Numbers((value,), (found.figures,), found.shown, unitless)
+        value = math.inf if ratio > 0 else -math.inf
+    return Numbers((value,), (found.figures,), found.shown, unitless, found.why if found.fit == "wrong dimension" else "")
 
 
 def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
@@ -162,7 +168,7 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
     if len(numbers) == len(found):
         return Numbers(
             tuple(each.values[0] for each in numbers), tuple(each.figures[0] for each in numbers), shown,
-            any(each.unitless and each.values[0] != 0 for each in numbers),
+            any(each.unitless and each.values[0] != 0 for each in numbers), next((each.misfit for each in numbers if each.misfit), ""),
         )  # fmt: skip
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
@@ -178,8 +184,6 @@ def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Number
 
 
 def _tree(each: Numbers | Formulas | Blank | Unclear) -> Tree:
-
-
     match each:
         case Formulas(trees, _):
             return trees[0]

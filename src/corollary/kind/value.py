@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import final
 
 from corollary.kind.answer import Answer
+from corollary.kind.axes import in_own_axes
 from corollary.kind.kind import Kind, Sample
 from corollary.kind.number import scalar
 from corollary.problem.part import Part
@@ -17,7 +18,7 @@ from corollary.quantity.unit import canonical, si_unit
 @final
 class Value(Kind):
     def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
-        return scalar(given, part.unit, problem)
+        return in_own_axes(given, part, lambda plain: scalar(plain, part.unit, problem))
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
         assert not isinstance(truth, str)
@@ -39,5 +40,5 @@ def samples(value: float, part: Part) -> tuple[Sample, ...]:
         Sample(float("nan"), "unread"),
         Sample(None, "unread"),
         Sample([1.0, 2.0, 3.0, 4.0], "unread"),
-        Sample(f"{value!r} kg*m^5", "unread"),
+        Sample(f"{value!r} kg*m^5", "wrong"),
     )

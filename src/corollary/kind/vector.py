@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import final
 
 from corollary.kind.answer import Answer
+from corollary.kind.axes import in_own_axes
 from corollary.kind.kind import Kind, Sample
 from corollary.kind.number import vector
 from corollary.problem.part import Part
@@ -17,7 +18,7 @@ from corollary.quantity.unit import canonical, si_unit
 @final
 class Vector(Kind):
     def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
-        return vector(given, part.unit, len(part.components), problem)
+        return in_own_axes(given, part, lambda plain: vector(plain, part.unit, len(part.components), problem))
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
         assert not isinstance(truth, str)

@@ -7,6 +7,7 @@ import sympy
 from corollary.law.energy import elastic
 from corollary.law.law import Law, law, sides
 from corollary.law.momentum import conservation_of_momentum
+from corollary.law.put import as_expression
 
 
 def restitution(r: object, *, A: tuple, B: tuple) -> Law:
@@ -42,7 +43,7 @@ def after_elastic(*, A: tuple, B: tuple) -> tuple[sympy.Expr, sympy.Expr]:
         root for root in sympy.solve(equations, [v_A1, v_B1], dict=True)
         if sympy.simplify(root[v_A1] - v_A0) != 0 or sympy.simplify(root[v_B1] - v_B0) != 0
     )  # fmt: skip
-    return sympy.factor(root[v_A1]), sympy.factor(root[v_B1])
+    return as_expression(sympy.factor(root[v_A1])), as_expression(sympy.factor(root[v_B1]))
 
 
 def in_the_limit(found: object, formula: object, letter: sympy.Symbol, to: object, holds: str) -> Law:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from corollary.law.law import Law, law
 
 
@@ -12,7 +14,7 @@ def kinetic_energy(K: object, m: object, v: object) -> Law:
 
 def change_of_kinetic_energy(dK: object, *, before: list[tuple], after: list[tuple]) -> Law:
     """The change is the sum after less the sum before; both list (mass, velocity) of every object."""
-    letters: dict[str, object] = {"dK": dK}
+    letters: dict[str, Any] = {"dK": dK}
 
     def total(bodies: list[tuple], moment: int) -> list[str]:
         terms = []
@@ -35,7 +37,7 @@ def falling(v: object, g: object, h: object) -> Law:
 
 def elastic(*, before: list[tuple], after: list[tuple]) -> Law:
     """An elastic collision keeps the kinetic energy (12.64); both list (mass, velocity) of the same objects, in order."""
-    letters: dict[str, object] = {}
+    letters: dict[str, Any] = {}
     left, right = [], []
     for place, ((mass, first), (_, last)) in enumerate(zip(before, after, strict=True)):
         body = "ABCDEFGH"[place]
@@ -60,7 +62,7 @@ def spring_at_rest(*, m: object, v: object, k: object, x: object) -> Law:
 
 def change_of_kinetic_energy_in_plane(dK: object, *, before: list[tuple], after: list[tuple]) -> Law:
     """Kinetic energy after less before, for velocities (x, y); both list (mass, velocity) of the same objects, in order."""
-    letters: dict[str, object] = {"dK": dK}
+    letters: dict[str, Any] = {"dK": dK}
 
     def total(bodies: list[tuple], moment: int) -> list[str]:
         terms = []

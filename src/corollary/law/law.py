@@ -9,6 +9,7 @@ from functools import lru_cache
 import sympy
 
 from corollary.law.algebra import expression
+from corollary.law.put import as_expression
 from corollary.quantity.syntax import author_formula
 from corollary.quantity.tree import Relation, Tree, names
 
@@ -83,8 +84,8 @@ def symbols(stated: Law) -> frozenset[sympy.Symbol]:
 
 def _meaning(value: object) -> Meaning:
     if isinstance(value, (tuple, list)):
-        return tuple(sympy.sympify(part) for part in value)
-    return sympy.sympify(value)  # authors' own Python objects only: numbers and sympy expressions
+        return tuple(as_expression(part) for part in value)
+    return as_expression(value)  # authors' own Python objects only: numbers and sympy expressions
 
 
 @lru_cache(maxsize=512)

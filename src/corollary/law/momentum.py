@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from corollary.law.law import Law, law
 
 
@@ -20,7 +22,7 @@ def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
 
     `before` and `after` list (mass, velocity) of every object; an object that comes to be, or to be part of another, may differ.
     """
-    letters: dict[str, object] = {}
+    letters: dict[str, Any] = {}
 
     def total(bodies: list[tuple], moment: int) -> str:
         terms = []
@@ -41,7 +43,7 @@ def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
 
 def sticking(*, before: list[tuple], together: object) -> Law:
     """Conservation of momentum when all objects move on as one (12.81)."""
-    letters: dict[str, object] = {"v_1": together}
+    letters: dict[str, Any] = {"v_1": together}
     left, masses = [], []
     for place, (mass, velocity) in enumerate(before):
         body = "ABCDEFGH"[place]
@@ -56,7 +58,7 @@ def sticking(*, before: list[tuple], together: object) -> Law:
 
 def total_momentum(P: object, bodies: list[tuple]) -> Law:
     """The total momentum is the sum over all objects (12.49), (12.56); `bodies` lists (mass, velocity), vectors allowed."""
-    letters: dict[str, object] = {"P": P}
+    letters: dict[str, Any] = {"P": P}
     terms = []
     for place, (mass, velocity) in enumerate(bodies, 1):
         letters[f"m_{place}"], letters[f"v_{place}"] = mass, velocity

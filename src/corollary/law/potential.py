@@ -27,7 +27,8 @@ def energy_between(*, m: object, v_0: object, U_0: object, v_1: object, U_1: obj
 def angular_momentum(*, m: object, w_0: object, r_0: object, w_1: object, r_1: object) -> Law:
     """A central force keeps m r times the velocity across the radius."""
     return law("Conservation of angular momentum", "m*w_0*r_0 = m*w_1*r_1",
-               holds="the force points to the centre; w is the velocity across the radius", m=m, w_0=w_0, r_0=r_0, w_1=w_1, r_1=r_1)  # fmt: skip
+               holds="the force points to the centre; w is the velocity across the radius",
+               m=m, w_0=w_0, r_0=r_0, w_1=w_1, r_1=r_1)  # fmt: skip
 
 
 def oscillation(T: object, *, m: object, k: object) -> Law:
@@ -56,4 +57,5 @@ def small_excess(x: object, *, m: sympy.Expr, k: sympy.Expr, b: sympy.Expr, v: s
     exact = k * excess * (b + excess) ** 2 - m * square * (2 * b + excess)
     slope = (-sympy.diff(exact, square) / sympy.diff(exact, excess)).subs({excess: 0, square: 0})
     return law("Turning point, lowest order", "x = c*v^2",
-               holds="the speed is small; c is the slope of x against $v^2$, from $k x (b + x)^2 = m v^2 (2b + x)$", x=x, c=sympy.simplify(slope), v=v)  # fmt: skip
+               holds="the speed is small; c is the slope of x against $v^2$, from $k x (b + x)^2 = m v^2 (2b + x)$",
+               x=x, c=sympy.simplify(slope), v=v)  # fmt: skip

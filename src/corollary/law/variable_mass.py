@@ -27,7 +27,7 @@ def thrust(F: object, v_rel: object, R: object) -> Law:
 
 def burnt(*, v_0: object, v_1: object, v_rel: object, m_0: object, m_1: object) -> Law:
     """The rocket equation integrated from the mass m_0 to m_1, v_rel the speed of the exhaust relative to the rocket (12.136)."""
-    return law("Rocket equation, integrated", "v_1 - v_0 = v_rel*ln(m_0/m_1)", source="(12.136)",
+    return law("Rocket equation, integrated", "v_1 = v_0 + v_rel*ln(m_0/m_1)", source="(12.136)",
                holds="no external force acts, and the exhaust leaves straight backwards",
                v_0=v_0, v_1=v_1, v_rel=v_rel, m_0=m_0, m_1=m_1)  # fmt: skip
 

@@ -13,6 +13,11 @@ def close(values: Sequence[float], target: Sequence[float], tolerance: float, sc
     return math.dist(values, target) <= tolerance * scale
 
 
+def same_signs(values: Sequence[float], target: Sequence[float], doubt: Sequence[float]) -> bool:
+    """Whether every component points the right way, but for those that are within doubt of nought."""
+    return all(x * y >= 0 or abs(y) <= small for x, y, small in zip(values, target, doubt, strict=True))
+
+
 def coarse(values: Sequence[float], figures: Sequence[int], target: Sequence[float], size: float) -> int:
     """The fewest figures written, when the target rounded to the figures written gives just these values; else 0.
 

@@ -52,7 +52,7 @@ def verdict_on(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Value
         case Unclear(why, _, readings):
             if any(isinstance(verdict_on(key, part, meant, earlier), Right | Follows) for meant in readings):
                 return Unmarked(f"This can be read in two ways, and one of them is right: a person will decide. {why}.")
-            return Unread(f"This could not be read: {why}.".replace("..", "."))
+            return Unread(f"This could not be read: {why}{'' if why.endswith(('.', '?')) else '.'}")
         case Numbers() if part.kind == "example":
             return judge_example(key, part, answer)
         case Numbers():

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from corollary.derive.solution import Find, Measured, Solution
 from corollary.mark.replay import as_exact, compute, simulated
 from corollary.mark.replay import number as plain_number
-from corollary.mark.tolerance import LEAST, MOST, tolerance_of
+from corollary.mark.tolerance import LEAST, MOST, noise_of
 from corollary.problem.variant import Variant
 from corollary.quantity.ball import Undefined, certified, holds
+
+MARGIN, TINY = 1.25, 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +21,7 @@ class Truth:
     """The answer to one part: SI values, whether their digits are certified, and what may be off.
 
     `scale` is what the tolerance is relative to: the length of the answer, or what the problem names where that is zero.
+    `doubt` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
     """
 
     place: int
@@ -28,6 +31,7 @@ class Truth:
     scale: float
     tolerance: float
     noise: float
+    doubt: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,14 +57,15 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         numbers, proven, error = answer(solution, find, variant, values)
         values.append(numbers)
         stated[place] = proven, error
-    noise = tolerance_of(solution, givens, values)
+    noise = noise_of(solution, givens, values)
     truths = {}
     for place, find in enumerate(solution.finds):
         if find.answers:
             proven, error = stated[place]
             scale = scale_of(find, values[place], givens | named(solution, values))
-            off = noise[place] / scale if scale else 0.0
-            truths[find.answers] = Truth(place, values[place], proven, error, scale, min(MOST, max(LEAST, 1.25 * off + error)), 1.25 * off)
+            off = MARGIN * noise[place].distance / scale if scale else 0.0
+            doubt = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
+            truths[find.answers] = Truth(place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, doubt)
     choices = {part: chosen(truth.options, givens, part) for part, truth in solution.choices.items()}
     return Key(solution, variant, tuple(values), truths, choices)
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from nbformat import NotebookNode
-
 from corollary.mark.grade import Grade, Marked, PartGrade
 from corollary.mark.judge import judge
 from corollary.mark.key import Key
@@ -16,6 +14,7 @@ from corollary.mark.said import Shown
 from corollary.mark.verdict import Unread
 from corollary.quantity.plain import Nothing, Plain, Text
 from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
+from corollary.sheet.notebook import notebook as handed_out
 from corollary.sheet.sheet import Prompt, Sheet
 from corollary.submission.job import Cell, Job
 from corollary.submission.notebook import Notebook, Unreadable
@@ -25,18 +24,18 @@ from corollary.submission.taken import CellRun, Taken
 Keys = Mapping[str, Key]
 
 
-def mark(sheet: Sheet, blank: NotebookNode, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float) -> Marked:
-    """The marks of one submission; `blank` is the notebook as it was handed out, `late` in seconds. Never raises for what is in it."""
+def mark(sheet: Sheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float) -> Marked:
+    """The marks of one submission; `late` in seconds. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
-    taken = runner.take(_job(sheet, blank, keys, notebook, secret))
+    taken = runner.take(_job(sheet, keys, notebook, secret))
     grades = tuple(_grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises)
     share = sheet.problem_set.scheme.late if late > 0 else 1.0
     trouble = taken.trouble
     return Marked(sheet.student, grades, taken.cells, taken.figures, taken.isolation.line, trouble, late, share)
 
 
-def _job(sheet: Sheet, blank: NotebookNode, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
+def _job(sheet: Sheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
     """What is asked of the notebook: nothing in it comes from the key but inputs for the student's functions."""
     calls = [
         ask
@@ -44,7 +43,7 @@ def _job(sheet: Sheet, blank: NotebookNode, keys: Keys, notebook: Notebook, secr
         if "code" in prompt.part.kinds
         for ask in asks(keys[prompt.problem.code].solution, keys[prompt.problem.code].variant, prompt.part, secret, sheet.student.id)
     ]
-    cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, blank))
+    cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, handed_out(sheet)))
     names = tuple(prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds))
     return Job(cells, names, tuple(calls), tuple(plot_cells(notebook.node, sheet).values()))
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from corollary.kind.answer import Numbers
-from corollary.mark.close import close, coarse
+from corollary.mark.close import close, coarse, same_signs
 from corollary.mark.earlier import Carried, carried, size
 from corollary.mark.key import Key, Truth
 from corollary.mark.replay import Deviation, ancestors, replay
@@ -18,6 +18,7 @@ from corollary.problem.part import Part
 from corollary.quantity.ball import Undefined
 from corollary.quantity.unit import called, show
 
+COARSE = "Rounded too far to tell: give three significant figures."
 UNITLESS = "The number is right, but its unit is missing; a quantity is a number *and* a unit."
 
 
@@ -27,24 +28,27 @@ def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, V
     if answer.unitless:
         verdict = judge_numbers(key, part, replace(answer, unitless=False), earlier)
         return Slip(UNITLESS) if isinstance(verdict, (Right, Follows)) else verdict
-    if close(answer.values, truth.values, truth.tolerance, truth.scale):
+    if answer.misfit:
+        return _misfit(answer.misfit, judge_numbers(key, part, replace(answer, misfit=""), earlier))
+    if _met(answer, truth, truth.values):
         return Right()
     bases = list(carried(key, truth, earlier))
     for base in bases:
-        if close(answer.values, base.values, truth.tolerance, size(base.values, truth)):
+        if _met(answer, truth, base.values):
             return Follows(base.parts) if base.parts else Right()
-    if (few := _coarse(part, answer, truth.values)) and not _also_a_mistake(key, part, truth, bases, answer):
-        return Right(f"Right, but coarse: {few} figures are few; give three.") if few > 1 else Slip("Rounded too far to tell: give three significant figures.")
+    if few := _coarse(part, answer, truth.values):
+        told = few > 1 and not _also_a_mistake(key, part, truth, bases, answer)
+        return Right(f"Right, but coarse: {few} figures are few; give three.") if told else Slip(COARSE)
     for base in bases:
         for wrong, said in mistakes(key, truth, base):
-            if close(answer.values, wrong, truth.tolerance, size(wrong, truth)):
+            if _met(answer, truth, wrong):
                 return Mistaken(said, base.parts)
     for base in bases:
         if base.parts and _coarse(part, answer, base.values) > 1:
             return Follows(base.parts)
     for base in _distinct(bases):
         for off, said in slipped(key, truth, base, part.unit):
-            if close(answer.values, off, truth.tolerance, size(off, truth)):
+            if _met(answer, truth, off):
                 return Slip(said)
     return Wrong(_hint(part, answer, truth))
 
@@ -62,6 +66,22 @@ def mistakes(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Values, st
                 yield replay(solution, key.variant.exact, deviation, truth.place)[truth.place], wrong.text
             except Undefined:
                 continue
+
+
+def _misfit(why: str, verdict: Verdict) -> Verdict:
+    """A wrong unit is a slip on a right number, is told by a known mistake, and settles everything else."""
+    match verdict:
+        case Right() | Follows():
+            return Slip(f"The number is right, but not its unit: {why}.")
+        case Mistaken():
+            return verdict
+        case _:
+            return Wrong(f"{why[0].upper()}{why[1:]}.")
+
+
+def _met(answer: Numbers, truth: Truth, target: Values) -> bool:
+    """Within the tolerance of the target's length, every component pointing the right way."""
+    return close(answer.values, target, truth.tolerance, size(target, truth)) and same_signs(answer.values, target, truth.doubt)
 
 
 def _coarse(part: Part, answer: Numbers, target: Values) -> int:

@@ -103,5 +103,5 @@ def _numbers(value: Plain, variant: Variant) -> tuple[float, ...] | str:
     count = len(value.items) if isinstance(value, Items) else 1
     found = vector(value, unit("1"), count, variant.problem)
     if isinstance(found, Numbers):
-        return found.values
+        return found.misfit or found.values
     return found.why if isinstance(found, Unclear) else found.shown

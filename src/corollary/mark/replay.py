@@ -84,6 +84,8 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
         outcome = run(scene, dict(settings), tolerance=1e-12)
     except (BadSetting, GuardFailed) as error:
         raise Undefined(str(error)) from None
+    if observe not in outcome.observed:
+        raise Undefined(f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}")
     seen = outcome.observed[observe]
     return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
 

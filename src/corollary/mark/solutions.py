@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from corollary.derive.load import source
 from corollary.derive.solution import Solution
 from corollary.derive.solve import solve
 from corollary.derive.story import story
@@ -25,6 +26,10 @@ class Solutions:
         if problem.code not in self.known:
             self.known[problem.code] = solve(self.bank, problem)
         return self.known[problem.code]
+
+    def source(self, problem: Problem) -> bytes:
+        """The solution's text, to tell whether it has changed. Raises NotDerivable."""
+        return source(self.bank, problem)
 
     def key(self, variant: Variant) -> Key:
         """Raises NotDerivable, and Undefined where an answer does not exist."""

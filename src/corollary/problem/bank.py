@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from corollary.problem.complaint import Malformed
+from corollary.problem.complaint import Complaint, Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.read import read_problem
 
@@ -64,11 +64,20 @@ def load(bank: Bank) -> list[Problem]:
             complaints += error.complaints
     if complaints:
         raise Malformed(complaints)
-    codes: dict[str, Problem] = {}
-    for problem in problems:
-        if (other := codes.setdefault(problem.code, problem)) is not problem:
-            raise Unknown(f"{problem.path.name} and {other.path.name} both have the code {problem.code}; change one")
+    if complaints := doubles(problems):
+        raise Malformed(complaints)
     return sorted(problems, key=lambda problem: chapter_order(problem.code))
+
+
+def doubles(problems: list[Problem]) -> list[Complaint]:
+    """One complaint for each problem whose code or name another has already: neither would be found."""
+    complaints, codes, names = [], {}, {}
+    for problem in problems:
+        if (other := codes.setdefault(problem.code.lower(), problem)) is not problem:
+            complaints.append(Complaint(problem.path, 2, f"{other.path.name} has the code {problem.code} already; change one of them"))
+        if (other := names.setdefault(problem.name, problem)) is not problem:
+            complaints.append(Complaint(problem.path, 1, f"there is another {problem.path.name} in {other.topic}/; rename one of them"))
+    return complaints
 
 
 def chapter_order(code: str) -> tuple:
@@ -83,6 +92,8 @@ def find(bank: Bank, code: str) -> Problem:
         path = Path(code).resolve()
         if not path.is_file():
             raise Unknown(f"there is no file {code}")
+        if bank.problems.resolve() not in path.parents:
+            raise Unknown(f"{code} does not lie in {bank.problems}; name its own bank with --bank, or leave --bank out")
         return read_problem(path)
     for path in files(bank):
         if path.stem == code:

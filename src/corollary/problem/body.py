@@ -67,15 +67,15 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
     measured_in = _unit(settings.get("unit", "1"), ids[0], complain)
     points = _points(settings.get("points", "1"), ids[0], complain)
     components = tuple(settings.get("components", "").split())
-    if components and known[0] not in {"vector", "example", "expression"}:
-        complain(f"part {ids[0]}: only .vector, .example and .expression parts have components")
+    if components and known[0] not in {"vector", "example", "expression", "proof"}:
+        complain(f"part {ids[0]}: only .vector, .example, .expression and .proof parts have components")
     if not components and known[0] == "vector":
         complain(f'part {ids[0]} is a vector; name its components: components="x y"')
     signature = settings.get("function", "")
     if ("code" in known) != bool(signature) or (signature and not re.match(r"[A-Za-z_]\w*\([\w\s,]*\)$", signature)):
         complain(f'part {ids[0]}: a .code part, and only that, has a function="name(arguments)"')
     options, text = _options(lines)
-    if ("choice" in known) != (len(options) > 1):
+    if len(options) < 2 if "choice" in known else options:
         complain(f"part {ids[0]}: a .choice part, and only that, lists options, each as: - (a) text")
     if len({option.letter for option in options}) != len(options):
         complain(f"part {ids[0]} lists an option letter twice")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -52,6 +53,8 @@ def split(path: Path) -> tuple[Table, str, int]:
 def _table(path: Path, source: str) -> Table:
     try:
         root = yaml.compose(source, Loader=yaml.SafeLoader)
+    except RecursionError:
+        raise Malformed([Complaint(path, 2, "front matter is nested too deeply")]) from None
     except yaml.MarkedYAMLError as error:
         line = error.problem_mark.line + 2 if error.problem_mark else 1
         raise Malformed([Complaint(path, line, f"front matter is not YAML: {error.problem}")]) from None
@@ -110,8 +113,11 @@ class Reader:
     def line_of(self, name: str, default: str | None = None) -> tuple[str, int]:
         self.seen.add(name)
         match self.table.entries.get(name):
-            case Text(text, line):
+            case Text(text, line) if text.strip() or default == "":
                 return text, line
+            case Text(_, line):
+                self.complain(line, f"`{name}` of {self.what} is empty; say what it is, or leave the line out")
+                return default or "", line
             case None if default is not None:
                 return default, self.table.line
             case None:
@@ -167,7 +173,7 @@ def exact(text: str) -> Fraction | None:
     if len(text) > 60 or not text.isascii():
         return None
     mantissa, mark, power = text.lower().partition("e")
-    if mark and not (power.lstrip("+-").isdigit() and abs(int(power)) <= 400):
+    if mark and not (re.fullmatch(r"[+-]?\d{1,9}", power) and abs(int(power)) <= 400):
         return None
     if "_" in text:
         return None

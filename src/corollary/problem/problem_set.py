@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from datetime import datetime
 from fractions import Fraction
@@ -11,6 +12,8 @@ from corollary.problem.bank import Bank, Unknown, find
 from corollary.problem.complaint import Complaint, Malformed
 from corollary.problem.node import Reader, Table, Text, split
 from corollary.problem.problem import Problem
+
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,8 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     table, body, _ = split(path)
     complaints: list[Complaint] = []
     front = Reader(path, table, "the problem set", complaints)
+    if not NAME.match(path.stem):
+        front.complain(1, f"the file's name becomes a folder's; {path.stem!r} will not do, use letters, digits, _ and -")
     title = front.text("title")
     due, due_line = front.line_of("due", "")
     moment = _moment(due)
@@ -71,7 +76,7 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     scheme = _scheme(path, front.table_of("credit"), complaints)
     chosen = _problems(bank, front)
     front.finish()
-    if not chosen:
+    if not front.list_of("problems"):
         complaints.append(Complaint(path, table.line, "holds no problems; list them under problems:, one `- X12.5` a line"))
     if complaints:
         raise Malformed(complaints)
@@ -99,7 +104,9 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
             continue
         if any(problem.code == other.code for other, _ in chosen):
             front.complain(node.line, f"{code} is in the set twice")
-        chosen.append((problem, float(weight or 1)))
+        if weight is not None and not 0 <= weight <= 1000:
+            front.complain(node.line, f"{code} has weight: {weight}; give a number from 0 to 1000")
+        chosen.append((problem, float(1 if weight is None else weight)))
     return chosen
 
 

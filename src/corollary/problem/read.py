@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 from pathlib import Path
 
@@ -11,11 +12,15 @@ from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.node import List, Reader, Table, Text, split
 from corollary.problem.problem import Condition, Problem
 from corollary.problem.statement import HOLE, holes
+from corollary.quantity.function import SPELLINGS
 from corollary.quantity.syntax import author_formula
 from corollary.quantity.tree import Relation, names
 from corollary.quantity.unit import unit
 
+CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+TAKEN = {*SPELLINGS, *keyword.kwlist, "pi", "log", "answer"}
+"""Words that formulas and solutions need for themselves."""
 
 
 def read_problem(path: Path) -> Problem:
@@ -23,7 +28,9 @@ def read_problem(path: Path) -> Problem:
     table, body, line = split(path)
     complaints: list[Complaint] = []
     front = Reader(path, table, "the front matter", complaints)
-    code, title, source = front.text("code"), front.text("title"), front.text("source", "")
+    (code, code_line), (title, title_line), source = front.line_of("code"), front.line_of("title"), front.text("source", "")
+    if code and not CODE.match(code):
+        front.complain(code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5")
     givens = tuple(
         given for symbol, node in front.table_of("given").entries.items()
         if (given := _given(path, symbol, node, complaints)) is not None
@@ -35,18 +42,22 @@ def read_problem(path: Path) -> Problem:
         for node in front.list_of(name)
         if (condition := _condition(path, node, known, hard, complaints)) is not None
     ]
-    figure, figure_line = front.line_of("figure", "")
-    alt = front.text("alt", "")
+    (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     front.finish()
     if figure and not alt:
-        complaints.append(Complaint(path, figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it"))
+        front.complain(figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it")
     statement, parts = read_parts(path, body, line, complaints)
-    _check_holes(path, body, line, known, complaints)
+    for text, first in ((body, line), (figure, figure_line + ("\n" in figure)), (alt, alt_line)):
+        _check_holes(path, text, first, known, complaints)
+    for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
+        if holes(text):
+            complaints.append(Complaint(path, at, f"the title {text!r} has a hole; numbers stand in the text below it"))
     if not parts:
         complaints.append(Complaint(path, line, "asks nothing; add a part: ## Title {#a .value unit=\"m/s\" points=1}"))
     if complaints:
         raise Malformed(complaints)
-    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path, figure_line)
+    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path,
+                   figure_line)  # fmt: skip
 
 
 def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Complaint]) -> Given | None:
@@ -57,6 +68,8 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
     row = Reader(path, node, symbol, complaints)
     if not SYMBOL.match(symbol):
         row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
+    elif symbol in TAKEN:
+        row.complain(node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter")
     meaning, (unit_text, unit_line) = row.text("is"), row.line_of("unit", "1")
     value = row.fraction("value")
     first, last, step = (row.fraction(name, "") for name in ("from", "to", "step"))
@@ -98,15 +111,18 @@ def _condition(path: Path, node: Table | Text | List, known: frozenset[str], har
     if unknown := sorted(names(relation) - known - {"pi"}):
         complaints.append(Complaint(path, node.line, f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})"))
         return None
+    if not names(relation) - {"pi"}:
+        complaints.append(Complaint(path, node.line, f"condition {node.text!r} is about none of the givens; leave it out"))
+        return None
     return Condition(relation, node.text, hard, node.line)
 
 
-def _check_holes(path: Path, body: str, line: int, known: frozenset[str], complaints: list[Complaint]) -> None:
-    for symbol, style, at in holes(body):
+def _check_holes(path: Path, text: str, line: int, known: frozenset[str], complaints: list[Complaint]) -> None:
+    for symbol, style, at in holes(text):
         if symbol not in known:
             complaints.append(Complaint(path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})"))
         if style not in {"", "number"}:
             complaints.append(Complaint(path, line + at, f"{{{{{symbol}|{style}}}}}: the only style is number"))
-    for at, text in enumerate(HOLE.sub("", body).splitlines()):
-        if "{{" in text and "}}" in text:
+    for at, words in enumerate(HOLE.sub("", text).splitlines()):
+        if "{{" in words and "}}" in words:
             complaints.append(Complaint(path, line + at, "a hole must hold one symbol: {{m}} or {{m|number}}"))

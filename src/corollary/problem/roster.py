@@ -9,6 +9,7 @@ from pathlib import Path
 
 from corollary.problem.complaint import Complaint, Malformed
 
+COLUMNS = ("id", "first_name", "last_name", "email")
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.@-]{0,99}$")
 
 
@@ -26,25 +27,35 @@ class Student:
 
 def read_roster(path: Path) -> tuple[Student, ...]:
     """The students of a CSV file with the column `id`, in its order. Raises Malformed."""
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            rows = list(csv.DictReader(file))
-            columns = rows[0].keys() if rows else ()
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise Malformed([Complaint(path, 1, f"cannot be read: {error}")]) from None
+    columns, rows = _rows(path)
     if not rows:
-        raise Malformed([Complaint(path, 1, "lists no students; the first line names the columns (id, first_name, last_name, email)")])
+        raise Malformed([Complaint(path, 1, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})")])
     if "id" not in columns:
-        raise Malformed([Complaint(path, 1, f"has no column `id`; its columns are {', '.join(str(name) for name in columns)}")])
+        raise Malformed([Complaint(path, 1, f"has no column `id`; its columns are {', '.join(columns)}")])
     complaints, students, lines = [], [], {}
-    for line, row in enumerate(rows, 2):
-        id = (row["id"] or "").strip()
-        if not ID.match(id):
-            complaints.append(Complaint(path, line, f"id {id!r} will not do as a folder's name; use letters, digits, _ . @ -"))
-        elif id in lines:
-            complaints.append(Complaint(path, line, f"id {id} stands on line {lines[id]} already; every student needs an id of their own"))
-        lines.setdefault(id, line)
-        students.append(Student(id, *((row.get(name) or "").strip() for name in ("first_name", "last_name", "email"))))
+    for line, row in rows:
+        student = Student(*(row.get(name, "") for name in COLUMNS))
+        if not ID.match(student.id):
+            sentence = f"id {student.id!r} will not do as a folder's name; use letters, digits, _ . @ -"
+            complaints.append(Complaint(path, line, sentence))
+        elif (first := lines.setdefault(student.id, line)) != line:
+            sentence = f"id {student.id} stands on line {first} already; every student needs an id of their own"
+            complaints.append(Complaint(path, line, sentence))
+        students.append(student)
     if complaints:
         raise Malformed(complaints)
     return tuple(students)
+
+
+def _rows(path: Path) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
+    """The columns, and each row that is not blank with the line it ends on."""
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            table = csv.reader(file)
+            columns = [name.strip() for name in next(table, [])]
+            cells = [(table.line_num, row) for row in table if any(row)]
+    except OSError as error:
+        raise Malformed([Complaint(path, 1, f"cannot be read: {error.strerror}")]) from None
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise Malformed([Complaint(path, 1, f"cannot be read: {error}; save it as CSV in UTF-8")]) from None
+    return columns, [(line, dict(zip(columns, map(str.strip, row), strict=False))) for line, row in cells]

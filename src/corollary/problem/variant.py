@@ -112,5 +112,6 @@ def number(given: Given, value: Fraction) -> str:
     """The bare number, with the decimals of the given's grid where they suffice."""
     places = max(given.places, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
-        return decimal_text(value, 6).replace("-", "−", 1) if value < 0 else decimal_text(value, 6)
+        text = next((text for n in range(1, 7) if Fraction(text := decimal_text(value, n)) == value), decimal_text(value, 6))
+        return text.replace("-", "−", 1) if value < 0 else text
     return f"{round(value * 10**places) / 10**places:.{places}f}".replace("-", "−")

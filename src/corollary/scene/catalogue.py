@@ -8,19 +8,44 @@ from collections.abc import Mapping
 
 from corollary.scene.ready.atom import ATOM
 from corollary.scene.ready.ball_on_floor import BALL_ON_FLOOR
+from corollary.scene.ready.ballistic_pendulum import BALLISTIC_PENDULUM
+from corollary.scene.ready.bouncing_ball import BOUNCING_BALL
 from corollary.scene.ready.bullet_block import BULLET_BLOCK
 from corollary.scene.ready.chain import CHAIN
 from corollary.scene.ready.cradle import CRADLE
+from corollary.scene.ready.ions import IONS
 from corollary.scene.ready.kick import KICK
+from corollary.scene.ready.pendulum_block import PENDULUM_BLOCK
+from corollary.scene.ready.railway_car import RAILWAY_CAR
 from corollary.scene.ready.rocket import ROCKET
 from corollary.scene.ready.scenery import Ready
 from corollary.scene.ready.setting import settle
 from corollary.scene.ready.snowball import SNOWBALL
 from corollary.scene.ready.spheres import SPHERES
+from corollary.scene.ready.super_ball import SUPER_BALL
+from corollary.scene.ready.two_blocks import TWO_BLOCKS
 from corollary.scene.ready.wall import WALL
 from corollary.scene.run import BadSetting, Run
 
-READY = (CRADLE, BALL_ON_FLOOR, SPHERES, ATOM, CHAIN, ROCKET, KICK, WALL, SNOWBALL, BULLET_BLOCK)
+READY = (
+    CRADLE,
+    BALL_ON_FLOOR,
+    SPHERES,
+    ATOM,
+    CHAIN,
+    ROCKET,
+    KICK,
+    WALL,
+    SNOWBALL,
+    BULLET_BLOCK,
+    TWO_BLOCKS,
+    SUPER_BALL,
+    BOUNCING_BALL,
+    PENDULUM_BLOCK,
+    BALLISTIC_PENDULUM,
+    RAILWAY_CAR,
+    IONS,
+)
 SCENES: dict[str, Ready] = {scene.name: scene for scene in READY}
 
 

@@ -8,7 +8,6 @@ from functools import lru_cache
 
 from corollary.scene.line import Line, Passage, natural_units, reduced_mass
 from corollary.scene.method import regularised
-from corollary.scene.model import modal
 from corollary.scene.model.beta import contact_time, largest_overlap
 from corollary.scene.run import GuardFailed, Model
 
@@ -46,6 +45,8 @@ def _springs(line: Line) -> bool:
 
 
 def _swinging(line: Line) -> Collided:
+    from corollary.scene.model import modal  # here, since it brings numpy, which most scenes never need
+
     passage = modal.collide(line)
     # Every opening or closing hands its rounding on to what follows.
     sure = dict.fromkeys(("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import nbformat
 from nbformat import NotebookNode
@@ -45,6 +45,14 @@ def notebook(sheet: Sheet) -> NotebookNode:
         raise ValueError(f"two cells of {sheet.problem_set.name} would be called {twice[0]}; rename one of the parts")
     about = {"corollary": {"set": sheet.problem_set.name, "student": sheet.student.id}}
     return NotebookNode(cells=cells, metadata=nbformat.from_dict(METADATA | about), nbformat=4, nbformat_minor=5)
+
+
+def filled_in(sheet: Sheet, sources: Mapping[str, str]) -> str:
+    """The text of a student's notebook file, with other sources in the cells of these ids."""
+    nb = notebook(sheet)
+    for cell in nb.cells:
+        cell.source = sources.get(cell.id, cell.source)
+    return file_text(nb)
 
 
 def file_text(nb: NotebookNode) -> str:

@@ -46,9 +46,8 @@ def give(child: Child, job: Job, limits: Limits, trial: bool = False) -> None:
     child.channel.sendall(len(text).to_bytes(4, "big") + text)
 
 
-def follow(child: Child, job: Job, limits: Limits, watch: Watch) -> Told:
-    """Reads frames until the child is done or at its end; interrupts what is too long, kills what does not stop."""
-    told = Told()
+def follow(child: Child, job: Job, limits: Limits, watch: Watch, told: Told) -> None:
+    """Reads frames into `told` until the child is done or at its end; interrupts what is too long, kills what does not stop."""
     frames = Frames(child.channel)
     last = time.monotonic() + limits.total_seconds
     deadline, interrupted, began = last, False, time.monotonic()
@@ -56,22 +55,26 @@ def follow(child: Child, job: Job, limits: Limits, watch: Watch) -> Told:
         try:
             frame = frames.read(min(deadline, last, time.monotonic() + watch.every))
         except Garbled:
-            return _kill(child, told, "what its process sent could not be read")
+            _kill(child, told, "what its process sent could not be read")
+            return
         match frame:
             case "late":
                 if trouble := watch.trouble():
-                    return _kill(child, told, trouble)
+                    _kill(child, told, trouble)
+                    return
                 now = time.monotonic()
                 if now >= last:
-                    return _kill(child, told, f"the notebook ran longer than {limits.total_seconds:g} s in all")
+                    _kill(child, told, f"the notebook ran longer than {limits.total_seconds:g} s in all")
+                    return
                 if now >= deadline:
                     told.late = True
                     if interrupted:
-                        return _kill(child, told, "it did not stop when its time was up")
+                        _kill(child, told, "it did not stop when its time was up")
+                        return
                     tell(child, signal.SIGINT)
                     interrupted, deadline = True, now + _GRACE
             case "end":
-                return told
+                return
             case Began(what, index):
                 told.working_on, told.late, interrupted, began = frame, False, False, time.monotonic()
                 deadline = began + _allowed(job, limits, what == "call", index)
@@ -90,7 +93,7 @@ def follow(child: Child, job: Job, limits: Limits, watch: Watch) -> Told:
                 told.ended = f"its own process stumbled ({why})"
             case Done():
                 told.working_on, told.done = None, True
-                return told
+                return
             case _:
                 assert_never(frame)
 
@@ -114,7 +117,6 @@ def _allowed(job: Job, limits: Limits, call: bool, index: int) -> float:
     return limits.cell_seconds
 
 
-def _kill(child: Child, told: Told, why: str) -> Told:
+def _kill(child: Child, told: Told, why: str) -> None:
     tell(child, signal.SIGKILL)
     told.ended = why
-    return told

@@ -76,21 +76,25 @@ class Runner:
 
     def _run(self, job: Job, trial: bool = False) -> tuple[Told, int | None]:
         parent = self._parent or self._warm()
+        if not trial and parent.process.poll() is not None:
+            self._cool()
+            parent = self._warm()
         watch = Watch() if parent.namespaces else Watch(0.25, str(parent.folder), self.limits.file_bytes)
+        told = Told()
         try:
             child = fork(parent)
             try:
                 give(child, job, self.limits, trial)
-                told = follow(child, job, self.limits, watch)
+                follow(child, job, self.limits, watch, told)
                 # How it ended matters only when it did not say that it was done; else the next job need not wait for it.
-                code = None if told.done or told.ended else reap(parent)
+                return told, None if told.done or told.ended else reap(parent)
             finally:
                 leave(child)
-            return told, code
         except OSError as error:
             # The machine's failing, or a notebook that got at the parent: start afresh for the next one.
             self._cool()
-            return Told(ended=f"the process that runs notebooks failed ({error})"), None
+            told.ended = f"the process that runs notebooks failed ({error})"
+            return told, None
 
     def _taken(self, job: Job, told: Told, code: int | None) -> Taken:
         trouble = trouble_of(job, told, code)

@@ -12,7 +12,6 @@ from corollary.scene.force.contact import Contact
 from corollary.scene.line import Line, energy
 from corollary.scene.method.regularised import collide
 from corollary.scene.model import beta, modal
-from corollary.scene.run import GuardFailed
 
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
 
@@ -56,7 +55,7 @@ lines = st.integers(2, 5).flatmap(
     lambda n: st.builds(
         Line,
         st.tuples(*[st.floats(0.1, 10.0)] * n),
-        st.tuples(*[st.floats(-1.0, 1.0)] * n),
+        st.tuples(*[st.integers(-100, 100).map(lambda v: v / 100.0)] * n),
         st.tuples(*[st.sampled_from([0.0, 1e-9, 0.1, 3.0])] * (n - 1)),
         st.tuples(*[st.builds(Contact, st.floats(0.1, 10.0), st.sampled_from([1.0, 1.25, 1.5, 2.0, 3.0]))] * (n - 1)),
     )
@@ -64,7 +63,7 @@ lines = st.integers(2, 5).flatmap(
 
 
 @given(lines)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=20, deadline=None)
 def test_momentum_and_energy_are_kept_and_no_body_passes_through_another(line):
     found = collide(line, 1e-11)
     momentum = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
@@ -80,12 +79,9 @@ def test_momentum_and_energy_are_kept_and_no_body_passes_through_another(line):
 @given(lines, st.floats(0.01, 3.0))
 @settings(max_examples=10, deadline=None)
 def test_damping_never_gives_energy(line, eta):
-    damped = Line(line.masses, line.velocities, line.gaps, tuple(Contact(c.k, c.q, eta) for c in line.contacts[:1]) + line.contacts[1:])
-    try:
-        found = collide(damped, 1e-10)
-    except GuardFailed as failed:
-        assert "did not end" in str(failed)  # several damped contacts may creep for longer than anybody waits
-        return
+    first, *others = line.contacts
+    damped = Line(line.masses, line.velocities, line.gaps, (Contact(first.k, first.q, eta), *others))
+    found = collide(damped, 1e-10)
     none = [0.0] * len(line.gaps)
     assert energy(line, none, found.velocities) <= energy(line, none, line.velocities) * (1.0 + 1e-9) + 1e-12
 

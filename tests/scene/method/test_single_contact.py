@@ -1,4 +1,4 @@
-"""One contact of two spheres: the damped method against quadrature, the chapter's edge between release and sticking, invariants."""
+"""One contact of two spheres: steps against quadrature, the chapter's edge between release and sticking, invariants."""
 
 import math
 

@@ -9,7 +9,6 @@ from corollary.scene.force.contact import Contact
 from corollary.scene.model.beta import contact_time
 from corollary.scene.model.bounce import bounce
 
-
 CASES = [(1e6, 1.5, 0.1, 2.8, 9.8), (1e6, 1.23, 0.1, 2.8, 9.8), (1e4, 1.0, 0.5, 0.01, 9.8), (1e6, 3.0, 0.1, 0.001, 9.8)]
 
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.deliver.demo.player import Hand, Player, right_sources
-from corollary.derive.solution import Formulas
 from corollary.mark.key import Key
 from corollary.mark.replay import Deviation, replay
 from corollary.problem.roster import Student

@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from datetime import UTC, timedelta
 from pathlib import Path
 
-import nbformat
-
 from corollary.deliver.course import Course, open_course, write_atomically
 from corollary.deliver.demo.player import Hand, Player
 from corollary.deliver.demo.players import PLAYERS
@@ -20,6 +18,7 @@ from corollary.mark.points import share
 from corollary.mark.solutions import Solutions
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.problem_set import ProblemSet
+from corollary.sheet.notebook import filled_in
 from corollary.sheet.sheet import Sheet, sheet
 from corollary.submission.take import Runner
 
@@ -75,23 +74,20 @@ def perform(folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: T
         paper = sheet(problem_set, player.student, variants)
         hand = player.hand(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
         hands[player.student.id] = paper, hand
-        hand_in(made.course, problem_set, player.student.id, hand)
+        hand_in(made.course, problem_set, paper, hand)
     outcome = grade_set(open_course(folder), problem_set, solutions, Runner, tell=lambda student, left: tell(f"marking {student}"))
     played = tuple(_played(problem_set, player, *hands[player.student.id], outcome) for player in PLAYERS)
     return Demonstration(made.course, played, outcome)
 
 
-def hand_in(course: Course, problem_set: ProblemSet, student: str, hand: Hand) -> None:
+def hand_in(course: Course, problem_set: ProblemSet, paper: Sheet, hand: Hand) -> None:
     """Fills the student's own notebook and puts it where hand-ins go, with its time."""
-    place = course.place("submitted", student, problem_set.name)
+    place = course.place("submitted", paper.student.id, problem_set.name)
     path = place / f"{problem_set.name}.ipynb"
     if hand.raw is not None:
         write_atomically(path, hand.raw)
     else:
-        nb = nbformat.read(course.notebook("release", student, problem_set.name), as_version=4)
-        for cell in nb.cells:
-            cell.source = hand.sources.get(cell.id, cell.source)
-        write_atomically(path, nbformat.writes(nb))
+        write_atomically(path, filled_in(paper, hand.sources))
     if problem_set.due is not None:
         moment = problem_set.due + timedelta(hours=hand.late or -20)
         write_atomically(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")

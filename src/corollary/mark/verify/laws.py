@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
 from corollary.derive.solve import unproven
 from corollary.mark.verify.checked import Tally
@@ -16,7 +17,7 @@ def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
     proven, left = unproven(bank, solution.problem)
     tally.count("laws put back", proven)
     for each in left:
-        tally.complain(f"{bank.solution(solution.problem).name}: {each}")
+        tally.complain(each)
 
 
 def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
@@ -24,13 +25,13 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
     for find in solution.finds:
         dimensions |= dict(zip(find.names, find.dimensions, strict=True))
+    path = bank.solution(solution.problem)
     for find in solution.finds:
         for law in (*find.laws, *(law for way in find.routes_shown for law in way.laws)):
             for relation in law.here:
                 if names(relation) - {"pi"} - dimensions.keys():
                     continue  # an unknown met only inside a step: its dimension follows from the law itself
                 found = dimension_of(relation, dimensions)
-                tally.expect(
-                    not isinstance(found, Trouble), "dimensions",
-                    lambda found=found, law=law: f"{bank.solution(solution.problem).name}: {law.name}: {sentence(found)}",
-                )  # fmt: skip
+                tally.count("dimensions")
+                if isinstance(found, Trouble):
+                    tally.complain(f"{path.name}:{line_of(path, find.because)}: {law.name}: {sentence(found)}")

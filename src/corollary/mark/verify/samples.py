@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from corollary.derive.entries import Printed
+from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
 from corollary.kind.kind import Sample
 from corollary.kind.kinds import KINDS
@@ -15,6 +16,7 @@ from corollary.mark.plainly import plainly
 from corollary.mark.replay import number
 from corollary.mark.verdict import Right, Unmarked, Unread, word
 from corollary.mark.verify.checked import Tally
+from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.problem.variant import chapter
 from corollary.quantity.read import read_quantity
@@ -58,22 +60,24 @@ def samples(key: Key, part: Part) -> tuple[Sample, ...]:
             return ()
 
 
-def check_printed(solution: Solution, tally: Tally) -> None:
+def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
     """What the chapter prints for its own numbers, rounded to the figures it prints."""
+    path = bank.solution(solution.problem)
     for entry in solution.entries:
         if not isinstance(entry, Printed):
             continue
         key = make_key(solution, chapter(solution.problem))
         part = solution.problem.part(entry.part)
         wanted = key.truths[entry.part].values
+        where = f"{path.name}:{line_of(path, entry.text)}"
         for value, printed in zip(wanted, entry.text.split(";"), strict=True):
             read = read_quantity(printed.strip(), part.unit)
             if isinstance(read, Trouble):
-                tally.complain(f"{solution.problem.path.name}: the printed value {printed!r} cannot be read: {read.why}")
+                tally.complain(f"{where}: the printed value {printed!r} cannot be read: {read.why}")
                 continue
             ratio, pi = read.si
             unit = read.unit or part.unit
             size = float(unit.factor) * math.pi**unit.pi
             met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), size) or (ratio == 0 and value == 0)
-            tally.expect(bool(met), "printed values", lambda printed=printed, value=value, entry=entry: (
-                f"{solution.problem.path.name}: {entry.where} prints {printed.strip()} for part {entry.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip
+            tally.expect(bool(met), "printed values", lambda where=where, printed=printed, value=value, entry=entry: (
+                f"{where}: {entry.where} prints {printed.strip()} for part {entry.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip

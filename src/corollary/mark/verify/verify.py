@@ -19,7 +19,7 @@ from corollary.quantity.ball import Undefined
 
 def verify(bank: Bank, problem: Problem, count: int = LEAST) -> Checked:
     """Everything that can be checked of a problem. Never raises for what an author did wrong; it is a complaint."""
-    tally = Tally()
+    tally, share, reasons = Tally(), 0.0, {}
     number, exact = variants(problem)
     check_figure(problem, tally)
     try:
@@ -29,10 +29,12 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST) -> Checked:
         check_laws(bank, solution, tally)
         check_dimensions(bank, solution, tally)
         check_samples(make_key(solution, chapter(problem)), tally)
-        check_printed(solution, tally)
+        check_printed(bank, solution, tally)
         share, reasons = walk(bank, solution, tally, count)
-    except (NotDerivable, Undefined) as error:
+    except NotDerivable as error:
         tally.complain(str(error))
-        share, reasons = 0.0, {}
+    except Undefined as error:
+        line = problem.givens[0].line if problem.givens else 1
+        tally.complain(f"{problem.path.name}:{line}: the chapter's own numbers have no answer: {error}")
     common = sorted(reasons.items(), key=lambda item: -item[1])[:3]
     return Checked(problem.code, number, exact, share, tuple(common), tally.counts, tuple(tally.complaints))

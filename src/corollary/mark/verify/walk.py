@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 
+from corollary.derive.load import line_of
 from corollary.derive.simulation import Seen, simulations
 from corollary.derive.solution import Solution
 from corollary.mark.deal import admitted, collisions
@@ -41,14 +42,16 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
             break
     passed = sum(reasons.values())
     share = passed / drawn if drawn else 0.0
+    ranges = f"{problem.path.name}:{problem.givens[0].line if problem.givens else 1}"
     if drawn and share > TOO_MANY:
-        tally.complain(f"{problem.path.name}: {share:.0%} of the draws may not be dealt ({reasons.most_common(1)[0][0]}); change the ranges, or ask for the formula")
-    if size(problem) > 1 and not met:
-        tally.complain(f"{problem.path.name}: no variant at all may be dealt")
+        why = reasons.most_common(1)[0][0]
+        tally.complain(f"{ranges}: {share:.0%} of the draws may not be dealt ({why}); change the ranges, or ask for the formula")
+    elif size(problem) > 1 and not met:
+        tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
     own, reason = admitted(solution, chapter(problem))
     tally.count("chapter's own numbers")
     if own is None and reason.startswith("an answer does not exist"):
-        tally.complain(f"{problem.path.name}: the chapter's own numbers: {reason}")
+        tally.complain(f"{ranges}: the chapter's own numbers: {reason}")
     if (broken := first_broken(chapter(problem), hard_only=True)) is not None:
         tally.complain(f"{problem.path.name}:{broken.line}: the chapter's own numbers break {broken.text}")
     return share, reasons
@@ -62,19 +65,22 @@ def check_right(key: Key, tally: Tally) -> None:
     for part in key.truths:
         (verdict,), _ = judged[part]
         tally.expect(isinstance(verdict, Right), "right answers", lambda part=part, verdict=verdict: (
-            f"{problem.path.name}: part {part} of {key.variant.label}: the key's own answer is judged {word(verdict)}"))  # fmt: skip
+            f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}: the key's own answer "
+            f"is judged {word(verdict)}"))  # fmt: skip
     tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.finds))
     for part, text in collisions(key):
-        tally.complain(f"{problem.path.name}: part {part} of {key.variant.label}: {text!r} cannot be told from the truth")
+        where = f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}"
+        tally.complain(f"{where}: {text!r} cannot be told from the truth")
 
 
 def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects."""
     answers: dict[str, Seen] = {
-        part: truth.values if len(truth.values) > 1 else truth.values[0] for part, truth in key.truths.items()
+        part: truth.values[0] if len(truth.values) == 1 else truth.values for part, truth in key.truths.items()
     }
+    path = bank.solution(key.variant.problem)
     for wanted in simulations(bank, key.variant, answers):
-        about = f"{bank.solution(key.variant.problem).name}: scene {wanted.scene} on {key.variant.label}"
+        about = f"{path.name}:{line_of(path, 'def scene')}: scene {wanted.scene} on {key.variant.label}"
         try:
             found = run(wanted.scene, wanted.settings, tolerance=1e-12)
         except (BadSetting, GuardFailed) as error:

@@ -6,7 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scene.line import Line
+from corollary.scene.force.contact import stored
+from corollary.scene.line import Line, reduced_mass
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,11 +25,16 @@ def fall_of(line: Line, contact: int) -> float:
 
 
 def asleep(line: Line, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
-    """Whether no contact pushes or is about to: all are open, or just touch without closing."""
+    """Whether no contact pushes or is about to: all are open, or touch without closing and with too little stored to matter.
+
+    `noise` is the speed that cannot be told from none.
+    """
     count = len(line.masses)
     for j, on in enumerate(touching):
-        closing = state[count + j] - state[count + j + 1]
-        if on and (state[1 + j] > 0.0 or closing > noise or (fall_of(line, j) > 0.0 and closing >= 0.0)):
+        closing, fall = state[count + j] - state[count + j + 1], fall_of(line, j)
+        faint = 0.5 * reduced_mass(line.masses[j], line.masses[j + 1]) * noise**2
+        pushes = stored(line.contacts[j], state[1 + j]) > (0.0 if fall > 0.0 else faint)
+        if on and (pushes or closing > noise or (fall > 0.0 and closing >= 0.0)):
             return False
     return True
 

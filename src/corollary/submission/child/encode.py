@@ -168,12 +168,12 @@ def _sympy(value, kind, name, depth, left):
         return _items(list(value), shape, depth, left)
     if not any(_MODULE(each) == "sympy.core.expr" and _NAME(each) == "Expr" for each in _ANCESTORS(kind)):
         return _refused(f"is a {name} of sympy, not an expression", _printable(str(value)[:80]))
-    if not value.free_symbols:
-        try:
-            return ("real", float(value))
-        except (TypeError, ValueError, OverflowError):  # a number with a unit, or a complex one: let its text be read
-            pass
-    return _text(_printable(str(value)))
+    if value.free_symbols:
+        return _text(_printable(str(value)))
+    try:
+        return ("real", float(value))
+    except (TypeError, ValueError, OverflowError):  # a number with a unit, or a complex one: let its text be read
+        return _text(_printable(str(value)))
 
 
 def _measured(magnitude, unit):

@@ -1,0 +1,94 @@
+"""A model of two colliding spheres: a spring along the line of centres, and a brake on their relative motion."""
+
+import sympy
+
+from corollary.derive.author import choice, code, derivation, explain, mistake, plot, step, unknowns, vector
+from corollary.derive.programs_plane import judge_spheres, sphere_inputs
+from corollary.derive.programs_plane_plot import judge_spheres_plot
+from corollary.derive.simulation import simulate
+from corollary.law import distance, overlap, sphere_contact, within
+
+
+def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
+    r, delta, theta = unknowns("r delta theta")
+    F = vector("F")
+    here = {"theta": theta, "k": k, "delta": delta, "eta": eta, "apart": (dx, dy), "r": r, "passing": (ux, uy)}
+    return derivation(
+        step(r, "The distance of the centres.", distance(r, (dx, dy))),
+        step(delta, "The spheres touch when their centres are $2R$ apart; they overlap by what is missing.", overlap(delta, R=R, r=r),
+             mistakes=[mistake("The centres are $2R$ apart when the spheres just touch; you compared with $R$.", overlap(delta, R=R / 2, r=r))]),
+        step(theta, "The force acts only while they overlap: $\\theta$ is 1 then, and 0 while they are apart.", within(theta, delta, "δ is positive while the spheres overlap")),
+        step(
+            F, "The spring pushes A away from B, against $\\Delta\\vec r$. The brake pulls the velocity of A towards that of B, along $\\Delta\\vec v$.",
+            sphere_contact(F, **here), answers="a", scale=k * R ** sympy.Rational(3, 2),
+            mistakes=[
+                mistake("Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed the other way.", sphere_contact(F, **here | {"k": -k})),
+                mistake("Your viscous part drives the spheres. To brake the relative motion it must pull the velocity of A towards that of B: along $+\\Delta\\vec v$.",
+                        sphere_contact(F, **here | {"eta": -eta})),
+                mistake("That is the force on B; both parts turn round for the force on A.", sphere_contact(F, **here | {"eta": -eta, "k": -k})),
+                mistake("You left out the viscous part.", sphere_contact(F, **here | {"eta": 0})),
+                mistake("The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left out the division by $\\Delta r$.", sphere_contact(F, **here | {"k": k * r})),
+                mistake("The spring part grows with the power 3/2 of the overlap; you took the overlap itself.", sphere_contact(F, **here | {"k": k / sympy.sqrt(sympy.Abs(delta))})),
+            ],
+            check="With η = 0 it points straight from B to A.",
+        ),
+        choice(
+            "b", "While the spheres overlap they push each other apart: the spring force on A points from B to A, which is along $-\\Delta\\vec r$.",
+            a=False, b=True, c=False,
+            mistakes={
+                "a": "With plus the spring on A points along $\\Delta\\vec r$, from A to B: the spheres would pull each other in.",
+                "c": "A spring pushes the same way while the overlap grows and while it shrinks; only so does it give the energy back.",
+            },
+        ),
+        code("c", "Newton's second law for each sphere, with the force on B opposite to that on A; velocities first, then positions with the new velocities.",
+             inputs=sphere_inputs, judge=judge_spheres, example=EXAMPLE),
+        plot("c", "Straight lines before and after the touch; each component of the total momentum stays the same.", judge=judge_spheres_plot, example=PLOT),
+        explain(
+            "d",
+            "Says that the total momentum stays the same, in x and in y.",
+            "Gives the reason: the viscous force too acts on B opposite to how it acts on A; all forces are internal.",
+            "Says that mechanical energy is lost (for as long as the spheres overlap and move against each other).",
+            "Gives the reason: the power of the viscous forces is $-\\eta\\,\\lvert\\Delta\\vec v\\rvert^2$, never positive; the spring gives back what it took.",
+            answer="The total momentum does not change: whatever B does to A, A does to B the other way, and this holds for the viscous part as well as for the spring. No force comes from outside. "
+                   "The mechanical energy falls. The viscous forces do work at the rate $\\eta\\Delta\\vec v\\cdot\\vec v_A - \\eta\\Delta\\vec v\\cdot\\vec v_B = -\\eta\\lvert\\Delta\\vec v\\rvert^2$, which is "
+                   "negative while the spheres touch and move against each other. The spring only stores energy and gives it back. The larger η, the more is lost.",
+        ),
+    )  # fmt: skip
+
+
+EXAMPLE = '''
+def spheres(mA, mB, R, k, eta, rA, vA, rB, vB, T, dt):
+    rA, vA, rB, vB = (np.array(x, dtype=float) for x in (rA, vA, rB, vB))
+    for step in range(round(T / dt)):
+        Dr, Dv = rB - rA, vB - vA
+        r = np.linalg.norm(Dr)
+        F = -k * (2 * R - r) ** 1.5 * Dr / r + eta * Dv if r < 2 * R else np.zeros(2)
+        vA = vA + F / mA * dt
+        vB = vB - F / mB * dt
+        rA = rA + vA * dt
+        rB = rB + vB * dt
+    return [vA[0], vA[1], vB[0], vB[1]]
+'''
+PLOT = '''
+R, k, eta, m = {R}, {k}, {eta}, np.array([[{mA}], [{mB}]])
+dt, n = 1e-4, 1000
+r, v = np.zeros((n + 1, 2, 2)), np.zeros((n + 1, 2, 2))
+r[0], v[0] = [[0, 0], [0.08, 0.018]], [[1.0, 0], [0, 0]]
+for i in range(n):
+    Dr, Dv = r[i, 1] - r[i, 0], v[i, 1] - v[i, 0]
+    d = np.linalg.norm(Dr)
+    F = -k * (2 * R - d) ** 1.5 * Dr / d + eta * Dv if d < 2 * R else np.zeros(2)
+    v[i + 1] = v[i] + np.array([F, -F]) / m * dt
+    r[i + 1] = r[i] + v[i + 1] * dt
+t, p = dt * np.arange(n + 1), v * m
+figure, axes = plt.subplots(3, 1)
+for j, name in enumerate("AB"):
+    axes[0].plot(r[:, j, 0], r[:, j, 1], label=name)
+    axes[1].plot(t, p[:, j, 0], label=name)
+    axes[2].plot(t, p[:, j, 1], label=name)
+for axis, x, y in zip(axes, ("x [m]", "t [s]", "t [s]"), ("y [m]", "p_x [kg m/s]", "p_y [kg m/s]")):
+    axis.set_xlabel(x)
+    axis.set_ylabel(y)
+    axis.legend()
+plt.show()
+'''

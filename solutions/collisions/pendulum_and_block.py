@@ -1,0 +1,52 @@
+"""Pendulum and block: energy on the way down and up, momentum and energy in the collision."""
+
+from corollary.derive.author import derivation, mistake, reject, step, unknowns, vector
+from corollary.derive.simulation import simulate
+from corollary.law import conservation_of_momentum, elastic, falling, law
+
+
+def derive(m, M, L, g):
+    v_0, h_1 = unknowns("v_0 h_1")
+    u = vector("u", "m M")
+    before, after = [(m, v_0), (M, 0)], [(m, u[0]), (M, u[1])]
+    return derivation(
+        step(
+            v_0, "The rope pulls at right angles to the motion; only gravity does work. The sphere comes down by the length of the rope.",
+            falling(v_0, g, L), answers="a0", where=v_0 >= 0,
+            mistakes=[
+                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=L, v=v_0)),
+                mistake("The factor 2 stands on the other side: $v^2/2 = gh$.", law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=L, v=v_0)),
+                mistake("The sphere starts at the height of the rope's upper end: it comes down by L, not by 2L.", law("Conservation of mechanical energy", "g*h = v^2/2", g=g, h=2 * L, v=v_0)),
+            ],
+            check="It is the speed of a free fall through L; the mass does not matter.",
+        ),
+        step(
+            u, "In the short collision momentum is kept (the rope is vertical and does not push along the table), and so is the kinetic energy.",
+            conservation_of_momentum(before=before, after=after), elastic(before=before, after=after), answers="a",
+            reject=[reject("the velocities would be those from before: the sphere would have gone through the block", u_m=v_0, u_M=0)],
+            mistakes=[
+                mistake("You let them stick together; an elastic collision keeps the kinetic energy.",
+                        law("Perfectly inelastic", "v_A = v_B", v_A=u[0], v_B=u[1]), instead="Conservation of mechanical energy"),
+                mistake("The sphere stops only if both masses are equal.", law("Sphere stops", "v_A = 0", v_A=u[0]), instead="Conservation of mechanical energy"),
+                mistake("The sphere is turned round without loss of speed only by something infinitely heavy.",
+                        law("Turned round", "v_A = -v_0", v_A=u[0], v_0=v_0), instead="Conservation of mechanical energy"),
+            ],
+            check="A sphere lighter than the block comes back (negative); they part as fast as they came together.",
+        ),
+        step(
+            h_1, "On its way up only gravity works on the sphere.",
+            falling(u[0], g, h_1), answers="b",
+            mistakes=[
+                mistake("You used the speed of the block; the pendulum is the sphere.", falling(u[1], g, h_1)),
+                mistake("The height goes with the square of the speed.", law("Conservation of mechanical energy", "h = L*abs(u)/v_0", h=h_1, L=L, u=u[0], v_0=v_0)),
+                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=u[0])),
+                mistake("That is how high it would swing without the block; it has given energy away.", law("Conservation of mechanical energy", "h = L", h=h_1, L=L)),
+            ],
+            check="It is less than L, and does not depend on g. With M = 2m it is a ninth of L.",
+        ),
+    )  # fmt: skip
+
+
+def scene(m, M, L, g, answer):
+    """Sphere and block during the collision, from Newton's second law."""
+    return [simulate("cradle", {"N": 2, "masses": (m, M), "v0": answer["a0"]}, velocities=answer["a"])]

@@ -1,0 +1,98 @@
+"""Every part of a problem has an entry of its kind in the solution, and one only."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import assert_never
+
+from corollary.derive.entries import (
+    Choice,
+    Code,
+    Derivation,
+    Entry,
+    Example,
+    Explain,
+    Found,
+    Optimum,
+    Plot,
+    Printed,
+    Proof,
+    Simulated,
+    Step,
+)
+from corollary.problem.part import KindName
+from corollary.problem.problem import Problem
+
+WORDS: dict[KindName, str] = {
+    "value": "step", "vector": "step", "expression": "step", "choice": "choice", "example": "example", "code": "code", "plot": "plot",
+    "explain": "explain", "proof": "proof",
+}  # fmt: skip
+
+
+def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str]]:
+    """What does not fit between the parts and the entries: a sentence, and the words of the entry it is about (or "")."""
+    for entry in derivation.entries:
+        if not isinstance(entry, Entry):
+            yield f"derivation(…) holds {entry!r}, which is no entry; use step(…), choice(…), explain(…)", ""
+            return
+    ids = {part.id for part in problem.parts}
+    for entry in derivation.entries:
+        if (id := answered(entry)) and id not in ids:
+            yield f"answers part {id}, which {problem.path.name} does not have", words(entry)
+        elif isinstance(entry, Simulated) and not id:
+            yield "a simulated find must answer a part, whose unit it takes; add answers=", words(entry)
+        elif id:
+            yield from ((sentence, words(entry)) for sentence in _unfit(problem, entry, id))
+    given = Counter((answered(entry), words_of_kind(entry)) for entry in derivation.entries if not isinstance(entry, Printed))
+    for part in problem.parts:
+        for word in {WORDS[kind] for kind in part.kinds}:
+            if not given[part.id, word]:
+                yield f"answers no part {part.id}; each part of {problem.path.name} needs an entry, here {word}(…)", ""
+            if given[part.id, word] > 1:
+                yield f"answers part {part.id} more than once; keep one {word}(…)", ""
+    yield from _misprinted(problem, derivation)
+
+
+def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
+    part = problem.part(id)
+    wanted = [WORDS[kind] for kind in part.kinds]
+    if not isinstance(entry, Printed) and words_of_kind(entry) not in wanted:
+        yield f"part {id} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
+    elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (len(part.components) or 1):
+        asked = f"components {', '.join(part.components)}" if part.components else "one number"
+        yield f"part {id} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
+
+
+def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str]]:
+    found = {entry.answers: len(entry.finds) for entry in derivation.entries if isinstance(entry, Found)}
+    for entry in derivation.entries:
+        if isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(entry.part):
+            yield f"printed: part {entry.part} has {found.get(entry.part, 'no')} numbers, but {entry.text!r} gives {numbers}", entry.text
+
+
+def answered(entry: Entry) -> str:
+    """The part an entry is for; "" for a find that nobody asks about."""
+    match entry:
+        case Step() | Optimum() | Simulated():
+            return entry.answers
+        case Choice() | Example() | Code() | Plot() | Proof() | Explain() | Printed():
+            return entry.part
+        case _:
+            assert_never(entry)
+
+
+def words_of_kind(entry: Entry) -> str:
+    """The author's word that makes such an entry."""
+    return "step" if isinstance(entry, Found) else type(entry).__name__.lower()
+
+
+def words(entry: Entry) -> str:
+    """What to look for in the solution file to find the entry."""
+    match entry:
+        case Explain():
+            return entry.answer
+        case Printed():
+            return entry.text
+        case _:
+            return entry.because

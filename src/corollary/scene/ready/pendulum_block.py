@@ -1,0 +1,49 @@
+"""A pendulum let go from the horizontal hits a block at the bottom of its path, elastically (exercise 12.12)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from corollary.scene.collision import CLOSED, collide
+from corollary.scene.force.contact import Contact
+from corollary.scene.line import Line
+from corollary.scene.model.gauss import integral
+from corollary.scene.ready.scenery import Played, Ready
+from corollary.scene.ready.setting import Setting, one
+from corollary.scene.run import Observed
+
+SETTINGS = (
+    Setting("m", "mass of the sphere", "kg", 1.0, above=0.0),
+    Setting("M", "mass of the block", "kg", 2.0, above=0.0),
+    Setting("L", "length of the rope", "m", 1.0, above=0.0),
+    Setting("g", "acceleration of gravity", "m/s^2", 9.8, above=0.0),
+    Setting("k", "contact constant", "N/m^1.5", 1e8, above=0.0),
+)
+
+
+def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+    """Speed before the hit, velocities (sphere, block) after it, and the height the pendulum then reaches.
+
+    The work of weight along the arc gives the speed; the hit is a contact on a line, and what it neglects is the swing of the
+    rope while it lasts: an angle v T / L.
+    """
+    m, block, length, g, k = (one(settings, name) for name in ("m", "M", "L", "g", "k"))
+    work, doubt, spent = integral(lambda angle: m * g * length * math.cos(angle), 0.0, 0.5 * math.pi)
+    speed = math.sqrt(2.0 * work / m)
+    found = collide(Line((m, block), (speed, 0.0), (0.0,), (Contact(k, 1.5),)), tolerance)
+    sphere, pushed = found.passage.velocities
+    swung = speed * found.passage.duration / length
+    observed: dict[str, Observed] = {
+        "speed_before": speed,
+        "velocities": (sphere, pushed),
+        "height": sphere * sphere / (2.0 * g),
+        "duration": found.passage.duration,
+    }
+    # The rope pulls with a share of the weight that goes as the angle; over the contact it takes g swung T / 2 from the speed.
+    neglected = 0.5 * g * swung * found.passage.duration / speed
+    errors = dict.fromkeys(observed, doubt + CLOSED + neglected) | {"speed_before": doubt + CLOSED}
+    return Played(observed, errors, found.model, found.why, spent + found.spent, "released")
+
+
+PENDULUM_BLOCK = Ready("pendulum_block", "a pendulum hits a block at the bottom of its path", SETTINGS, play)

@@ -1,0 +1,250 @@
+"""A derivation solved, or refused with the line and the reason: laws too few, too many roots, letters nobody gave."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from corollary.derive.solution import Formulas
+from corollary.quantity.ball import Exactly, evaluate
+from corollary.quantity.text import text
+
+TWO_CARTS = '## Velocities {#a .vector unit="m/s" components="A B"}\nWhich?\n'
+
+
+def closed(solution, part: str) -> list[str]:
+    find = solution.answer(part)
+    assert find is not None
+    assert find.closed is not None
+    return [text(tree) for tree in find.closed]
+
+
+def local(solution, part: str) -> list[str]:
+    rule = solution.answer(part).local
+    assert isinstance(rule, Formulas)
+    return [text(tree) for tree in rule.trees]
+
+
+def test_a_step_after_a_step(solved):
+    found = solved("""
+        return derivation(
+            step(p, "Mass times velocity.", momentum(p, m, v)),
+            step(F, "Per time.", mean_force(F, p, t), answers="a"),
+        )""", asks='## Force {#a .value unit="N"}\n?\n')
+    assert local(found, "a") == ["p/t"]
+    assert closed(found, "a") == ["m*v/t"]
+    assert [find.names for find in found.finds] == [("p",), ("F",)]
+
+
+def test_laws_too_few(refused):
+    assert refused("""
+        r, s, u = unknowns("r s u")
+        return derivation(
+            step((r, s, u), "Not enough.", law("One", "a = b", a=r, b=s), law("Two", "a = b", a=s, b=m*v), answers="a"))
+        """, asks='## V {#a .vector unit="kg*m/s" components="x y z"}\n') == (10, "part a: 2 laws for 3 unknowns: u stays free")
+
+
+def test_a_law_that_says_nothing_new_does_not_count(refused):
+    line, sentence = refused("""
+        return derivation(step((p, q), "Twice the same.", law("One", "a = b", a=p, b=q), law("Two", "2*a = 2*b", a=p, b=q), answers="a"))
+        """, asks='## V {#a .vector unit="kg*m/s" components="x y"}\n')
+    assert line == 8
+    assert sentence.endswith("stays free")
+
+
+def test_laws_that_contradict_each_other(refused):
+    line, sentence = refused("""
+        return derivation(step(p, "Both.", law("One", "p = m*v", p=p, m=m, v=v), law("Two", "p = 2*m*v", p=p, m=m, v=v), answers="a"))
+        """)
+    assert line == 8
+    assert sentence == "part a: 2 laws for 1 unknown: no p satisfies them all"
+
+
+ELASTIC = """
+    a, b = unknowns("a b")
+    return derivation(step((a, b), "Both are kept.",
+        conservation_of_momentum(before=[(m, v), (m, 0)], after=[(m, a), (m, b)]),
+        elastic(before=[(m, v), (m, 0)], after=[(m, a), (m, b)]), answers="a"{more}))
+"""
+
+
+def test_two_answers(refused):
+    line, sentence = refused(ELASTIC.format(more=""), asks=TWO_CARTS)
+    assert line == 9
+    assert sentence.startswith("part a: 2 answers (")
+    assert "say which, with where= or reject=" in sentence
+
+
+@pytest.mark.parametrize("more", [", where=b > a", ", where=sympy.Gt(b, 0)", ', reject=[reject("no collision took place", a=v)]'])
+def test_the_root_that_is_meant(solved, more):
+    found = solved(ELASTIC.format(more=more), asks=TWO_CARTS)
+    assert closed(found, "a") == ["0", "v"]
+    (refused,) = found.finds[0].rejected
+    assert "no collision" in refused or "<" in refused or ">" in refused
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (", where=b > 2", "holds for"),
+        (", where=b > 100", "no root is left"),
+        (", where=b > unknown('z')", "z has no value here"),
+        (', reject=[reject("never", a=2*v)]', "the root to reject (never) is no root of the laws"),
+        (', reject=[reject("one", a=0), reject("other", a=v)]', "no root is left"),
+    ],
+)
+def test_a_choice_of_root_that_will_not_do(refused, more, words):
+    line, sentence = refused(ELASTIC.format(more=more), asks=TWO_CARTS)
+    assert line == 9
+    assert words in sentence
+
+
+def test_a_root_that_is_not_real_everywhere(refused):
+    line, sentence = refused("""
+        return derivation(step(p, "A root.", law("Odd", "p^2 = v - 2", p=p, v=v), where=p >= 0, answers="a"))""")
+    assert line == 8
+    assert "is not real for every value of the givens" in sentence
+
+
+def test_an_equation_no_formula_solves(refused):
+    _, sentence = refused("""return derivation(step(p, "Hard.", law("Odd", "p + exp(p) = sin(p)", p=p), answers="a"))""")
+    assert "part a:" in sentence
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ('step(p, "Here.", momentum(p, m, q), answers="a")', "part a: Momentum: q is neither given nor found before"),
+        ('step(p, "Here.", momentum(p, m, 2*v/t), answers="a")', "the answer is not in kg m/s, it is"),
+        ('step(p, "Here.", law("Odd", "p = m + v", p=p, m=m, v=v), answers="a")', "the dimensions do not fit: m (kg) and v (m/s) cannot be added"),
+        ('step(m, "Here.", momentum(m, m, v), answers="a")', "m is given or found already"),
+        ('step(p, "Here.", law("Area", "p = A", p=p, A=sympy.Integral(sympy.exp(m**2), (m, 0, 1))), answers="a")', "cannot be written as a formula"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a", mistakes=[mistake("Slip.")])', "mistake 'Slip.' names no law"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a", mistakes=[mistake("Slip.", momentum(p, m, q))])', "q is neither given"),
+        ('step(p, "Here.", momentum(p, q, v), law("Two", "q = m", q=q, m=m), also=[q], answers="a",'
+         ' mistakes=[mistake("Slip.", momentum(p, m, v), instead="Three")])', "say which law it takes the place of"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a", routes=[route("Other.", momentum(p, m, q))])', "q is neither given"),
+        ('step((p, q), "Here.", momentum(p, m, v), momentum(q, m, v), answers="a")', "part a asks for one number, but p, q is found"),
+        ('step(p, "Here.", momentum(p, m, v))', "answers no part a"),
+        ('step(p, "Here.", momentum(p, m, v), answers="b")', "answers part b, which cart.md does not have"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a"), step(q, "Again.", momentum(q, m, v), answers="a")', "answers part a more than once"),
+        ('choice("a", "Here.", a=True)', "part a is .value; answer it with step(…)"),
+        ('explain("a", "Rubric.", answer="Here.")', "part a is .value; answer it with step(…)"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a"), None', "None, which is no entry"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a"), printed("b", "1", "(1)")', "answers part b"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a"), printed("a", "1; 2", "(1)")', "part a has 1 numbers, but '1; 2' gives 2"),
+        ('simulated(p, "Here.", scene="cradle", settings={}, observe="velocities")', "a simulated find must answer a part"),
+        ('simulated(p, "Here.", scene="pool", settings={}, observe="velocities", answers="a")', "there is no scene pool"),
+        ('simulated(p, "Here.", scene="cradle", settings={"M": m}, observe="velocities", answers="a")', "no setting M"),
+        ('optimum(p, "Here.", of=m*q, over=v, between=(0, 1), answers="a")', "q has no value here"),
+        ('optimum(p, "Here.", of=(v - m)**2, over=v, between=(0, m + 1), answers="a", largest=False)', "the answer is not in kg m/s, it is"),
+    ],
+)  # fmt: skip
+def test_a_step_that_will_not_do(refused, body, words):
+    line, sentence = refused(f"return derivation({body})")
+    assert words in sentence
+    assert line in {6, 8}  # derive itself, where the fault is of the whole, or the line of the entry
+
+
+WHICH = "## Which? {#a .choice}\n\n- (a) one\n- (b) two\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ('choice("a", "So.", a=v > 2)', "its options are a, b; give each of them"),
+        ('choice("a", "So.", a=v > 2, b=v <= 2, c=False)', "its options are a, b"),
+        ('choice("a", "So.", a=sympy.And(v > 2, m > 1), b=True)', "is no relation"),
+        ('step(p, "So.", momentum(p, m, v), answers="a")', "part a is .choice; answer it with choice(…)"),
+    ],
+)
+def test_a_choice_that_will_not_do(refused, body, words):
+    line, sentence = refused(f"return derivation({body})", asks=WHICH)
+    assert words in sentence
+    assert line == 8
+
+
+def test_a_choice_that_follows_from_a_find(solved):
+    found = solved("""
+        return derivation(step(p, "First.", momentum(p, m, v)), choice("a", "So.", a=p > 1, b=p <= 1))""", asks=WHICH)
+    assert {letter: text(held) for letter, held in found.choices["a"].options.items()} == {"a": "m*v > 1", "b": "m*v <= 1"}
+
+
+def test_an_example_counts_what_stays_free(refused, solved):
+    body = """
+        a, b = unknowns("a b")
+        return derivation(example("a", (a, b), "One law, two unknowns.",
+            conservation_of_momentum(before=[(m, v)], after=[(m, a), (m, b)]), free={free}, scale=v))"""
+    asks = '## E {#a .example unit="m/s" components="A B"}\n'
+    line, sentence = refused(body.format(free=0), asks=asks)
+    assert (line, sentence) == (9, "part a: 1 laws for 2 unknowns leave 1 free, not 0")
+    truth = solved(body.format(free=1), asks=asks).examples["a"]
+    givens = {"v": Exactly(Fraction(3)), "m": Exactly(Fraction(1, 2)), "t": Exactly(Fraction(1))}
+    assert truth.instance is not None
+    assert float(sum(evaluate(tree, givens, 64) for tree in truth.instance)) == 3.0
+
+
+def test_routes_and_mistakes_are_rules_of_their_own(solved):
+    found = solved("""
+        return derivation(
+            step(p, "First.", momentum(p, m, v)),
+            step(F, "Per time.", mean_force(F, p, t), answers="a",
+                 routes=[route("At once.", law("Force", "F = m*v/t", F=F, m=m, v=v, t=t))],
+                 mistakes=[mistake("You multiplied.", law("Force", "F = p*t", F=F, p=p, t=t))]))
+        """, asks='## Force {#a .value unit="N"}\n?\n').answer("a")
+    assert found is not None
+    (way,), (wrong,) = found.routes, found.mistakes
+    assert isinstance(way, Formulas)
+    assert isinstance(wrong.rule, Formulas)
+    assert [text(tree) for tree in (*way.trees, *wrong.rule.trees)] == ["m*v/t", "p*t"]
+
+
+def test_a_mistake_may_have_a_root_that_where_excludes(solved):
+    find = solved("""
+        return derivation(step(p, "Up.", law("Root", "p^2 = m^2*v^2", p=p, m=m, v=v), where=p > 0, answers="a",
+            mistakes=[mistake("Wrong sign.", law("Root", "p = -m*v", p=p, m=m, v=v))]))""").answer("a")
+    assert find is not None
+    (wrong,) = find.mistakes
+    assert isinstance(wrong.rule, Formulas)
+    assert text(wrong.rule.trees[0]) == "-m*v"
+
+
+def test_unknowns_nobody_asks_for(solved):
+    found = solved("""
+        return derivation(step(p, "With q.", momentum(p, q, v), law("Two", "q = 2*m", q=q, m=m), also=[q], answers="a"))""")
+    assert closed(found, "a") == ["2*m*v"]
+    assert [find.names for find in found.finds] == [("p",)]
+
+
+@pytest.mark.parametrize(
+    ("of", "between", "largest", "answer", "words"),
+    [
+        ("m*x*(2 - x)*v", "(0, 3)", True, "1", "the slope vanishes there"),
+        ("m*x*(2 - x)*v", "(0, 3)", False, "3", "it is an end"),
+        ("m*x*(2 - x)*v", "(2, 3)", True, "2", "it is an end"),
+        ("v*sympy.sin(x)", "(0, HALF_PI)", True, "pi/2", "the slope vanishes there"),
+        ("(x - m)**2", "(0, 2)", False, "m", "the slope vanishes there"),
+    ],
+)
+def test_an_optimum(solved, of, between, largest, answer, words):
+    front = "code: X1.1\ntitle: A\ngiven:\n  m: {is: m, value: 0.5, from: 0.1, to: 0.9, step: 0.1}\n  v: {is: v, value: 3, from: 1, to: 5, step: 1}\n"
+    whole = f"""\
+from corollary.derive.author import *
+import sympy
+def derive(m, v):
+    x, best = unknowns("x best")
+    return derivation(optimum(best, "The best.", of={of}, over=x, between={between}, largest={largest}, answers="a"))
+"""
+    found = solved(whole=whole, front=front, asks="## Best {#a .value}\n")
+    assert closed(found, "a") == [answer]
+    assert words in found.finds[0].note
+
+
+def test_an_optimum_that_moves_with_the_givens(refused):
+    line, sentence = refused(
+        'return derivation(optimum(p, "Best.", of=(q - 1)*(v - 2.5), over=q, between=(0, 3), answers="a"))',
+        asks="## Best {#a .value}\n",
+    )
+    assert line == 8
+    assert "moves from" in sentence

@@ -1,0 +1,95 @@
+"""A bank: problems found by code, by name, by path, and what is said when there is none, or two."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.problem.bank import Bank, Unknown, chapter_bank, find, home, load, open_bank
+from corollary.problem.complaint import Malformed
+
+FRONT = "code: {code}\ntitle: A cart\ngiven:\n  m: {{is: mass, value: 1, unit: kg}}"
+
+
+@pytest.fixture
+def bank(write, tmp_path) -> Bank:
+    write(FRONT.format(code="X1.2"), "## M {#a .value}\n", name="cart")
+    write(FRONT.format(code="X1.10"), "## M {#a .value}\n", name="sledge")
+    return open_bank(tmp_path)
+
+
+@pytest.mark.parametrize("code", ["X1.2", "x1.2", "cart"])
+def test_found_by_code_and_by_name(bank, code):
+    assert find(bank, code).name == "cart"
+
+
+def test_found_by_path(bank, tmp_path, monkeypatch):
+    path = tmp_path / "problems" / "carts" / "cart.md"
+    assert find(bank, str(path)).code == "X1.2"
+    monkeypatch.chdir(path.parent)
+    place, problem = home(None, "cart.md")
+    assert problem.code == "X1.2"
+    assert place.solution(problem) == tmp_path / "solutions" / "carts" / "cart.py"
+
+
+def test_a_code_that_begins_like_another(bank):
+    with pytest.raises(Unknown, match=r"no problem is called X1\.1;"):
+        find(bank, "X1.1")
+
+
+def test_a_code_written_in_quotes(bank, write):
+    write(FRONT.format(code='"X1.3"'), "## M {#a .value}\n", name="quoted")
+    assert find(bank, "X1.3").name == "quoted"
+
+
+def test_in_the_order_of_the_chapter(bank):
+    assert [problem.code for problem in load(bank)] == ["X1.2", "X1.10"]
+
+
+def test_two_of_one_code(bank, write):
+    write(FRONT.format(code="x1.10"), "## M {#a .value}\n", name="wagon")
+    with pytest.raises(Malformed, match=r"wagon\.md:2: sledge\.md has the code x1\.10 already"):
+        load(bank)
+
+
+def test_two_of_one_name(bank, tmp_path):
+    other = tmp_path / "problems" / "ships" / "cart.md"
+    other.parent.mkdir()
+    other.write_text("---\n" + FRONT.format(code="X9.9") + "\n---\n## M {#a .value}\n", encoding="utf-8")
+    with pytest.raises(Malformed, match=r"cart\.md:1: there is another cart\.md in carts/"):
+        load(bank)
+
+
+def test_complaints_of_every_file(bank, write):
+    write("title: A", "## M {#a .value}\n", name="first")
+    write("title: B", "## M {#a .value}\n", name="second")
+    with pytest.raises(Malformed) as raised:
+        load(bank)
+    assert {complaint.path.name for complaint in raised.value.complaints} == {"first.md", "second.md"}
+
+
+@pytest.mark.parametrize("code", ["nothing.md", "X9", "", "../../etc/passwd", "sets"])
+def test_what_is_not_there(bank, code):
+    with pytest.raises(Unknown):
+        find(bank, code)
+
+
+def test_a_path_outside_the_bank(bank, tmp_path):
+    alone = tmp_path / "alone.md"
+    alone.write_text("---\n" + FRONT.format(code="X9.9") + "\n---\n## M {#a .value}\n", encoding="utf-8")
+    with pytest.raises(Unknown, match="does not lie in"):
+        find(bank, str(alone))
+    with pytest.raises(Unknown, match="lies in no bank"):
+        home(None, str(alone))
+
+
+def test_a_folder_that_is_no_bank(tmp_path):
+    with pytest.raises(Unknown, match="no folder problems/"):
+        open_bank(tmp_path / "nowhere")
+
+
+def test_every_code_of_the_chapter_leads_back_to_its_problem():
+    bank = chapter_bank()
+    problems = load(bank)
+    assert len(problems) >= 5
+    for problem in problems:
+        assert find(bank, problem.code) == find(bank, problem.name) == problem

@@ -1,0 +1,140 @@
+"""An author's own scenes: the least model is chosen, and the models agree where they overlap."""
+
+import math
+
+import pytest
+
+from corollary.scene.body import Body
+from corollary.scene.catalogue import run
+from corollary.scene.force.absorption import Absorption
+from corollary.scene.force.contact import Contact
+from corollary.scene.force.friction import Friction
+from corollary.scene.force.inverse_square import InverseSquare
+from corollary.scene.force.spring import Spring
+from corollary.scene.force.thrust import Thrust
+from corollary.scene.force.wall import HardWall
+from corollary.scene.force.weight import Weight
+from corollary.scene.force.well import Well
+from corollary.scene.observe import MEANING, Observable
+from corollary.scene.plan import plan, play
+from corollary.scene.run import BadSetting
+from corollary.scene.scene import Scene
+
+V = {Observable.VELOCITIES}
+HARD = Contact(1e4, 1.5)
+
+
+def row(*masses, contact=HARD, speed=1.0):
+    bodies = tuple(Body(m, (0.02 * i,), (speed if i == 0 else 0.0,), 0.01) for i, m in enumerate(masses))
+    return Scene(bodies, (contact,))
+
+
+def test_the_least_model_is_chosen():
+    assert plan(row(1.0, 2.0), V).model == "conservation"
+    assert plan(row(1.0, 2.0), V | {Observable.DURATION}).model == "quadrature"
+    assert plan(row(1.0, 1.0, 1.0), V).model == "integration"
+    assert plan(row(1.0, 1.0, 1.0, contact=Contact(1e4, 1.0)), V).model == "piecewise exact"
+    assert plan(row(1.0, 2.0, contact=Contact(1e4, 1.5, 1.0)), V).model == "integration"
+    in_a_plane = Scene((Body(1.0, (0.0, 0.0), (1.0, 0.0), 0.1), Body(1.0, (1.0, 0.1), (0.0, 0.0), 0.1)), (HARD,))
+    assert plan(in_a_plane, V).model == "integration"
+
+
+def test_a_row_is_the_cradle():
+    found = play(row(0.1, 0.1, 0.1), V | {Observable.DURATION, Observable.PEAK_FORCE, Observable.LARGEST_OVERLAP})
+    cradle = run("cradle", {"q": 1.5, "m": 0.1, "k": 1e4, "v0": 1.0})
+    for name, value in found.observed.items():
+        assert value == pytest.approx(cradle.observed[name], rel=1e-9)
+
+
+def test_steps_in_time_agree_with_the_regularised_contact():
+    bodies = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
+    wanted = V | {Observable.DURATION, Observable.PEAK_FORCE, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO}
+    for eta in (0.0, 1.0):
+        found, exact = play(Scene(bodies, (Contact(2e4, 1.5, eta),)), wanted), run("spheres", {"eta": eta})
+        for name, value in found.observed.items():
+            assert value == pytest.approx(exact.observed[name], rel=1e-8, abs=1e-8), name
+        assert found.error < 1e-8
+
+
+def test_three_spheres_in_a_plane_keep_momentum_and_energy():
+    bodies = (
+        Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02),
+        Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02),
+        Body(0.2, (0.12, 0.03), (0.0, 0.0), 0.02),
+    )
+    found = play(Scene(bodies, (Contact(2e4, 1.5),)), V | {Observable.ENERGY_RATIO})
+    v = found.observed["velocities"]
+    assert v[0] + v[2] + 2 * v[4] == pytest.approx(1.0, abs=1e-12)
+    assert v[1] + v[3] + 2 * v[5] == pytest.approx(0.0, abs=1e-12)
+    assert found.observed["energy_ratio"] == pytest.approx(1.0, abs=1e-8)
+    assert found.outcome == "released"
+
+
+def test_no_touch_is_lost_however_long_the_flight():
+    bodies = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (8.0, 0.0399), (0.0, 0.0), 0.02))
+    found = play(Scene(bodies, (Contact(2e4, 1.5),)), V)
+    exact = run("spheres", {"eta": 0.0, "dx": 8.0, "dy": 0.0399})
+    assert found.observed["velocities"] == pytest.approx(exact.observed["velocities"], abs=1e-7)
+    assert found.outcome == "released"
+
+
+def test_an_orbit_in_the_well_agrees_with_its_integrals():
+    found = play(
+        Scene((Body(2.0, (1.0, 0.0), (0.0, 3.0)),), (Well(100.0, 1.0, 0.4),), until=4.0),
+        {Observable.PERIOD, Observable.TURNING_POINTS},
+    )
+    exact = run("atom", {}).observed
+    assert found.observed["period"] == pytest.approx(exact["period"], rel=1e-8)
+    assert found.observed["turning_points"] == pytest.approx(exact["turning_points"], rel=1e-8)
+
+
+def test_an_atom_leaves_the_well_and_bounces_off_the_core():
+    settings = {"r0": (2.0, 0.3), "v0": (-5.0, 0.0)}
+    found = play(Scene((Body(2.0, (2.0, 0.3), (-5.0, 0.0)),), (Well(100.0, 1.0, 0.4),), until=2.0), V)
+    assert found.observed["velocities"] == pytest.approx(run("atom", settings).observed["velocities"], abs=1e-8)
+
+
+def test_a_bouncing_ball_collapses_and_is_called_so():
+    found = play(Scene((Body(1.0, (2.0,), (0.0,)),), (Weight(9.8), HardWall((1.0,), 0.0, 0.5)), until=4.0), V)
+    assert found.outcome == "sticks"
+    assert found.observed["velocities"] == (0.0,)
+    twice = play(Scene((Body(1.0, (2.0,), (0.0,)),), (Weight(9.8), HardWall((1.0,), 0.0, 0.5)), until=1.2), V)
+    # Down in t, up and down in t, since it leaves with half the speed: at 1.2 s it is on its second flight.
+    t = math.sqrt(2 * 2.0 / 9.8)
+    assert twice.observed["velocities"][0] == pytest.approx(0.5 * 9.8 * t - 9.8 * (1.2 - t), rel=1e-10)
+
+
+def test_forces_of_the_chapter_in_closed_cases():
+    def end(*forces, bodies, until):
+        return play(Scene(bodies, forces, until=until), V).observed["velocities"]
+
+    one = (Body(1000.0, (0.0,), (0.0,)),)
+    assert end(Thrust(0, (-2500.0,), 10.0), bodies=one, until=60.0) == pytest.approx((2500 * math.log(2.5),), rel=1e-10)
+    drop = (Body(2.0, (0.0,), (6.0,)),)
+    assert end(Absorption(0, (-3.0,), 0.4), bodies=drop, until=1.0) == pytest.approx(((12 - 1.2) / 2.4,), rel=1e-10)
+    assert end(Friction(0, 0.5), bodies=drop, until=1.0) == pytest.approx((6 - 4.9,), rel=1e-12)
+    assert end(Friction(0, 0.5), bodies=drop, until=9.0) == (0.0,)
+    two = (Body(1.0, (0.0,), (1.0,)), Body(3.0, (1.0,), (0.0,)))
+    swing = end(Spring((0, 1), 7.0, 1.0), bodies=two, until=2.0)
+    w = math.sqrt(7.0 / 0.75)
+    assert swing[0] - swing[1] == pytest.approx(math.cos(2 * w), rel=1e-8)
+    ions = (Body(0.1, (0.0,), (1.0,)), Body(0.15, (0.08,), (0.0,)))
+    apart = end(InverseSquare((0, 1), -0.0012), bodies=ions, until=5.0)
+    escaped = 1.0 + 2 * 0.0012 / (0.06 * 0.08)  # the square of the relative speed far away
+    assert apart[1] - apart[0] == pytest.approx(math.sqrt(escaped), rel=2e-2)
+
+
+def test_what_does_not_fit_together_is_refused():
+    body = Body(1.0, (0.0,), (1.0,))
+    with pytest.raises(BadSetting, match="one component each, or two"):
+        Scene((body, Body(1.0, (0.0, 0.0), (1.0, 0.0))), ())
+    with pytest.raises(BadSetting, match="names a body that is not there"):
+        Scene((body,), (Friction(1, 0.5),))
+    with pytest.raises(BadSetting, match="until"):
+        play(Scene((body,), (Weight(9.8),)), V)
+    with pytest.raises(BadSetting, match="nothing is to be observed"):
+        plan(row(1.0, 1.0), set())
+
+
+def test_every_observable_is_defined():
+    assert set(MEANING) == set(Observable)
