@@ -1,5 +1,7 @@
 """Ballistic pendulum: momentum in the hit, energy in the swing, and never the other way round."""
 
+import sympy
+
 from corollary.derive.author import derivation, mistake, printed, route, step, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import change_of_kinetic_energy, falling, law, rope_height, sticking
@@ -55,7 +57,7 @@ def derive(mA, mB, h, L, g):
         ),
         step(
             theta, "At the angle θ the block is lower than the upper end of the rope by L cos θ, at the start by L.",
-            rope_height(h, L, theta), answers="d", where=theta <= 3,
+            rope_height(h, L, theta), answers="d", where=theta <= sympy.pi,
             mistakes=[
                 mistake("The height is not $L\\sin\\theta$, which is how far the block has moved sideways.", law("Geometry of the rope", "theta = asin(h/L)", theta=theta, h=h, L=L)),
                 mistake("The cosine belongs to what is left of the height, $L - h$, not to h.", law("Geometry of the rope", "theta = acos(h/L)", theta=theta, h=h, L=L)),

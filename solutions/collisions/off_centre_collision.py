@@ -4,7 +4,7 @@ import sympy
 
 from corollary.derive.author import derivation, mistake, proof, reject, step, unknown, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.law import Law, angle_between, conservation_of_momentum, elastic, law, line_of_centres
+from corollary.law import Law, angle_between, conservation_of_momentum, elastic, law, line_of_centres, magnitude
 
 
 def plane_energy(m, v0, A, B) -> Law:
@@ -32,23 +32,22 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         step(
             speeds, "The speeds are the lengths of the two velocities.",
-            law("Pythagoras", "v^2 = v_x^2 + v_y^2", v=speeds, v_x=(a[0], b[0]), v_y=(a[1], b[1])), answers="a",
-            where=(speeds[0] >= 0) & (speeds[1] >= 0),
+            magnitude(speeds, ((a[0], b[0]), (a[1], b[1]))), answers="a",
             mistakes=[
                 mistake("Sine and cosine have changed places: a slightly deflected A keeps nearly all of its speed.",
-                        law("Pythagoras", "v = c", v=speeds, c=(v0 * sympy.sin(theta), v0 * sympy.cos(theta)))),
+                        law("Magnitude", "v = c", v=speeds, c=(v0 * sympy.sin(theta), v0 * sympy.cos(theta)))),
                 mistake("Speeds do not add up to v₀: momentum is a vector. Momentum along y must vanish too.",
-                        law("Pythagoras", "v = c", v=speeds, c=(v0 * sympy.cos(theta), v0 * (1 - sympy.cos(theta))))),
+                        law("Magnitude", "v = c", v=speeds, c=(v0 * sympy.cos(theta), v0 * (1 - sympy.cos(theta))))),
                 mistake("You let A keep its speed and only turn; then there is no energy left for B.",
-                        law("Pythagoras", "v = c", v=speeds, c=(v0, v0 * sympy.sin(theta)))),
+                        law("Magnitude", "v = c", v=speeds, c=(v0, v0 * sympy.sin(theta)))),
                 mistake("The two do not share the energy in equal halves; momentum must be kept along y as well.",
-                        law("Pythagoras", "v = c", v=speeds, c=(v0 / sympy.sqrt(2), v0 / sympy.sqrt(2)))),
+                        law("Magnitude", "v = c", v=speeds, c=(v0 / sympy.sqrt(2), v0 / sympy.sqrt(2)))),
             ],
             check="Their squares add up to v₀²: the kinetic energy is kept. θ → 0: A misses, and B stays at rest.",
         ),
         step(
             psi, "The scalar product of the two velocities tells the angle between them.",
-            angle_between(psi, a=a, b=b, lengths=speeds), answers="b", where=(psi >= 0) & (psi <= 3),
+            angle_between(psi, a=a, b=b, lengths=speeds), answers="b", where=psi <= sympy.pi,
             mistakes=[
                 mistake("B does not move off at the same angle on the other side, unless θ is 45°.", law("Scalar product", "psi = 2*theta", psi=psi, theta=theta)),
                 mistake("That is the angle of B's velocity with +x; asked is the angle between the velocities of A and B.", law("Scalar product", "psi = pi/2 - theta", psi=psi, theta=theta)),
@@ -57,9 +56,9 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         step(
             n, "When they touch, the centres are D apart, and s of it across the motion: this fixes the unit vector n from A's centre to B's.",
-            *line_of_centres(n, s=s, D=D), where=(n[0] >= 0) & (n[1] >= 0),
+            *line_of_centres(n, s=s, D=D),
             mistakes=[
-                mistake("Sine and cosine have changed places: s is the side *across* the motion, along y.", law("Line of centres", "n_x = s/D", n_x=n[0], s=s, D=D)),
+                mistake("Sine and cosine have changed places: s is the side *across* the motion, along y.", law("Line of centres", "n_y = sqrt(D^2 - s^2)/D", n_y=n[1], s=s, D=D)),
             ],
         ),
         step(

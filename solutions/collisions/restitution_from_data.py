@@ -23,7 +23,7 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
         ),
         step(
             r_h, "The speed at the floor is √(2gh₀) on the way down and √(2gh₁) on the way up; their ratio is r.",
-            law("Height of a bounce", "h_1 = r^2*h_0", source="Fig. 12.11", holds="only gravity works in the air", r=r_h, h_0=h0, h_1=h1),
+            law("Height of a bounce", "h_1 = r^2*h_0", source="(Fig. 12.11)", holds="only gravity works in the air", r=r_h, h_0=h0, h_1=h1),
             answers="b", where=r_h >= 0,
             mistakes=[
                 mistake("The heights tell the energies; r compares the *speeds*, which go with the root of the height.", law("Height of a bounce", "r = h_1/h_0", r=r_h, h_0=h0, h_1=h1)),

@@ -5,7 +5,7 @@ from corollary.derive.simulation import simulate
 from corollary.law import conservation_of_momentum, elastic, elastic_on_hinge, hit_on_hinge, law, momentum, sticking
 
 
-def derive(m, M, v, h, I):  # noqa: E741 - the field's letter for a moment of inertia
+def derive(m, M, v, h, I):
     u, V, V_s, J, J_s, rho, omega, u_h = unknowns("u V V_s J J_s rho omega u_h")
     before, after = [(m, v), (M, 0)], [(m, u), (M, V)]
     return derivation(
@@ -69,7 +69,7 @@ def derive(m, M, v, h, I):  # noqa: E741 - the field's letter for a moment of in
     )  # fmt: skip
 
 
-def scene(m, M, v, h, I, answer):  # noqa: E741
+def scene(m, M, v, h, I, answer):
     """A free book is a row of two balls; a book that turns is, where it is hit, as heavy as I/h² (hit at h, it moves at omega h)."""
     return [
         simulate("cradle", {"N": 2, "masses": (m, M), "v0": v}, velocities=(v - answer["d"] / m, answer["d"] / M)),

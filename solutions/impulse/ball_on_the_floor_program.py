@@ -57,7 +57,8 @@ def derive(g, R, m, y0, v0, k):
             law("Contact force", "N = k*d^(3/2)", source="(12.23)", N=N, k=k, d=x), force_on_standing(F, N, m, g), also=[N], answers="d",
             mistakes=[
                 mistake("The force goes with the power 3/2 of the compression.", law("Contact force", "N = k*d", N=N, k=k, d=x), instead="Contact force"),
-                mistake("That is the energy stored in the contact divided by the way, a mean over the way; the largest force is $k\\,x^{3/2}$.", law("Contact force", "N = 2*k*d^(3/2)/5", N=N, k=k, d=x), instead="Contact force"),
+                mistake("That is the energy stored in the contact divided by the way, a mean over the way; the largest force is $k\\,x^{3/2}$.",
+                        law("Contact force", "N = 2*k*d^(3/2)/5", N=N, k=k, d=x), instead="Contact force"),
             ],
             check="Many times the weight, and about 1.8 times the mean force of part (f).",
         ),

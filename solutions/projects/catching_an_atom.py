@@ -26,7 +26,7 @@ from corollary.law import (
 
 
 def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
-    U_0, T, v_far, theta, F_x = unknowns("U_0 T v_far theta F_x")
+    U_0, T, v_far, theta, F_l = unknowns("U_0 T v_far theta F_l")
     u, V, V_e, u_e, v_e = unknowns("u V V_e u_e v_e")
     r_p, kappa, w_e, r_max, T_r, phi = unknowns("r_p kappa w_e r_max T_r phi")
     r_c, v_max, q = unknowns("r_c v_max q")
@@ -35,14 +35,10 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
     p = (unknown("x_near"), unknown("x_far"))
     F = vector("F")
     return derivation(
-        plot("a", "A parabola with its bottom at b, flat at U₀ beyond b + d, and a wall at b - d.", judge=judge_potential_plot, example=POTENTIAL),
-        explain(
-            "a",
-            "The figure shows wall, parabola and flat top at the right places.",
-            "Below U₀: the atom swings about b between two turning points, for ever.",
-            "Above U₀: it comes in, is fastest at b, turns round at the wall (not at a turning point of the parabola) and leaves again; outside its speed is constant.",
-            answer="Below $U_0$ the atom is bound: it swings harmonically about $b$, between the two places where $U = E$. Above $U_0$ it is free: it comes in from outside at constant speed, gets faster on the way to $b$, slower "
-                   "beyond it, is thrown back by the wall at $b - d$, and leaves with the speed it came with.",
+        plot(
+            "a", "A parabola with its bottom at b, flat at $U_0$ beyond $b + d$, and a wall at $b - d$. Below $U_0$ the atom is bound: it swings harmonically about $b$, between the two places where $U = E$. Above $U_0$ it is free: it comes in "
+                 "from outside at constant speed, is fastest at $b$, is thrown back by the wall at $b - d$, and leaves with the speed it came with.",
+            judge=judge_potential_plot, example=POTENTIAL,
         ),
         step(U_0, "The energy at the edge of the well.", depth_of_well(U_0, k=k, d=d)),
         step(
@@ -76,12 +72,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(theta, "There is a force only inside the well, for x < b + d: θ is 1 there and 0 beyond.", within(theta, b + d - x, "b + d - x is positive inside the well")),
         step(
-            F_x, "The force is $-dU/dx$: $-k(x - b)$ inside, and zero where U is constant.",
-            law("Force and potential energy", "F = -theta*k*(x - b)", holds="F = -dU/dx", F=F_x, theta=theta, k=k, x=x, b=b), answers="b", scale=k * d,
+            F_l, "The force is $-dU/dx$: $-k(x - b)$ inside, and zero where U is constant.",
+            law("Force and potential energy", "F = -theta*k*(x - b)", holds="F = -dU/dx", F=F_l, theta=theta, k=k, x=x, b=b), answers="b", scale=k * d,
             mistakes=[
-                mistake("The force is *minus* the slope of the potential energy: it points to the bottom of the well.", law("Force and potential energy", "F = theta*k*(x - b)", F=F_x, theta=theta, k=k, x=x, b=b)),
-                mistake("The bottom of the well, where there is no force, is at b and not at 0.", law("Force and potential energy", "F = -theta*k*x", F=F_x, theta=theta, k=k, x=x)),
-                mistake("The factor 1/2 goes away with the derivative of the square.", law("Force and potential energy", "F = -theta*k*(x - b)/2", F=F_x, theta=theta, k=k, x=x, b=b)),
+                mistake("The force is *minus* the slope of the potential energy: it points to the bottom of the well.", law("Force and potential energy", "F = theta*k*(x - b)", F=F_l, theta=theta, k=k, x=x, b=b)),
+                mistake("The bottom of the well, where there is no force, is at b and not at 0.", law("Force and potential energy", "F = -theta*k*x", F=F_l, theta=theta, k=k, x=x)),
+                mistake("The factor 1/2 goes away with the derivative of the square.", law("Force and potential energy", "F = -theta*k*(x - b)/2", F=F_l, theta=theta, k=k, x=x, b=b)),
             ],
             check="It points to b from either side, and it is zero at b and outside the well.",
         ),
@@ -189,7 +185,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake("The spring is relaxed at b: it pulls with $k(r - b)$, not with $kr$.", law("Newton's second law", "r = v*sqrt(m/k)", k=k, r=r_c, m=m, v=v)),
                 mistake("The kinetic energy does not become spring energy here; on a circle the speed stays the same. The force must hold the atom.",
                         law("Newton's second law", "r = b + v*sqrt(m/k)", r=r_c, b=b, v=v, m=m, k=k)),
-                mistake("You put b for the radius of the circle in the acceleration; it is the distance r itself.", law("Newton's second law", "k*(r - b) = m*v^2/b", k=k, r=r_c, b=b, m=m, v=v)),
+                mistake("The factor 1/2 belongs to the kinetic energy; what a circle needs is $mv^2/r$.", law("Newton's second law", "k*(r - b) = m*v^2/(2*r)", k=k, r=r_c, b=b, m=m, v=v)),
             ],
             check="A slow atom circles just outside b; the faster it is, the wider the circle.",
         ),
@@ -224,12 +220,6 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         code("j", "At t₁ the velocity is halved (momentum; B was at rest). The pair has twice the mass, and twice the force, for the molecule pulls on both: the acceleration at a place stays as it was.",
              inputs=catch_inputs, judge=judge_catch, example=CATCH),
-        explain(
-            "j",
-            "At t₁ the velocity becomes half of what it was: momentum is kept, B was at rest.",
-            "Mass and force both double, so the acceleration at each place is unchanged.",
-            answer="Before t₁ only A moves, with its own mass and the force on it. At t₁ the velocity is halved. After t₁ mass and force are both doubled, so that the same acceleration can be used.",
-        ),
         choice(
             "k1", "The pair needs enough energy at r = b + d, where angular momentum still leaves it a velocity across the radius. A fast enough A gives this in every direction; across the radius more speed is needed than along it.",
             a=False, b=False, c=True, d=False,

@@ -54,7 +54,7 @@ def test_every_setting_pushed_to_its_ends(scene):
     for setting in SCENES[scene].settings:
         if setting.whole or not isinstance(setting.value, float):
             continue
-        for value in (1e-12, 1e-3, 1e3, 1e12):
+        for value in (1e-9, 1e9):
             found = run_or_refusal(scene, {setting.name: value}, 1e-8)
             if isinstance(found, str):
                 assert found.endswith("."), (setting.name, value)

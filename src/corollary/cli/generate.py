@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from corollary.cli.failure import HOLDS, answer, say
+from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.deliver.generating import generate
+from corollary.deliver.nbgrader_config import check_config
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import find_set
@@ -16,9 +17,14 @@ from corollary.problem.roster import read_roster
 def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) -> int:
     place = open_bank(bank)
     problem_set = find_set(place, name)
-    students = read_roster(roster)
+    students, solutions = read_roster(roster), Solutions(place)
+    if course.exists() and not course.is_dir():
+        refuse(f"{course} is a file; name a folder for the course")
+    check_config(course)
+    for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
+        solutions.of(problem)
     with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as tell:
-        made = generate(course, problem_set, students, Solutions(place), tell)
+        made = generate(course, problem_set, students, solutions, tell)
     if json:
         answer({
             "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.passed_over,

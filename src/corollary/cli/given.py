@@ -44,7 +44,7 @@ def read_cases(path: Path) -> list[Any]:
         cases = json.loads(path.read_text(encoding="utf-8"), parse_float=_decimal, parse_constant=_no_number)
     except OSError as error:
         refuse(f"{path} cannot be read: {error.strerror}")
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         refuse(f"{path} is not JSON: {error}")
     if not isinstance(cases, list):
         refuse(f"{path} must hold a JSON list")

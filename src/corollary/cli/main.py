@@ -90,7 +90,7 @@ def scene(
 @app.command()
 def verify(
     codes: Annotated[list[str] | None, typer.Argument(metavar="[CODE]...", help="Problems to verify; all when left out.")] = None,
-    bank: Bank = None, variants: Annotated[int, typer.Option(help="How many variants to walk for each problem.")] = 100, json: Json = False,
+    bank: Bank = None, variants: Annotated[int, typer.Option(min=1, help="How many variants to walk for each problem.")] = 100, json: Json = False,
 ) -> None:  # fmt: skip
     """Proves problems and solutions right, or says what is wrong."""
     _run("verify", codes=codes or [], bank=bank, variants=variants, json=json)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from corollary.deliver.course import Course, write_atomically
 
 MARK = "# Written by corollary."
@@ -36,10 +38,16 @@ class NotOurs(Exception):
 
 def write_config(course: Course) -> None:
     """Writes the file once. Raises NotOurs when another tool's course is already set up in the folder."""
+    check_config(course.folder)
     path = course.folder / "nbgrader_config.py"
     if not path.exists():
         write_atomically(path, TEXT.replace("__NAME__", repr(course.name)))
-    elif MARK not in path.read_text(encoding="utf-8", errors="replace"):
+
+
+def check_config(folder: Path) -> None:
+    """Raises NotOurs when another tool's course is set up in the folder; changes nothing."""
+    path = folder / "nbgrader_config.py"
+    if path.exists() and MARK not in path.read_text(encoding="utf-8", errors="replace"):
         raise NotOurs(
             f"{path} was not written by corollary; choose another folder with --course, "
             f"or put this line at its head if its settings will do: {MARK}"

@@ -29,11 +29,11 @@ class Bounce:
 
 
 def bounce_inputs(given: Given, draw: Callable[[float, float], float]) -> list[dict[str, Any]]:
-    """A hard quick contact, a fall through half a metre, and a soft contact in which the weight counts."""
+    """A hard quick contact, a long fall before it, and a soft contact in which the weight counts."""
     inputs = []
     for stiffness, mass, speed, fall in (
         ((5e5, 2e6), (0.05, 0.2), (1.5, 4.0), (0.001, 0.01)),
-        ((5e5, 2e6), (0.05, 0.2), (0.0, 0.3), (0.2, 0.5)),
+        ((5e5, 2e6), (0.05, 0.2), (0.8, 1.5), (0.2, 0.5)),
         ((2e4, 5e4), (0.3, 0.6), (0.3, 0.6), (0.001, 0.003)),
     ):
         R = round(draw(0.015, 0.04), 3)
@@ -93,7 +93,7 @@ def wrong_bounce(scheme: Scheme, m: float, k: float, R: float, y0: float, v0: fl
     """What a wrong program ends with, or None when it never ends."""
     y, v, largest, below = y0, v0, 0.0, 0
     pull = 0.0 if scheme == "weightless" else m * g
-    for _ in range(400_000):
+    for _ in range(200_000):
         overlap = R - y
         if overlap > 0:
             below += 1
@@ -118,7 +118,7 @@ def judge_bounce_plot(given: Given, figures: Sequence[Any]) -> Said | None:
     if abs(force[1][-1] + weight) > off or abs(force[1][0] + weight) > off:
         return Said("The curve of the net force must begin before the ball touches the floor and end after it has left it.")
     if abs(force[1][0] + weight) > 0.2 * weight:
-        return Said("At the start only gravity acts, so the net force is -m g there; you drew the force of the floor alone.", known=True)
+        return Said("At the start only gravity acts, and the net force is -m g; you drew the force of the floor.", known=True)
     path = _curve(figures, lambda y: abs(min(y) + momentum) <= odd and abs(max(y) - momentum) <= odd)
     if path is None:
         return Said("There is no curve of the momentum p(t) for your numbers: from m v at the first touch to the opposite value.")

@@ -106,7 +106,13 @@ def _is(root: Root, other: Root) -> bool:
 
 
 def _real(root: Root, point: Point) -> bool:
-    return all(value.is_real or _settled(abs(sympy.im(_at(value, point))) < 1e-20, f"whether {value} is real") for value in root.values())
+    for value in root.values():
+        if value.is_real:
+            continue
+        number = _at(value, point)
+        if number.is_finite is False or not _settled(abs(sympy.im(number)) < 1e-20, f"whether {value} is real"):
+            return False
+    return True
 
 
 def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:

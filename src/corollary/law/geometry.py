@@ -15,7 +15,7 @@ def line_of_centres(n: tuple, *, s: object, D: object) -> tuple[Law, Law]:
     """The unit vector from centre to centre as two spheres touch: across the motion the centres are s apart, in all D."""
     return (
         law("Line of centres", "n_y = s/D", holds="the centres are D apart when the spheres touch", n_y=n[1], s=s, D=D),
-        law("Unit vector", "n_x^2 + n_y^2 = 1", n_x=n[0], n_y=n[1]),
+        law("Unit vector", "n_x = sqrt(1 - n_y^2)", holds="A comes along +x, so that B lies ahead of it", n_x=n[0], n_y=n[1]),
     )
 
 

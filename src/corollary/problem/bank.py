@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from corollary.problem.complaint import Complaint, Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.read import read_problem
+
+CODE_LINE = re.compile(r"""^code:[ \t]*["']?([\w.]+)["']?[ \t]*(?:#.*)?$""", re.MULTILINE)
 
 
 class Unknown(LookupError):
@@ -99,14 +102,15 @@ def find(bank: Bank, code: str) -> Problem:
         if path.stem == code:
             return read_problem(path)
     for path in files(bank):
-        if f"code: {code}\n" in path.read_text(encoding="utf-8", errors="replace")[:400]:
-            problem = read_problem(path)
-            if problem.code == code:
-                return problem
-    for problem in load(bank):
-        if problem.code.lower() == code.lower():
-            return problem
+        if _code_at_a_glance(path).lower() == code.lower():
+            return read_problem(path)
     raise Unknown(f"no problem is called {code}; `corollary list` shows the codes")
+
+
+def _code_at_a_glance(path: Path) -> str:
+    """The code a file gives itself, without reading all of it."""
+    found = CODE_LINE.search(path.read_text(encoding="utf-8", errors="replace")[:2000]) if path.is_file() else None
+    return found[1] if found else ""
 
 
 def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:

@@ -16,7 +16,8 @@ from corollary.mark.verify.checked import Tally
 from corollary.problem.bank import Bank
 from corollary.problem.draw import sample
 from corollary.problem.variant import chapter, first_broken, size
-from corollary.quantity.plain import Items, Plain, Real
+from corollary.quantity.plain import Items, Plain, Real, Text
+from corollary.quantity.text import text
 from corollary.scene.catalogue import run
 from corollary.scene.run import BadSetting, GuardFailed
 
@@ -60,7 +61,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
 def check_right(key: Key, tally: Tally) -> None:
     """The key's own answers are judged right, and every mistake stands apart."""
     problem = key.variant.problem
-    answers = {part: plain(tuple(value / _size(problem.part(part).unit) for value in truth.values)) for part, truth in key.truths.items()}
+    answers = {part: own_answer(key, part) for part in key.truths}
     judged = judge(key, answers)
     for part in key.truths:
         (verdict,), _ = judged[part]
@@ -96,6 +97,16 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
                 len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed, "simulations met",
                 lambda name=name, mine=mine, theirs=theirs: f"{about}: {name} is {theirs} where the algebra says {mine}",
             )  # fmt: skip
+
+
+def own_answer(key: Key, part: str) -> Plain:
+    """The key's answer as a student would hand it in: numbers in the part's unit, or the formula where that is asked for."""
+    asked, truth = key.variant.problem.part(part), key.truths[part]
+    closed = key.find(truth).closed
+    if asked.kind == "expression" and closed is not None:
+        texts = tuple(Text(text(tree)) for tree in closed)
+        return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
+    return plain(tuple(value / _size(asked.unit) for value in truth.values))
 
 
 def plain(values: tuple[float, ...]) -> Plain:

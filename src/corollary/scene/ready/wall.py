@@ -34,7 +34,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     observed: dict[str, Observed] = {
         "velocities": (along, after.v),
         "momentum_change": change,
-        "impulse": (-change[0], -change[1]),
+        "impulse": (0.0 - change[0], -change[1]),
         "mean_force": (change[0] / dt, change[1] / dt),
         "peak_force": -k * deepest.x,
         "largest_overlap": -deepest.x,
