@@ -1,5 +1,7 @@
 """Stopping a ball: a floor that gives way takes the ball's energy, elastic or not."""
 
+import sympy
+
 from corollary.derive.author import choice, derivation, explain, mistake, step, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import law, restitution
@@ -21,7 +23,7 @@ def derive(v0):
         ),
         choice(
             "a", "The floor must give way, downward, and more slowly than the ball comes: then the ball, turned round relative to the floor, is at rest relative to the ground.",
-            a=False, b=V > 0, c=V < 0, d=False,
+            a=False, b=V > 0, c=V < 0, d=sympy.Eq(V, 0),
             mistakes={
                 "a": "The kinetic energy of floor and ball together is kept; the ball may give its own to a floor that moves.",
                 "b": "A floor that comes to meet the ball sends it back faster than it came, as a racket does.",

@@ -30,7 +30,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
     u, V, V_e, u_e, v_e = unknowns("u V V_e u_e v_e")
     r_p, kappa, w_e, r_max, T_r, phi = unknowns("r_p kappa w_e r_max T_r phi")
     r_c, v_max, q = unknowns("r_c v_max q")
-    V_k, w_k, u_k, v_s, u_s, w_s, w_b, x_l = unknowns("V_k w_k u_k v_s u_s w_s w_b x_l")
+    lambda_k, V_k, u_k, lambda_s, v_s, w_b, x_l = unknowns("lambda_k V_k u_k lambda_s v_s w_b x_l")
     swing = d * sympy.sqrt(eps)
     p = (unknown("x_near"), unknown("x_far"))
     F = vector("F")
@@ -230,15 +230,16 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             },
         ),
         step(
-            (V_k, w_k), "Joined, at r = b: the velocity V makes the same angle with the radius. At the edge, in the limiting case, the velocity along the radius has just been used up; $w$ is what is left across the radius.",
-            law("Conservation of mechanical energy", "2*m*V^2/2 = 2*U_0 + 2*m*w^2/2", holds="the pull on both is conservative", m=m, V=V_k, U_0=U_0, w=w_k),
-            angular_momentum(m=2 * m, w_0=V_k * sympy.sin(alpha), r_0=b, w_1=w_k, r_1=b + d), where=V_k > 0,
+            lambda_k, "Joined, at r = b, the velocity V makes the same angle with the radius: $V\\sin\\alpha$ is across it. Angular momentum leaves at the edge the share $\\lambda$ of V across the radius.",
+            angular_momentum(m=2 * m, w_0=sympy.sin(alpha), r_0=b, w_1=lambda_k, r_1=b + d),
             mistakes=[
-                mistake("You left out angular momentum: at the edge the pair still moves across the radius, and this part of the energy does not help it out.",
-                        law("Conservation of angular momentum", "w = 0", w=w_k), instead="Conservation of angular momentum"),
-                mistake("The velocity across the radius is not kept. Angular momentum is: further out it is smaller.",
-                        law("Conservation of angular momentum", "w = V*sin(alpha)", w=w_k, V=V_k, alpha=alpha), instead="Conservation of angular momentum"),
+                mistake("You left out angular momentum: at the edge the pair still moves across the radius, and this part of the energy does not help it out.", law("No angular momentum", "w = 0", w=lambda_k)),
+                mistake("The velocity across the radius is not kept. Angular momentum is: further out it is smaller.", law("Constant velocity", "w = sin(alpha)", w=lambda_k, alpha=alpha)),
             ],
+        ),
+        step(
+            V_k, "In the limiting case the velocity along the radius has just been used up at the edge; only the one across it is left.",
+            law("Conservation of mechanical energy", "2*m*V^2/2 = 2*U_0 + 2*m*(lambda_k*V)^2/2", holds="the pull on both atoms is conservative", m=m, V=V_k, U_0=U_0, lambda_k=lambda_k), where=V_k > 0,
         ),
         step(
             u_k, "Momentum in the collision, as a vector: the same direction, half the speed.",
@@ -250,18 +251,21 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             check="Along the radius (α = 0) it is $2d\\sqrt{k/m}$, as in (e); across it, it is largest.",
         ),
         step(
-            v_s, "Three laws link the speeds: A falls into the well ($v$ outside, $u$ at r = b); joined they have $u/2$; at the edge, in the limiting case, they have only $w$ across the radius, "
-                 "while the angular momentum that A brought, $mvs$, is kept all the way.",
-            energy_between(m=m, v_0=v_s, U_0=U_0, v_1=u_s, U_1=0),
-            law("Energy of the pair", "2*m*(u/2)^2/2 = 2*U_0 + 2*m*w^2/2", holds="the pull on both is conservative", m=m, u=u_s, U_0=U_0, w=w_s),
-            law("Conservation of angular momentum", "m*v*s = 2*m*w*(b + d)", holds="the molecule pulls along the radius, and the atoms on each other only where they meet",
-                m=m, v=v_s, s=s, w=w_s, b=b, d=d),
-            answers="k3", also=[u_s, w_s], where=sympy.And(v_s > 0, u_s > 0),
+            lambda_s, "The angular momentum that A brings, $mvs$, is kept all the way, in the collision too. At the edge the pair therefore has the share $\\lambda$ of A's speed outside across the radius.",
+            law("Conservation of angular momentum", "m*s = 2*m*lambda_s*r_1", holds="the molecule pulls along the radius; v is the same on both sides", m=m, s=s, r_1=b + d, lambda_s=lambda_s),
             mistakes=[
-                mistake("You left out angular momentum: at the edge the pair still moves across the radius.", law("No angular momentum", "w = 0", w=w_s), instead="Conservation of angular momentum"),
+                mistake("You left out angular momentum: at the edge the pair still moves across the radius.", law("No angular momentum", "w = 0", w=lambda_s)),
+            ],
+        ),
+        step(
+            v_s, "A has the kinetic energy $mv^2/2 + U_0$ at r = b. Half of it is lost when it sticks to B, for the pair has twice the mass and half the velocity. What is left must lift both to the edge, where in the limiting "
+                 "case only the motion across the radius remains.",
+            law("Energy of the pair", "(m*v^2/2 + U_0)/2 = 2*U_0 + 2*m*(lambda_s*v)^2/2", holds="the pull on both atoms is conservative", m=m, v=v_s, U_0=U_0, lambda_s=lambda_s),
+            answers="k3", where=v_s > 0,
+            mistakes=[
                 mistake("Kinetic energy is not kept when the atoms stick together: half of it is lost.",
-                        law("Energy of the pair", "m*u^2/2 = 2*U_0 + 2*m*w^2/2", m=m, u=u_s, U_0=U_0, w=w_s)),
-                mistake("On its way into the well A gains the kinetic energy U₀.", law("No well", "u = v", u=u_s, v=v_s), instead="Conservation of mechanical energy"),
+                        law("Energy of the pair", "m*v^2/2 + U_0 = 2*U_0 + 2*m*(lambda_s*v)^2/2", m=m, v=v_s, U_0=U_0, lambda_s=lambda_s)),
+                mistake("On its way into the well A gains the kinetic energy U₀.", law("Energy of the pair", "m*v^2/4 = 2*U_0 + 2*m*(lambda_s*v)^2/2", m=m, v=v_s, U_0=U_0, lambda_s=lambda_s)),
             ],
             check="With s = 0 it is the speed of (e).",
         ),

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from corollary import __version__
-from corollary.deliver.course import Course, handed_in, read_dealt, students, submissions, write_atomically
-from corollary.deliver.feedback_page import feedback_page
+from corollary.deliver.course import Course, read_dealt, students, submissions, write_atomically
 from corollary.deliver.generating import variants_of
+from corollary.deliver.keeping import fingerprint, keep, lateness, read_record
 from corollary.deliver.nbgrader_book import NoNbgrader, need_nbgrader
-from corollary.deliver.report import handed_in as row_of
-from corollary.deliver.report import report, rows
+from corollary.deliver.report import report
 from corollary.deliver.report_page import report_page
 from corollary.deliver.tally import HandedIn, Report, Row
 from corollary.mark.grade import Marked
 from corollary.mark.marking import mark
-from corollary.mark.record import marked_record
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -65,7 +60,7 @@ def grade_set(
     for student, path in papers.items():
         if student in strangers:
             continue
-        mark_of = _fingerprint(course, problem_set, solutions, student, path, dealt[student])
+        mark_of = fingerprint(course, problem_set, solutions, student, path, dealt[student])
         if not regrade and (kept := read_record(course, problem_set, student)) is not None and kept.get("fingerprint") == mark_of:
             skipped.append(student)
         else:
@@ -96,28 +91,8 @@ def _grade_one(
         from corollary.deliver.nbgrader import record
 
         record(course, problem_set, [marked], {student.id: read.node if isinstance(read, Notebook) else None})
-    stories = {variant.problem.code: solutions.story(variant) for variant in variants} if problem_set.reveal else None
-    page = feedback_page(marked, problem_set, solutions=stories)
-    for place in feedback_places(course, problem_set, student.id):
-        write_atomically(place, page)
-    entry = marked_record(marked) | {
-        "fingerprint": mark_of, "handed_in": asdict(row_of(marked)), "rows": [asdict(each) for each in rows(marked)], "version": __version__,
-    }  # fmt: skip
-    text = json.dumps(entry, ensure_ascii=False)
-    history = course.folder / ".corollary" / "history" / f"{problem_set.name}.jsonl"
-    history.parent.mkdir(parents=True, exist_ok=True)
-    with history.open("a", encoding="utf-8") as file:
-        file.write(json.dumps({"student": student.id, **entry}, ensure_ascii=False) + "\n")
-    write_atomically(_record_path(course, problem_set, student.id), text)
+    keep(course, problem_set, solutions, marked, mark_of)
     return marked
-
-
-def lateness(course: Course, problem_set: ProblemSet, student: str) -> float:
-    """Seconds after the date on which it was due; 0 in time."""
-    when = handed_in(course, problem_set.name, student)
-    if when is None or problem_set.due is None:
-        return 0.0
-    return max(0.0, (when - problem_set.due).total_seconds())
 
 
 def report_of(course: Course, problem_set: ProblemSet) -> Report:
@@ -130,46 +105,9 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
     return report([HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster)
 
 
-def read_record(course: Course, problem_set: ProblemSet, student: str) -> dict[str, Any] | None:
-    """What was kept of a student's marks; None when nothing was, or what was there is damaged (then it is marked again)."""
-    try:
-        entry = json.loads(_record_path(course, problem_set, student).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
-    return entry if isinstance(entry, dict) and {"fingerprint", "rows", "handed_in", "parts"} <= entry.keys() else None
-
-
-def feedback_places(course: Course, problem_set: ProblemSet, student: str) -> tuple[Path, Path]:
-    """Where our own page lies: beside nbgrader's, and beside the marked notebook, from where nbgrader copies it back when it
-    makes the feedback folder anew."""
-    name = problem_set.name
-    return course.place("feedback", student, name) / f"{name}.feedback.html", course.place("autograded", student, name) / f"{name}.feedback.html"
-
-
 def has_nbgrader() -> bool:
     try:
         need_nbgrader()
     except NoNbgrader:
         return False
     return True
-
-
-def _record_path(course: Course, problem_set: ProblemSet, student: str) -> Path:
-    return course.folder / ".corollary" / "graded" / problem_set.name / f"{student}.json"
-
-
-def _fingerprint(course: Course, problem_set: ProblemSet, solutions: Solutions, student: str, path: Path, row: dict[str, int]) -> str:
-    """What the marks depend on: the paper, its moment, the numbers, the problems and solutions, the scheme, and this program."""
-    digest = hashlib.sha256()
-
-    def add(content: bytes) -> None:
-        digest.update(len(content).to_bytes(8, "big") + content)
-
-    add(content_of(path))
-    add(str(handed_in(course, problem_set.name, student)).encode())
-    add(json.dumps(row, sort_keys=True).encode())
-    add(repr((problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)).encode())
-    for problem in problem_set.problems:
-        add(problem.path.read_bytes())
-        add(solutions.source(problem))
-    return digest.hexdigest()

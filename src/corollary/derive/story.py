@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 
 from corollary.derive.entries import Code, Explain
@@ -16,6 +17,9 @@ from corollary.quantity.unit import Unit, si_unit
 from corollary.quantity.unit import latex as unit_latex
 
 FIGURES = 4
+WIDEST = 75
+FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
+COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
 
 
 def story(solution: Solution, variant: Variant, values: Sequence[tuple[float, ...]], letters: Mapping[str, str]) -> str:
@@ -80,12 +84,30 @@ def _result(find: Find, numbers: tuple[float, ...], part: Part | None, known: Ma
                 if names(trees[place]) - {"pi"}:
                     steps.append(latex(trees[place], known))
                 steps.append(answer)
-                lines += [f"$${' = '.join(dict.fromkeys(steps))}$$", ""]
+                lines += [*(f"$${line}$$" for line in broken(list(dict.fromkeys(steps)))), ""]
             case Measured(scene, _, observe):
                 lines += [f"$${letter(name)} = {answer}$$", ""]
                 if name == find.names[-1]:
                     lines += [f"Measured in the simulated scene *{scene}* ({observe}), by Newton's second law.", ""]
     return lines
+
+
+def broken(steps: list[str]) -> list[str]:
+    """A chain of equalities in lines that fit a page; a new line begins with its equals sign."""
+    lines = [steps[0]]
+    for step in steps[1:]:
+        if width(lines[-1]) + width(step) > WIDEST and lines[-1] != steps[0]:
+            lines.append(f"= {step}")
+        else:
+            lines[-1] += f" = {step}"
+    return lines
+
+
+def width(formula: str) -> int:
+    """About how many letters wide a formula is set: the wider line of a fraction counts, commands do not."""
+    while (inner := FRACTION.search(formula)) is not None:
+        formula = formula[: inner.start()] + max(inner[1], inner[2], key=len) + formula[inner.end() :]
+    return len(COMMAND.sub("", formula))
 
 
 def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: Variant) -> list[str]:

@@ -35,7 +35,7 @@ def read_problem(path: Path) -> Problem:
         given for symbol, node in front.table_of("given").entries.items()
         if (given := _given(path, symbol, node, complaints)) is not None
     )
-    known = frozenset(given.symbol for given in givens)
+    known = frozenset(front.table_of("given").entries)  # those with a fault too: one fault is one complaint
     conditions = [
         condition
         for name, hard in (("where", False), ("require", True))
