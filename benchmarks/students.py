@@ -229,7 +229,7 @@ def wild(solutions: Iterable[Solution], count: int) -> dict[str, Any]:
     for name, ratio in scatter.items():
         for earlier in (False, True):
             verdicts: Counter[str] = Counter()
-            for _ in range(max(1, count // 10)):
+            for _ in range(max(1, count // 100)):
                 for key in keys:
                     truths = {part: truth for part, truth in key.truths.items() if truth.scale}
                     answers = {part: tuple(ratio() * truth.scale for _ in truth.values) for part, truth in truths.items()}

@@ -5,14 +5,16 @@ import sympy
 from corollary.derive.author import choice, code, derivation, explain, mistake, plot, step, unknowns, vector
 from corollary.derive.programs_plane import judge_spheres, sphere_inputs
 from corollary.derive.programs_plane_plot import judge_spheres_plot
-from corollary.derive.simulation import simulate
 from corollary.law import distance, overlap, sphere_contact, within
 
 
 def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
     r, delta, theta = unknowns("r delta theta")
     F = vector("F")
-    here = {"theta": theta, "k": k, "delta": delta, "eta": eta, "apart": (dx, dy), "r": r, "passing": (ux, uy)}
+
+    def contact(k=k, eta=eta):
+        return sphere_contact(F, theta=theta, k=k, delta=delta, eta=eta, apart=(dx, dy), r=r, passing=(ux, uy))
+
     return derivation(
         step(r, "The distance of the centres.", distance(r, (dx, dy))),
         step(delta, "The spheres touch when their centres are $2R$ apart; they overlap by what is missing.", overlap(delta, R=R, r=r),
@@ -20,15 +22,15 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
         step(theta, "The force acts only while they overlap: $\\theta$ is 1 then, and 0 while they are apart.", within(theta, delta, "δ is positive while the spheres overlap")),
         step(
             F, "The spring pushes A away from B, against $\\Delta\\vec r$. The brake pulls the velocity of A towards that of B, along $\\Delta\\vec v$.",
-            sphere_contact(F, **here), answers="a", scale=k * R ** sympy.Rational(3, 2),
+            contact(), answers="a", scale=k * R ** sympy.Rational(3, 2),
             mistakes=[
-                mistake("Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed the other way.", sphere_contact(F, **here | {"k": -k})),
+                mistake("Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed the other way.", contact(k=-k)),
                 mistake("Your viscous part drives the spheres. To brake the relative motion it must pull the velocity of A towards that of B: along $+\\Delta\\vec v$.",
-                        sphere_contact(F, **here | {"eta": -eta})),
-                mistake("That is the force on B; both parts turn round for the force on A.", sphere_contact(F, **here | {"eta": -eta, "k": -k})),
-                mistake("You left out the viscous part.", sphere_contact(F, **here | {"eta": 0})),
-                mistake("The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left out the division by $\\Delta r$.", sphere_contact(F, **here | {"k": k * r})),
-                mistake("The spring part grows with the power 3/2 of the overlap; you took the overlap itself.", sphere_contact(F, **here | {"k": k / sympy.sqrt(sympy.Abs(delta))})),
+                        contact(eta=-eta)),
+                mistake("That is the force on B; both parts turn round for the force on A.", contact(eta=-eta, k=-k)),
+                mistake("You left out the viscous part.", contact(eta=0)),
+                mistake("The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left out the division by $\\Delta r$.", contact(k=k * r)),
+                mistake("The spring part grows with the power 3/2 of the overlap; you took the overlap itself.", contact(k=k / sympy.sqrt(sympy.Abs(delta)))),
             ],
             check="With η = 0 it points straight from B to A.",
         ),

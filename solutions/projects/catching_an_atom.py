@@ -9,7 +9,6 @@ from corollary.derive.programs_atom import catch_inputs, judge_catch, judge_orbi
 from corollary.derive.programs_atom_plot import judge_orbit_plot, judge_potential_plot
 from corollary.derive.simulation import simulate
 from corollary.law import (
-    angular_momentum,
     depth_of_well,
     distance,
     energy_between,
@@ -26,9 +25,9 @@ from corollary.law import (
 
 
 def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
-    U_0, T, v_far, theta, F_l = unknowns("U_0 T v_far theta F_l")
+    U_0, T, v_far, theta, f = unknowns("U_0 T v_far theta f")
     u, V, V_e, u_e, v_e = unknowns("u V V_e u_e v_e")
-    r_p, kappa, w_e, r_max, T_r, phi = unknowns("r_p kappa w_e r_max T_r phi")
+    r_p, kappa, lambda_0, w_e, r_max, T_r, phi = unknowns("r_p kappa lambda_0 w_e r_max T_r phi")
     r_c, v_max, q = unknowns("r_c v_max q")
     lambda_k, V_k, u_k, lambda_s, v_s, w_b, x_l = unknowns("lambda_k V_k u_k lambda_s v_s w_b x_l")
     swing = d * sympy.sqrt(eps)
@@ -43,7 +42,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         step(U_0, "The energy at the edge of the well.", depth_of_well(U_0, k=k, d=d)),
         step(
             p, "At a turning point all energy is potential energy.",
-            turning_points(p, E=eps * U_0, k=k, b=b), answers="a1", where=sympy.And(p[0] < b, p[1] > b),
+            turning_points(p, E=eps * U_0, k=k, b=b), answers="a1", where=p[1] > p[0],
             mistakes=[
                 mistake("The bottom of the well is at b, not at 0: your distances are right, but measured from b.", law("From zero", "x = l", x=p, l=(-swing, swing))),
                 mistake("The energy goes with the square of the distance from b: a quarter of the energy is half of the way.",
@@ -72,12 +71,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(theta, "There is a force only inside the well, for x < b + d: θ is 1 there and 0 beyond.", within(theta, b + d - x, "b + d - x is positive inside the well")),
         step(
-            F_l, "The force is $-dU/dx$: $-k(x - b)$ inside, and zero where U is constant.",
-            law("Force and potential energy", "F = -theta*k*(x - b)", holds="F = -dU/dx", F=F_l, theta=theta, k=k, x=x, b=b), answers="b", scale=k * d,
+            f, "The force is $-dU/dx$: $-k(x - b)$ inside, and zero where U is constant.",
+            law("Force and potential energy", "F = -theta*k*(x - b)", holds="F = -dU/dx", F=f, theta=theta, k=k, x=x, b=b), answers="b", scale=k * d,
             mistakes=[
-                mistake("The force is *minus* the slope of the potential energy: it points to the bottom of the well.", law("Force and potential energy", "F = theta*k*(x - b)", F=F_l, theta=theta, k=k, x=x, b=b)),
-                mistake("The bottom of the well, where there is no force, is at b and not at 0.", law("Force and potential energy", "F = -theta*k*x", F=F_l, theta=theta, k=k, x=x)),
-                mistake("The factor 1/2 goes away with the derivative of the square.", law("Force and potential energy", "F = -theta*k*(x - b)/2", F=F_l, theta=theta, k=k, x=x, b=b)),
+                mistake("The force is *minus* the slope of the potential energy: it points to the bottom of the well.", law("Force and potential energy", "F = theta*k*(x - b)", F=f, theta=theta, k=k, x=x, b=b)),
+                mistake("The bottom of the well, where there is no force, is at b and not at 0.", law("Force and potential energy", "F = -theta*k*x", F=f, theta=theta, k=k, x=x)),
+                mistake("The factor 1/2 goes away with the derivative of the square.", law("Force and potential energy", "F = -theta*k*(x - b)/2", F=f, theta=theta, k=k, x=x, b=b)),
             ],
             check="It points to b from either side, and it is zero at b and outside the well.",
         ),
@@ -134,8 +133,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         plot("g", "The trajectory is a rosette between the circles r = b and r = r_max: it touches each of them once in every swing.", judge=judge_orbit_plot, example=ORBIT_PLOT),
         step(kappa, "How strong the start is against the spring, as a plain number.", law("Ratio", "kappa = m*v^2/(k*b^2)", kappa=kappa, m=m, v=v0, k=k, b=b)),
         step(
-            w_e, "Does it stay in the well? With an additional speed $w$ along the radius it would just reach the edge, where angular momentum leaves it $v_0 b/(b + d)$ across the radius. That $w$ is real says: without it, the atom is bound.",
-            law("Conservation of mechanical energy", "m*(v^2 + w^2)/2 = U_0 + m*(v*b/(b + d))^2/2", m=m, v=v0, w=w_e, U_0=U_0, b=b, d=d), where=w_e >= 0,
+            lambda_0, "A velocity across the radius at r = b shrinks as 1/r, for angular momentum is kept. At the edge the share $\\lambda_0$ of it is left.",
+            law("Conservation of angular momentum", "b = lambda_0*(b + d)", holds="m and v are the same on both sides", b=b, d=d, lambda_0=lambda_0),
+        ),
+        step(
+            w_e, "Does it stay in the well? With an additional speed $w$ along the radius it would just reach the edge. That $w$ is real says: without it, the atom is bound.",
+            law("Conservation of mechanical energy", "m*(v^2 + w^2)/2 = U_0 + m*(lambda_0*v)^2/2", m=m, v=v0, w=w_e, U_0=U_0, lambda_0=lambda_0), where=w_e >= 0,
         ),
         step(
             r_max, "At the greatest distance there is no velocity along the radius. Energy: $mv_0^2/2 = k(r - b)^2/2 + mw^2/2$; angular momentum: $mv_0 b = m w r$. Together they give a cubic equation "
@@ -166,7 +169,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake("That would be a closed orbit, once around for each swing. This orbit does not close.", law("Closed orbit", "phi = 2*pi", phi=phi)),
                 mistake("The angular velocity is $v_0/b$ only at the start; further out it is smaller, as $1/r^2$.", law("Angular velocity", "phi = v/b*T", phi=phi, v=v0, b=b, T=T_r)),
             ],
-            check="It is no simple fraction of a full turn: the orbit does not close.",
+            check="In general it is no simple fraction of a full turn: the orbit does not close.",
         ),
         explain(
             "h",
@@ -230,8 +233,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             },
         ),
         step(
-            lambda_k, "Joined, at r = b, the velocity V makes the same angle with the radius: $V\\sin\\alpha$ is across it. Angular momentum leaves at the edge the share $\\lambda$ of V across the radius.",
-            angular_momentum(m=2 * m, w_0=sympy.sin(alpha), r_0=b, w_1=lambda_k, r_1=b + d),
+            lambda_k, "Joined, at r = b, the velocity V makes the same angle with the radius: $V\\sin\\alpha$ is across it. Of this the share $\\lambda_0$ is left at the edge; in all, the share $\\lambda$ of V.",
+            law("Across the radius", "lambda_k = lambda_0*sin(alpha)", holds="angular momentum is kept", lambda_k=lambda_k, lambda_0=lambda_0, alpha=alpha),
             mistakes=[
                 mistake("You left out angular momentum: at the edge the pair still moves across the radius, and this part of the energy does not help it out.", law("No angular momentum", "w = 0", w=lambda_k)),
                 mistake("The velocity across the radius is not kept. Angular momentum is: further out it is smaller.", law("Constant velocity", "w = sin(alpha)", w=lambda_k, alpha=alpha)),
@@ -316,7 +319,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
 def scene(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1, answer):
     """The atom bound on a line and across it, falling in, circling, and the pair (as light and as hard as one atom) just out and just not."""
     well = {"m": m, "k": k, "b": b, "d": d}
-    line, edge, swift = well | {"dimension": 1}, b + d, 1 + 1e-9
+    line, edge, swift = well | {"dimension": 1}, (b + d) * (1 - 1e-9), 1 + 1e-9
     near, far = answer["a1"]
     pair = well | {"m": 2 * m, "k": 2 * k}
     sin, cos = math.sin(alpha), math.cos(alpha)

@@ -45,7 +45,9 @@ def cradle(m, h0, r, k, v0, g):
     }  # fmt: skip
 
 
-@pytest.mark.parametrize(("code", "by_hand"), [("X12.5", kick), ("X12.7", wall), ("X12.8", snowball), ("X12.10", bullet), ("P12.14", cradle)])
+@pytest.mark.parametrize(
+    ("code", "by_hand"), [("X12.5", kick), ("X12.7", wall), ("X12.8", snowball), ("X12.10", bullet), ("P12.14", cradle)]
+)
 def test_against_formulas_worked_out_by_hand(code, by_hand):
     """To a few ulp: the certified value is exact, the formula by hand takes at most a dozen rounded operations."""
     solution = solve(BANK, find(BANK, code))
@@ -63,7 +65,7 @@ def test_against_formulas_worked_out_by_hand(code, by_hand):
 
 
 def test_by_hand_is_by_hand():
-    """The numbers of one variant with a pocket calculator: 8.6 kg m/s in 0.1 s; 2.1 kg after 0.1 kg, sliding 10 cm on mu = 0.5."""
+    """The numbers of one variant with a pocket calculator: 8.6 kg m/s in 0.1 s; 2.1 kg, hit by 0.1 kg, slide 10 cm."""
     assert kick(0.43, 20, 20, 0.1)["c"] == pytest.approx([86.0])
     assert bullet(0.1, 2.0, 0.5, 0.1, 9.8)["a"] == pytest.approx([20.79], abs=0.005)
     assert wall(0.2, 8, radians(30), 0.01)["c"] == pytest.approx([0, 160.0])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.derive.load import content, load
-from corollary.problem.bank import chapter_bank
+from corollary.derive.failing import NotDerivable
+from corollary.derive.load import load, source
+from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.bank import load as load_problems
 from corollary.problem.read import read_problem
 
@@ -23,7 +24,8 @@ from corollary.problem.read import read_problem
         ("import sys\nsys.exit(3)\n", 2, "cannot be loaded: SystemExit"),
         (b"x = '\xff\xfe'\n", 1, "is not Python"),
         (b"x = '\x00'\n", 1, "is not Python"),
-        ("x = 1\n\ndef derive(m, v, speed, *more):\n    pass\n", 3, "derive takes speed, more, not among the givens of X1.1 (m, v, t)"),
+        ("x = 1\n\ndef derive(m, v, speed, *more):\n    pass\n", 3,
+         "derive takes speed, more, not among the givens of X1.1 (m, v, t)"),
         ("def derive(m):\n    y = 1\n    return m.nothing\n", 3, "derive fails: AttributeError"),
         ("def inner(m):\n    return 1 / 0\ndef derive(m):\n    return inner(m)\n", 2, "derive fails: ZeroDivisionError"),
         ("def derive(m):\n    raise SystemExit\n", 2, "derive fails: SystemExit"),
@@ -38,33 +40,32 @@ def test_a_file_that_is_refused_with_its_line(refused, whole, line, words):
     assert at == line
 
 
-def test_a_missing_solution(refused, make, tmp_path):
+def test_a_missing_solution(make, tmp_path):
     make("")
     (tmp_path / "solutions" / "carts" / "cart.py").unlink()
-    from corollary.derive.failing import NotDerivable
-
     with pytest.raises(NotDerivable, match=r"cart\.py: is missing; cart\.md needs a solution there"):
-        load(chapter_bank().__class__(tmp_path), read_problem(tmp_path / "problems" / "carts" / "cart.md"))
+        load(Bank(tmp_path), read_problem(tmp_path / "problems" / "carts" / "cart.md"))
 
 
 def test_givens_that_derive_does_not_need(solved):
-    found = solved(whole="""\
+    found = solved(
+        whole="""\
 from corollary.derive.author import *
 from corollary.law import momentum
 def derive(v, m):
     p = unknown("p")
     return derivation(step(p, "Both.", momentum(p, m, v), answers="a"))
-""")
+"""
+    )
     assert found.scene is None
 
 
-def test_two_solutions_of_one_name_do_not_mix(make, tmp_path):
-    """A solution is loaded anew each time: nothing of an earlier version stays."""
+def test_what_marks_depend_on_changes_with_the_file(make):
     bank = make(whole="def derive():\n    pass\nVERSION = 1\n")
     problem = read_problem(bank.problems / "carts" / "cart.md")
-    before = content(bank, problem)
+    before = source(bank, problem)
     make(whole="def derive():\n    pass\nVERSION = 2\n")
-    assert content(bank, problem) != before
+    assert source(bank, problem) != before
 
 
 @pytest.mark.parametrize("problem", load_problems(chapter_bank()), ids=lambda problem: problem.code)

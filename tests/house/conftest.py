@@ -42,7 +42,9 @@ class Module:
 
     def of_others(self) -> list[tuple[str, int]]:
         """What it imports from elsewhere, when it runs."""
-        return [(name, line) for name, line in self.imports if name.partition(".")[0] != "corollary" and line not in self.for_types]
+        return [
+            (name, line) for name, line in self.imports if name.partition(".")[0] != "corollary" and line not in self.for_types
+        ]
 
     def nodes(self, kind: type[Node]) -> list[Node]:
         return [node for node in ast.walk(self.tree) if isinstance(node, kind)]

@@ -7,12 +7,15 @@ import sympy
 from corollary.law.law import sides
 from corollary.law.rotation import elastic_on_hinge, hit_on_hinge
 
-M, H, V, I = sympy.symbols("m h v I", positive=True)
+M, H, V, INERTIA = sympy.symbols("m h v I", positive=True)
 U, OMEGA = sympy.symbols("u omega", real=True)
 
 
 def after() -> dict[sympy.Symbol, sympy.Expr]:
-    laws = hit_on_hinge(m=M, h=H, before=V, after=U, I=I, omega=OMEGA), elastic_on_hinge(m=M, before=V, after=U, I=I, omega=OMEGA)
+    laws = (
+        hit_on_hinge(m=M, h=H, before=V, after=U, I=INERTIA, omega=OMEGA),
+        elastic_on_hinge(m=M, before=V, after=U, I=INERTIA, omega=OMEGA),
+    )
     found = sympy.solve([left - right for stated in laws for left, right in sides(stated)], [U, OMEGA], dict=True)
     (met,) = (root for root in found if sympy.simplify(root[OMEGA]) != 0)
     return met
@@ -25,5 +28,5 @@ def test_ball_and_body_part_as_fast_as_they_met():
 
 def test_a_body_very_hard_to_turn_is_a_wall():
     met = after()
-    assert sympy.limit(met[U], I, sympy.oo) == -V
-    assert sympy.simplify(sympy.limit(I * met[OMEGA], I, sympy.oo) - 2 * M * V * H) == 0
+    assert sympy.limit(met[U], INERTIA, sympy.oo) == -V
+    assert sympy.simplify(sympy.limit(INERTIA * met[OMEGA], INERTIA, sympy.oo) - 2 * M * V * H) == 0

@@ -117,10 +117,12 @@ SINGLE = [
     ("T1", "h", [4, 5], "wrong", "do not keep"),
     ("T1", "i", "4.905 N", "right", ""),
     ("T1", "i", 4905, "slip", ""),
-]  # fmt: skip
+]
 
 
-@pytest.mark.parametrize(("code", "part", "answer", "wanted", "told"), SINGLE, ids=[f"{c} {p} {str(a)[:30]!r}" for c, p, a, *_ in SINGLE])
+@pytest.mark.parametrize(
+    ("code", "part", "answer", "wanted", "told"), SINGLE, ids=[f"{c} {p} {str(a)[:30]!r}" for c, p, a, *_ in SINGLE]
+)
 def test_an_answer_alone(verdicts, code, part, answer, wanted, told):
     verdict = verdicts(code, **{part: answer})[part]
     assert word(verdict) == wanted, verdict
@@ -138,7 +140,12 @@ def test_an_ambiguous_number_waits_for_a_person_where_one_reading_is_right(key):
 
 
 def test_mirrored_answers_where_the_student_says_so(verdicts):
-    for answer in ("0.433 m/s, x to the left", "0.433 m/s; positive to the left", "0.433 m/s with x reversed", "-0.433 m/s, x to the right"):
+    for answer in (
+        "0.433 m/s, x to the left",
+        "0.433 m/s; positive to the left",
+        "0.433 m/s with x reversed",
+        "-0.433 m/s, x to the right",
+    ):
         assert isinstance(verdicts("X12.8", b=answer)["b"], Right), answer
     assert isinstance(verdicts("X12.8", b="0.433 m/s")["b"], Slip)
     assert isinstance(verdicts("X12.8", b="-0.433 m/s, x to the left")["b"], Slip)

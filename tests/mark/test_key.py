@@ -21,7 +21,9 @@ CODES = ("X12.5", "X12.7", "X12.8", "X12.10", "P12.14")
 
 def with_sympy(formula: str, values: dict[str, sympy.Expr]) -> float:
     """The nearest double to the value at 60 figures, by mpmath."""
-    expression = sympy.parse_expr(formula.replace("^", "**"), local_dict={name: sympy.Symbol(name, positive=True) for name in values})
+    expression = sympy.parse_expr(
+        formula.replace("^", "**"), local_dict={name: sympy.Symbol(name, positive=True) for name in values}
+    )
     return float(expression.subs({sympy.Symbol(name, positive=True): value for name, value in values.items()}).evalf(60))
 
 

@@ -24,14 +24,34 @@ indices = st.integers(0, 2**60)
 floats = st.floats(allow_nan=True, allow_infinity=True)
 odd_texts = st.text(max_size=40) | st.text(alphabet="0123456789.,eE+-*/^() kmgsNJxyijθ=", max_size=30)
 texts = odd_texts | st.sampled_from(
-    ["8.6 kg m/s", "(3, 4) m/s", "5 m/s at 30 deg", "m*v", "p = m*v", "1,234 N", "9**9**9", "b", "0", "-0", "x to the left", "3 m/s, x to the left"]
+    [
+        "8.6 kg m/s",
+        "(3, 4) m/s",
+        "5 m/s at 30 deg",
+        "m*v",
+        "p = m*v",
+        "1,234 N",
+        "9**9**9",
+        "b",
+        "0",
+        "-0",
+        "x to the left",
+        "3 m/s, x to the left",
+    ]
 )
 leaves: st.SearchStrategy[Plain] = st.one_of(
-    st.just(Nothing()), st.builds(Real, floats), st.builds(Exact, st.fractions()), st.builds(Exact, st.sampled_from([Fraction(10) ** 500, Fraction(1, 10**500)])),
-    st.builds(Complex, floats, floats), st.builds(Text, texts), st.builds(Measured, floats, st.sampled_from(["newton", "N", "kg*m/s", "parsec", ""])),
+    st.just(Nothing()),
+    st.builds(Real, floats),
+    st.builds(Exact, st.fractions()),
+    st.builds(Exact, st.sampled_from([Fraction(10) ** 500, Fraction(1, 10**500)])),
+    st.builds(Complex, floats, floats),
+    st.builds(Text, texts),
+    st.builds(Measured, floats, st.sampled_from(["newton", "N", "kg*m/s", "parsec", ""])),
     st.builds(Refused, st.text(max_size=10), st.text(max_size=10)),
-)  # fmt: skip
-plains = st.recursive(leaves, lambda inner: st.lists(inner, max_size=4).map(lambda items: Items(tuple(items), (len(items),))), max_leaves=6)
+)
+plains = st.recursive(
+    leaves, lambda inner: st.lists(inner, max_size=4).map(lambda items: Items(tuple(items), (len(items),))), max_leaves=6
+)
 
 
 def variant_of(solved, index):

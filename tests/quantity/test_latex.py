@@ -64,7 +64,7 @@ def test_letters(name, tex):
         ("abs(v - w) >= 1.5", r"\left|v - w\right| \geq 1.5"),
         ("a*(-b) - (-c)", r"a\, \left(-b\right) - \left(-c\right)"),
         ("a - (b + c)", r"a - \left(b + c\right)"),
-        ("atan2(y, x)", r"\operatorname{atan2}\left(y, x\right)"),
+        ("atan2(y, x)", r"\mathrm{atan2}\left(y, x\right)"),
         ("ln(m0/m1)", r"\ln\left(\frac{m_{0}}{m_{1}}\right)"),
         ("sin(30*(pi/180))", r"\sin\left(30{}^{\circ}\right)"),
         ("(a^b)^c", r"\left(a^{b}\right)^{c}"),

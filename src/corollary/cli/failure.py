@@ -31,6 +31,7 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.deliver.grading": ["NotDealt"],
         "corollary.deliver.nbgrader_book": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
         "corollary.deliver.nbgrader_config": ["NotOurs"],
+        "corollary.deliver.one_writer": ["BeingGraded"],
         "corollary.submission.isolation": ["WeakIsolation"],
         "corollary.submission.parent": ["CannotStart"],
     }

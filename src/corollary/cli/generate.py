@@ -24,7 +24,7 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
     with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as tell:
-        made = generate(course, problem_set, students, solutions, tell)
+        made = generate(course, problem_set, students, solutions, tell, Path(name) if name.endswith(".md") else None)
     if json:
         answer({
             "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.passed_over,

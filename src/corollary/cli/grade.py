@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer, say
-from corollary.cli.progress import bar
+from corollary.cli.progress import countdown
+from corollary.deliver.cluster import on_cluster
 from corollary.deliver.course import open_course
 from corollary.deliver.grading import Outcome, grade_set
+from corollary.deliver.one_writer import one_writer
+from corollary.deliver.regrading import Change
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import find_set
 from corollary.submission.take import Runner
 
 
-def run(name: str, course: Path, bank: Path | None, json: bool, regrade: bool, require: int) -> int:
+def run(
+    name: str, course: Path, bank: Path | None, json: bool, regrade: bool, require: int, jobs: int | None = None, executor: str = "",
+    dry_run: bool = False,
+) -> int:
     opened = open_course(course)
     place = open_bank(bank)
     problem_set = find_set(place, name)
-    with bar(f"grading {problem_set.name}", None) as tell:
+    with one_writer(opened), countdown(f"grading {problem_set.name}") as tell:
         done = grade_set(
-            opened, problem_set, Solutions(place), lambda: Runner(require=require), regrade=regrade, tell=lambda student, left: tell(f"{student}, {left} left")
-        )
+            opened, problem_set, Solutions(place), partial(Runner, require=require),
+            regrade=regrade, dry_run=dry_run, show=show_changes, tell=tell, jobs=jobs, execute=on_cluster(executor) if executor else None,
+        )  # fmt: skip
     for stranger in done.strangers:
         say(f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)")
     if json:
@@ -37,11 +46,32 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
     return {
         "set": name, "graded": len(done.graded), "skipped": len(done.skipped), "failed": list(done.failed), "strangers": list(done.strangers),
         "in_gradebook": done.in_gradebook, "report": str(done.page),
+        "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
-            student: {each: record[each] for each in ("points", "out_of", "parts", "isolation", "trouble", "late")}
+            student: {each: record.get(each, []) for each in ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")}
             for student, record in done.records.items()
         },
     }  # fmt: skip
+
+
+def show_changes(changed: tuple[Change, ...]) -> None:
+    """Who changes and by how much, on standard error, before anything is written."""
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(stderr=True)
+    if not changed:
+        console.print("nobody's marks change")
+        return
+    table = Table(title="Whose marks change", title_justify="left", title_style="bold")
+    for heading in ("student", "had", "gets", "by", "parts"):
+        table.add_column(heading, justify="left" if heading in {"student", "parts"} else "right")
+    for each in changed:
+        parts = "; ".join(
+            f"{part.part}: {part.verdict_before or 'nothing'} to {part.verdict or 'nothing'} ({part.after - part.before:+g})" for part in each.parts
+        )
+        table.add_row(each.student, f"{each.before:g}", f"{each.after:g}", f"{each.by:+g}", parts)
+    console.print(table)
 
 
 def show(done: Outcome) -> None:

@@ -107,11 +107,14 @@ def generate(
 @app.command()
 def grade(
     set: SetName, course: Course, bank: Bank = None, json: Json = False,
-    regrade: Annotated[bool, typer.Option("--regrade", help="Mark again what is marked and unchanged.")] = False,
+    regrade: Annotated[bool, typer.Option("--regrade", help="Mark again what is marked, and show first who changes.")] = False,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Mark, show who changes, and write nothing.")] = False,
     require_isolation: Annotated[int, typer.Option(help="Refuse to run notebooks below this isolation level (0 to 3).")] = 1,
+    jobs: Annotated[int | None, typer.Option(min=1, help="How many to mark side by side; as many as there are cores when left out.")] = None,
+    executor: Annotated[str, typer.Option(metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead.")] = "",
 ) -> None:  # fmt: skip
     """Marks what was handed in: gradebook, feedback, report."""
-    _run("grade", name=set, course=course, bank=bank, json=json, regrade=regrade, require=require_isolation)
+    _run("grade", name=set, course=course, bank=bank, json=json, regrade=regrade, dry_run=dry_run, require=require_isolation, jobs=jobs, executor=executor)
 
 
 @app.command()

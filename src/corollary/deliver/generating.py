@@ -8,6 +8,7 @@ from pathlib import Path
 
 from corollary.deliver.course import Course, create_course, read_dealt, write_atomically, write_dealt
 from corollary.deliver.nbgrader_book import NoNbgrader, need_nbgrader
+from corollary.deliver.origin import write_origin
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
@@ -31,9 +32,13 @@ class Generated:
 
 
 def generate(
-    folder: Path, problem_set: ProblemSet, roster: Iterable[Student], solutions: Solutions, tell: Callable[[str], None] = lambda step: None
-) -> Generated:
-    """Makes or completes the course; who has been dealt numbers keeps them. Raises NoVariant, NotRegistered, GradebookLocked, NotOurs."""
+    folder: Path, problem_set: ProblemSet, roster: Iterable[Student], solutions: Solutions,
+    tell: Callable[[str], None] = lambda step: None, file: Path | None = None,
+) -> Generated:  # fmt: skip
+    """Makes or completes the course; who has been dealt numbers keeps them. `file`: the set's, when it lies outside the bank.
+
+    Raises NoVariant, NotRegistered, GradebookLocked, NotOurs.
+    """
     roster = tuple(roster)
     course = create_course(folder, roster)
     before = read_dealt(course, problem_set.name)
@@ -50,6 +55,7 @@ def generate(
                 row[problem.code] = found.variant.index
                 passed[problem.code] = passed.get(problem.code, 0) + found.passed_over
                 taken.add(found.variant.index)
+    write_origin(course, problem_set.name, solutions.bank, file)
     write_dealt(course, problem_set.name, dealt)
     own = sheet(problem_set, NOBODY, map(chapter, problem_set.problems))
     registered = _register(course, problem_set, notebook(own), tell)

@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from corollary.deliver.course import Course, read_dealt, students, submissions, write_atomically
-from corollary.deliver.generating import variants_of
-from corollary.deliver.keeping import fingerprint, keep, lateness, read_record
-from corollary.deliver.nbgrader_book import NoNbgrader, need_nbgrader
+from corollary.deliver.executing import Execute, here
+from corollary.deliver.keeping import fingerprint, keep, lateness, read_record, settle
+from corollary.deliver.nbgrader_book import NoNbgrader, gradebook, need_nbgrader
+from corollary.deliver.order import Handed, Order, Returned
+from corollary.deliver.regrading import Change, changes
 from corollary.deliver.report import report
 from corollary.deliver.report_page import report_page
 from corollary.deliver.tally import HandedIn, Report, Row
-from corollary.mark.grade import Marked
-from corollary.mark.marking import mark
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
-from corollary.problem.roster import Student
-from corollary.sheet.sheet import sheet
-from corollary.submission.notebook import Notebook, content_of, read_notebook
+from corollary.submission.notebook import bytes_of
 from corollary.submission.take import Runner
+
+if TYPE_CHECKING:
+    from nbgrader.api import Gradebook
 
 
 class NotDealt(LookupError):
@@ -40,23 +42,33 @@ class Outcome:
     in_gradebook: bool
     report: Report
     page: Path
+    changed: tuple[Change, ...] = ()
 
 
 def grade_set(
     course: Course, problem_set: ProblemSet, solutions: Solutions, runner: Callable[[], Runner], *,
-    regrade: bool = False, tell: Callable[[str, int], None] = lambda student, left: None,
+    regrade: bool = False, dry_run: bool = False, show: Callable[[tuple[Change, ...]], None] = lambda changed: None,
+    tell: Callable[[str, int], None] = lambda student, left: None, jobs: int | None = None, execute: Execute | None = None,
 ) -> Outcome:  # fmt: skip
     """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
 
-    Raises NotDealt, and what the gradebook refuses (GradebookLocked, NotRegistered).
+    A regrade marks everything first and shows who changes before anything is written; a dry run writes nothing at all.
+    `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
+    `tell` gets each student as their marks are written, and how many are left. Raises NotDealt, NotDerivable, CannotStart,
+    WeakIsolation, and what the gradebook refuses (GradebookLocked, NotRegistered).
     """
     dealt = read_dealt(course, problem_set.name)
+    if not dry_run:
+        settle(course, problem_set)
     if not dealt:
         raise NotDealt(f"{problem_set.name} was never generated in {course.folder}; run corollary generate {problem_set.name} first")
     roster = {student.id: student for student in students(course)}
     papers = submissions(course, problem_set.name)
     strangers = tuple(student for student in papers if student not in roster or student not in dealt)
-    todo, skipped = [], []
+    todo: dict[str, str] = {}
+    skipped = []
+    held: list[Returned] = []
+    changed: tuple[Change, ...] = ()
     for student, path in papers.items():
         if student in strangers:
             continue
@@ -64,35 +76,53 @@ def grade_set(
         if not regrade and (kept := read_record(course, problem_set, student)) is not None and kept.get("fingerprint") == mark_of:
             skipped.append(student)
         else:
-            todo.append((roster[student], path, mark_of))
+            todo[student] = mark_of
+    handed = (
+        Handed(roster[student], bytes_of(papers[student]), dealt[student], lateness(course, problem_set, student), mark_of)
+        for student, mark_of in todo.items()
+    )
     if todo:
-        with runner() as running:
-            for place, (student, path, mark_of) in enumerate(todo):
-                tell(student.id, len(todo) - place)
-                _grade_one(course, problem_set, solutions, running, student, path, mark_of, dealt[student.id])
-    records = {student: kept for student in papers if (kept := read_record(course, problem_set, student)) is not None}
+        for problem in problem_set.problems:
+            solutions.of(problem)  # once, before there are workers who would each do it
+        order = Order(problem_set, solutions, course.key, runner)
+        with (execute or here(jobs, len(todo)))(order, handed) as marked, _gradebook(course) as book:
+            for place, one in enumerate(marked, start=1):
+                if regrade or dry_run:
+                    held.append(one)
+                else:
+                    _write(course, problem_set, solutions, one, book)
+                tell(one.handed.student.id, len(todo) - place)
+            changed = changes(_records(course, problem_set, todo), (one.marked for one in held))
+            if regrade or dry_run:
+                show(changed)
+            for one in held if not dry_run else ():
+                _write(course, problem_set, solutions, one, book)
+    records = _records(course, problem_set, papers)
     found = report_of(course, problem_set)
     page = course.folder / "reports" / f"{problem_set.name}.html"
-    write_atomically(page, report_page(found, problem_set))
+    if not dry_run:
+        write_atomically(page, report_page(found, problem_set))
     failed = tuple(one.student for one in found.failed)
-    return Outcome(tuple(student.id for student, _, _ in todo), tuple(skipped), failed, strangers, records, has_nbgrader(), found, page)
+    return Outcome(tuple(todo), tuple(skipped), failed, strangers, records, has_nbgrader(), found, page, changed)
 
 
-def _grade_one(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, runner: Runner, student: Student, path: Path, mark_of: str, row: dict[str, int]
-) -> Marked:
-    """One submission from file to gradebook; its record is written last, so that a run cut short does it again."""
-    variants = variants_of(problem_set, row)
-    paper = sheet(problem_set, student, variants)
-    keys = {variant.problem.code: solutions.key(variant) for variant in variants}
-    read = read_notebook(path)
-    marked = mark(paper, keys, read, runner, course.key, lateness(course, problem_set, student.id))
-    if has_nbgrader():
-        from corollary.deliver.nbgrader import record
+def _records(course: Course, problem_set: ProblemSet, of: Iterable[str]) -> dict[str, dict[str, Any]]:
+    """What is kept of these students' marks, for those of whom anything is."""
+    return {student: kept for student in of if (kept := read_record(course, problem_set, student)) is not None}
 
-        record(course, problem_set, [marked], {student.id: read.node if isinstance(read, Notebook) else None})
-    keep(course, problem_set, solutions, marked, mark_of)
-    return marked
+
+def _gradebook(course: Course) -> AbstractContextManager[Gradebook | None]:
+    """Opened once for all, and after the workers have started: nbgrader takes its time."""
+    return gradebook(course) if has_nbgrader() else nullcontext()
+
+
+def _write(course: Course, problem_set: ProblemSet, solutions: Solutions, one: Returned, book: Gradebook | None) -> None:
+    """One submission into the gradebook and the files; its record is written last, so that a run cut short does it again."""
+    if book is not None:
+        from corollary.deliver.nbgrader_record import record_one
+
+        record_one(course, book, problem_set, one.marked, one.notebook)
+    keep(course, problem_set, solutions, one.marked, one.handed.fingerprint, one.page)
 
 
 def report_of(course: Course, problem_set: ProblemSet) -> Report:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
@@ -25,19 +25,24 @@ from corollary.submission.notebook import content_of
 Record = dict[str, Any]
 
 
-def keep(course: Course, problem_set: ProblemSet, solutions: Solutions, marked: Marked, fingerprint: str) -> None:
+def keep(
+    course: Course, problem_set: ProblemSet, solutions: Solutions, marked: Marked, fingerprint: str, page: str | None = None
+) -> None:
     """The feedback page, the history's line and the record, in this order: the record says that everything before it is done.
 
-    Cut short anywhere and done again, it leaves one page, one line and one record.
+    Cut short anywhere, `settle` and a second run leave one page, one line and one record. `page` is the feedback page where it
+    is made already.
     """
-    stories = {grade.variant.problem.code: solutions.story(grade.variant) for grade in marked.grades} if problem_set.reveal else None
-    page = feedback_page(marked, problem_set, solutions=stories)
+    if page is None:
+        shown = marked.grades if problem_set.reveal else ()
+        stories = {grade.variant.problem.code: solutions.story(grade.variant) for grade in shown}
+        page = feedback_page(marked, problem_set, solutions=stories)
     student = marked.student.id
     for place in feedback_places(course, problem_set, student):
         write_atomically(place, page)
     entry = record_of(marked, fingerprint)
     _remember(course, problem_set, student, entry)
-    write_atomically(_record_path(course, problem_set, student), json.dumps(entry, ensure_ascii=False))
+    _write_record(course, problem_set, student, entry)
 
 
 def record_of(marked: Marked, fingerprint: str) -> Record:
@@ -70,11 +75,27 @@ def history(course: Course, set_name: str) -> Iterator[Record]:
             continue
 
 
+def settle(course: Course, problem_set: ProblemSet) -> None:
+    """Completes what a run that was cut short left undone: its last line is in the history, and the record not yet written.
+
+    Everything else of that mark was written before its line, so that it need not be given again.
+    """
+    try:
+        entry = json.loads(_last_line(_history_path(course, problem_set.name)) or b"null")
+    except ValueError:  # cut short within the line: that mark will be given again
+        return
+    if isinstance(entry, dict) and isinstance(student := entry.pop("student", None), str):
+        entry.pop("at", None)
+        if read_record(course, problem_set, student) != entry:
+            _write_record(course, problem_set, student, entry)
+
+
 def feedback_places(course: Course, problem_set: ProblemSet, student: str) -> tuple[Path, Path]:
     """Where our own page lies: beside nbgrader's, and beside the marked notebook, from where nbgrader copies it back when it
     makes the feedback folder anew."""
     name = problem_set.name
-    return course.place("feedback", student, name) / f"{name}.feedback.html", course.place("autograded", student, name) / f"{name}.feedback.html"
+    feedback, autograded = (course.place(step, student, name) / f"{name}.feedback.html" for step in ("feedback", "autograded"))
+    return feedback, autograded
 
 
 def lateness(course: Course, problem_set: ProblemSet, student: str) -> float:
@@ -85,7 +106,9 @@ def lateness(course: Course, problem_set: ProblemSet, student: str) -> float:
     return max(0.0, (when - problem_set.due).total_seconds())
 
 
-def fingerprint(course: Course, problem_set: ProblemSet, solutions: Solutions, student: str, path: Path, row: dict[str, int]) -> str:
+def fingerprint(
+    course: Course, problem_set: ProblemSet, solutions: Solutions, student: str, path: Path, row: Mapping[str, int]
+) -> str:
     """What the marks depend on: the paper, its moment, the numbers, the problems and solutions, the scheme, and this program."""
     digest = hashlib.sha256()
 
@@ -94,7 +117,7 @@ def fingerprint(course: Course, problem_set: ProblemSet, solutions: Solutions, s
 
     add(content_of(path))
     add(str(handed_in(course, problem_set.name, student)).encode())
-    add(json.dumps(row, sort_keys=True).encode())
+    add(json.dumps(dict(row), sort_keys=True).encode())
     add(repr((problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)).encode())
     for problem in problem_set.problems:
         add(problem.path.read_bytes())
@@ -103,19 +126,15 @@ def fingerprint(course: Course, problem_set: ProblemSet, solutions: Solutions, s
 
 
 def _remember(course: Course, problem_set: ProblemSet, student: str, entry: Record) -> None:
-    """Adds one line to the history, unless a run that was cut short added this very line already."""
     path = _history_path(course, problem_set.name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    line = json.dumps({"student": student, **entry}, ensure_ascii=False)
     last = _last_line(path)
-    if last is not None and _without_moment(last) == json.loads(line):
-        return
     moment = datetime.now(UTC).isoformat(timespec="seconds")
-    whole = json.dumps({"student": student, "at": moment, **entry}, ensure_ascii=False)
+    line = json.dumps({"student": student, "at": moment, **entry}, ensure_ascii=False)
     # A line that was cut short has no end: the new one must not be glued to it.
     torn = b"" if last is None or last.endswith(b"\n") else b"\n"
     with path.open("ab", buffering=0) as file:
-        file.write(torn + whole.encode() + b"\n")
+        file.write(torn + line.encode() + b"\n")
         os.fsync(file.fileno())
 
 
@@ -133,11 +152,8 @@ def _last_line(path: Path) -> bytes | None:
     return tail[tail[:-1].rfind(b"\n") + 1 :] or None
 
 
-def _without_moment(line: bytes) -> Record | None:
-    try:
-        return {name: value for name, value in json.loads(line).items() if name != "at"}
-    except (ValueError, AttributeError):
-        return None
+def _write_record(course: Course, problem_set: ProblemSet, student: str, entry: Record) -> None:
+    write_atomically(_record_path(course, problem_set, student), json.dumps(entry, ensure_ascii=False))
 
 
 def _record_path(course: Course, problem_set: ProblemSet, student: str) -> Path:

@@ -9,7 +9,13 @@ from corollary.deliver.course import Course, write_atomically
 MARK = "# Written by corollary."
 TEXT = f'''\
 {MARK} Add your own settings below; corollary leaves this file alone from now on.
-from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ComputeChecksums, LockCells, NbGraderPreprocessor, SaveCells
+from nbconvert.preprocessors import ClearMetadataPreprocessor
+from nbgrader.preprocessors import (
+    CheckCellMetadata, ClearOutput, ComputeChecksums, DeduplicateIds, IgnorePattern, LimitOutput, LockCells,
+    OverwriteKernelspec, SaveCells,
+)
+
+from corollary.deliver.nbgrader_autograde import JudgedOutside, LatenessKept, MarksKept, OwnNumbers, OwnSheet
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__
@@ -17,18 +23,15 @@ c.CourseDirectory.course_id = __NAME__
 # The source notebooks hold no solutions, so nothing has to be cut out of them.
 c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata, ComputeChecksums, SaveCells]
 
+# `nbgrader autograde` marks our sets as `corollary grade` does (and other assignments as ever).
+c.Autograde.exporter_class = OwnSheet
+c.Autograde.sanitize_preprocessors = [ClearOutput, DeduplicateIds, OverwriteKernelspec, OwnNumbers, CheckCellMetadata]
+c.Autograde.autograde_preprocessors = [
+    JudgedOutside, IgnorePattern, ClearMetadataPreprocessor, LimitOutput, MarksKept, LatenessKept, CheckCellMetadata,
+]
+
 # Feedback is made anew each time, so that it never shows older marks than the gradebook.
 c.GenerateFeedback.force = True
-
-
-class MarkedElsewhere(NbGraderPreprocessor):
-    """A notebook of ours cannot mark itself, so the marks in the gradebook must not be replaced by what it says."""
-
-    def preprocess(self, nb, resources):
-        raise RuntimeError("this set is marked by `corollary grade`, not by `nbgrader autograde`; the marks stay as they are")
-
-
-c.Autograde.sanitize_preprocessors = [MarkedElsewhere]
 '''
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
@@ -26,28 +26,36 @@ def sheet_of(marked: Marked, problem_set: ProblemSet) -> Sheet:
 
 
 def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: NotebookNode | None) -> NotebookNode:
-    """What formgrader shows and feedback is made from. Cells missing, doubled or altered in the submission do no harm here:
-    the sheet's own cells stand in their places, and what the student added stands, as plain code, below the cell it followed.
-    """
-    nb = notebook(sheet_of(marked, problem_set))
-    answers = cells_by_id(submitted) if submitted is not None else {}
-    runs = {run.id: run for run in marked.runs}
+    """What formgrader shows and feedback is made from: the student's sheet with their answers, and what is said of them."""
+    nb = restored(sheet_of(marked, problem_set), submitted, marked.runs)
     verdicts = dict(part_grades(marked))
+    for cell in nb.cells:
+        mark = cell.metadata.get("nbgrader")
+        if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
+            cell.outputs = [_said(verdicts[cell.id])]
+    remarks = [f"> **{safe_markdown(said)}**" for said in (marked.trouble, *marked.notes) if said]
+    nb.cells[1:1] = [new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)]
+    return nb
+
+
+def restored(paper: Sheet, submitted: NotebookNode | None, runs: Iterable[CellRun] = ()) -> NotebookNode:
+    """The student's own sheet with what they wrote in it. Cells missing, doubled or altered in the submission do no harm: the
+    sheet's own cells stand in their places, and what the student added stands, as plain code, below the cell it followed.
+    """
+    nb = notebook(paper)
+    answers = cells_by_id(submitted) if submitted is not None else {}
+    ran = {run.id: run for run in runs}
     for cell in nb.cells:
         mark, theirs = cell.metadata["nbgrader"], answers.get(cell.id)
         if mark["solution"] and theirs is not None:
             _fill_in(cell, theirs)
-            if (run := runs.get(theirs.get("id", ""))) is not None and cell.cell_type == "code":
+            if (run := ran.get(theirs.get("id", ""))) is not None and cell.cell_type == "code":
                 cell.outputs = safe_outputs(run.outputs)
-        if mark["grade"] and not mark["solution"] and cell.id in verdicts:
-            cell.outputs = [_said(verdicts[cell.id])]
         if cell.id == "setup":
             cell.source = FOLDED_AWAY
             mark["checksum"] = checksum(cell)
     if submitted is not None:
-        _add_extras(nb, submitted, runs)
-    if marked.trouble:
-        nb.cells.insert(1, new_markdown_cell(f"> **{safe_markdown(marked.trouble)}**", id="trouble"))
+        _add_extras(nb, submitted, ran)
     return nb
 
 

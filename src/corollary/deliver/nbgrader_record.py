@@ -17,6 +17,7 @@ from corollary.deliver.nbgrader_book import NotRegistered
 from corollary.deliver.nbgrader_notebook import answer_sources, marked_notebook, part_grades
 from corollary.deliver.nbgrader_safe import safe_markdown
 from corollary.mark.grade import Marked, PartGrade
+from corollary.mark.verdict import Unread
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.found import answer_id
 from corollary.sheet.notebook import file_text
@@ -25,11 +26,17 @@ if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
 
 
-def record_one(course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, submitted: NotebookNode | None) -> None:
-    """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again."""
+def record_one(
+    course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, submitted: NotebookNode | None, *,
+    anew: bool = False,
+) -> None:  # fmt: skip
+    """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again.
+
+    `anew`: what lies in `autograded/` is no earlier marking, so whatever a person gave is shown to them again.
+    """
     name, student = problem_set.name, marked.student.id
     now = marked_notebook(marked, problem_set, submitted)
-    before = _read(course.notebook("autograded", student, name))
+    before = None if anew else _read(course.notebook("autograded", student, name))
     stamp, when = _timestamp(course, name, student)
     submission = _submission(book, name, marked)
     submission.timestamp = when
@@ -79,7 +86,7 @@ def _write_scores(notebook: SubmittedNotebook, marked: Marked, now: NotebookNode
     for grade in notebook.grades:
         part = parts.get(grade.name)
         grade.auto_score = None if part is None or part.waits else part.points
-        grade.needs_manual_grade = _needs_person(grade, part, now, before)
+        grade.needs_manual_grade = _needs_person(grade, part, marked, now, before)
     for comment in notebook.comments:
         part = answered.get(comment.name)
         comment.auto_comment = safe_markdown(part.feedback) if part is not None and part.feedback else None
@@ -87,10 +94,15 @@ def _write_scores(notebook: SubmittedNotebook, marked: Marked, now: NotebookNode
     notebook.late_submission_penalty = late * sum(map(_score, notebook.grades)) if late > 0 else None
 
 
-def _needs_person(grade: Grade, part: PartGrade | None, now: NotebookNode, before: NotebookNode | None) -> bool:
-    """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again."""
+def _needs_person(
+    grade: Grade, part: PartGrade | None, marked: Marked, now: NotebookNode, before: NotebookNode | None
+) -> bool:
+    """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again.
+
+    No answer from a notebook that came to grief is no points and a flag: the grief may be the machine's.
+    """
     if grade.manual_score is None:
-        return part is None or part.waits
+        return part is None or part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
     return before is None or answer_sources(now, grade.name) != answer_sources(before, grade.name)
 
 

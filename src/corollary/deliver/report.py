@@ -50,7 +50,8 @@ def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
 def handed_in(marked: Marked) -> HandedIn:
     student = marked.student
     return HandedIn(
-        student.id, student.name, marked.points, marked.out_of, marked.late, marked.late_share, marked.trouble, marked.isolation
+        student.id, student.name, marked.points, marked.out_of, marked.late, marked.late_share, marked.trouble, marked.isolation,
+        marked.notes,
     )
 
 

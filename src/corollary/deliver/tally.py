@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean, median
 
@@ -24,7 +24,8 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class HandedIn:
-    """One submission as a whole: points after lateness; `late` in seconds; `trouble` a sentence, or empty."""
+    """One submission as a whole: points after lateness; `late` in seconds; `trouble` a sentence, or empty; `notes` tell
+    what was noticed."""
 
     student: str
     name: str
@@ -34,6 +35,7 @@ class HandedIn:
     late_share: float = 1.0
     trouble: str = ""
     isolation: str = ""
+    notes: Sequence[str] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -62,14 +62,6 @@ def load(bank: Bank, problem: Problem) -> Loaded:
     return Loaded(path, derivation, line, scene if inspect.isfunction(scene) else None)
 
 
-def content(bank: Bank, problem: Problem) -> bytes:
-    """The solution file as it stands: what marks depend on. Raises NotDerivable when it is missing."""
-    try:
-        return bank.solution(problem).read_bytes()
-    except OSError as error:
-        raise NotDerivable(bank.solution(problem), 0, f"cannot be read: {error.strerror}") from None
-
-
 def line_of(path: Path, words: str) -> int:
     """The first line of a solution that holds the beginning of these words; 0 when none does."""
     lines = path.read_text(encoding="utf-8").splitlines() if words else []

@@ -1,4 +1,4 @@
-"""Students' programs for an atom near a molecule, before and after it catches another one: called, compared, and told what is wrong."""
+"""Students' programs for an atom near a molecule, before and after it catches another one: how they are judged."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 from corollary.derive.said import Said
 
 TOLERANCE = 0.01  # of b, or of the distance when it is larger: the book's method errs by a fifth of it at the steps asked for
+EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
 Given = Mapping[str, float]
 Draw = Callable[[float, float], float]
 State = tuple[float, float, float, float]
@@ -46,7 +47,8 @@ def orbit_inputs(given: Given, draw: Draw) -> list[dict[str, Any]]:
                 start = (b, 0.0, draw(1.3, 1.6) * omega * d, draw(0.2, 0.6) * omega * d)
         x, y, vx, vy = (round(value, 4) for value in turned(start, turn))
         period = 2 * math.pi / omega
-        inputs.append({"m": m, "k": k, "b": b, "d": d, "x": x, "y": y, "vx": vx, "vy": vy, "T": round(1.6 * period, 4), "dt": period / 1000})
+        case = {"m": m, "k": k, "b": b, "d": d, "x": x, "y": y, "vx": vx, "vy": vy}
+        inputs.append(case | {"T": round(1.6 * period, 4), "dt": period / 1000})
     return inputs
 
 
@@ -55,18 +57,20 @@ def judge_orbit(given: Given, inputs: Mapping[str, Any], returned: Sequence[floa
     well, start = well_of(inputs), _start(inputs)
     reference = moved(well, start, inputs["T"])
     steps = round(inputs["T"] / inputs["dt"])
-    usual = {
-        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": stepped(Well(-well.pull, well.b, well.edge), start, inputs["T"], steps),
-        "the atom is still pulled back beyond b + d. There the potential energy is constant and the force zero.": stepped(Well(well.pull, well.b, math.inf), start, inputs["T"], steps),
-        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": stepped(Well(well.pull, 0.0, well.edge), start, inputs["T"], steps),
-        "the mass is missing: the acceleration is the force divided by m.": stepped(Well(well.pull * inputs["m"], well.b, well.edge), start, inputs["T"], steps),
-        "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first.": stepped(well, start, inputs["T"], steps, euler=True),
+    pull, b, edge = well.pull, well.b, well.edge
+    wrong = {
+        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": Well(-pull, b, edge),
+        "the atom is still pulled back beyond b + d. There the potential energy is constant: no force.": Well(pull, b, math.inf),
+        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": Well(pull, 0.0, edge),
+        "the mass is missing: the acceleration is the force divided by m.": Well(pull * inputs["m"], b, edge),
     }
-    return _judged(returned, reference, usual, inputs["b"])
+    usual = {sentence: stepped(other, start, inputs["T"], steps) for sentence, other in wrong.items()}
+    usual[EULER] = stepped(well, start, inputs["T"], steps, euler=True)
+    return _judged(returned, reference, usual, b)
 
 
 def catch_inputs(given: Given, draw: Draw) -> list[dict[str, Any]]:
-    """A comes from outside and meets B at r = b, once on the way in along a radius, twice obliquely; `t1` is a whole number of steps."""
+    """A comes from outside and meets B at r = b, once along a radius, twice obliquely; `t1` is a whole number of steps."""
     inputs = []
     for aside in (0.0, 0.3, 0.6):
         m, k, b = round(draw(0.5, 4.0), 2), round(draw(40, 300)), round(draw(0.8, 1.6), 2)
@@ -84,11 +88,11 @@ def judge_catch(given: Given, inputs: Mapping[str, Any], returned: Sequence[floa
     """The place of both atoms at the time T, when A has met B at rest at the time t1."""
     well, met, left = well_of(inputs), moved(well_of(inputs), _start(inputs), inputs["t1"]), inputs["T"] - inputs["t1"]
     x, y, u, w = met
-    joined = (x, y, u / 2, w / 2)
+    joined, elastic = (x, y, u / 2, w / 2), (x, y, u / math.sqrt(2), w / math.sqrt(2))
     half, twice = Well(well.pull / 2, well.b, well.edge), Well(well.pull * 2, well.b, well.edge)
     usual = {
         "the velocity is not changed by the collision. B was at rest: momentum is shared by both.": moved(well, met, left),
-        "you kept the kinetic energy. The atoms stick together: momentum is kept, kinetic energy is not.": moved(well, (x, y, u / math.sqrt(2), w / math.sqrt(2)), left),
+        "you kept the kinetic energy. The atoms stick: momentum is kept, kinetic energy is not.": moved(well, elastic, left),
         "the mass has doubled, but not the force. The molecule pulls on A and on B.": moved(half, joined, left),
         "the force has doubled, but not the mass. The pair has the mass of two atoms.": moved(twice, joined, left),
     }
@@ -104,11 +108,12 @@ def _judged(returned: Sequence[float], reference: State, usual: Mapping[str, Sta
     for sentence, state in usual.items():
         if math.dist(returned, state[:2]) <= allowed:
             return Said(f"At the time T {sentence}", known=True)
-    return Said("The atom is not where it should be at the time T. Check the force on both sides of r = b, beyond b + d, and that you reach T.")
+    return Said("The atom is not where it should be at the time T. Check the force on both sides of r = b, beyond b + "
+                "d, and that you reach T.")
 
 
 def moved(well: Well, state: State, time: float, least: int = 400) -> State:
-    """The state after a time: fourth order, steps cut where the edge is crossed. Fine enough for six digits at `least` steps a swing."""
+    """The state after a time: fourth order, steps cut where the edge is crossed; six digits with 400 steps a swing."""
     count = max(1, math.ceil(time * math.sqrt(well.pull) / (2 * math.pi) * least))
     inside = math.hypot(*state[:2]) < well.edge
     for _ in range(count):
@@ -171,7 +176,7 @@ def turned(state: State, angle: float) -> State:
 
 def _arrival(well: Well, start: State) -> float:
     """When an atom from outside first reaches r = b, by halving."""
-    x, y, u, w = start
+    x, y, u, _ = start
     low = (x - math.sqrt(well.edge**2 - y**2)) / -u
     high = low + 2 * math.pi / math.sqrt(well.pull)
     grid = [low + (high - low) * i / 200 for i in range(201)]

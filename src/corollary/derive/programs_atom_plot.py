@@ -20,37 +20,43 @@ def judge_potential_plot(given: Mapping[str, float], figures: Sequence[Any]) -> 
     axes = next((each for each in figures if each.lines), None)
     if axes is None:
         return Said("No axes with a curve were found; plot the potential energy against the place of the atom.")
-    if not any(word in axes.xlabel.lower() for word in ("x", "r", "m]")) or not any(word in axes.ylabel.lower() for word in ("u", "energy", "j]")):
+    named = {axes.xlabel.lower(): ("x", "r", "m]"), axes.ylabel.lower(): ("u", "energy", "j]")}
+    if not all(any(word in label for word in words) for label, words in named.items()):
         return Said("The axes need labels that name quantity and unit: x [m] and U [J].")
     curves = [line for line in axes.lines if line.kind == "line" and len(line.x) > 20]
     if not curves:
         return Said("The potential must be drawn as a curve of more than 20 points.")
     if not any(_reads(line, {b: 0.0, b - d / 2: depth / 4, b + d / 2: depth / 4, b + 1.2 * d: depth}, depth) for line in curves):
-        return Said("No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right and on the left too, and stay at U0 beyond b + d.")
+        return Said("No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right "
+                    "and on the left too, and stay at U0 beyond b + d.")
     for name, level in (("below", given["eps"] * depth), ("above", given["epsx"] * depth)):
         if not any(_level(line, level, NEAR * level) for line in axes.lines):
-            return Said(f"The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the energy asked for.")
+            return Said(f"The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the "
+                        f"energy asked for.")
     return None
 
 
 def judge_orbit_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Said | None:
     """A curve from (b, 0) that swings between r = b and the far turning point, at least once."""
     b = given["b"]
-    far = run("atom", {name: given[name] for name in ("m", "k", "b", "d", "v0")} | {"r0": b}, tolerance=1e-9).observed["turning_points"]
+    settings = {name: given[name] for name in ("m", "k", "b", "d", "v0")}
+    far = run("atom", settings | {"r0": b}, tolerance=1e-9).observed["turning_points"]
     assert isinstance(far, tuple)
     for axes in figures:
         for line in axes.lines:
             if len(line.x) < 50:
                 continue
-            if not (axes.xlabel.strip().lower().strip("$").startswith("x") and axes.ylabel.strip().lower().strip("$").startswith("y")):
+            if [label.strip(" $").lower()[:1] for label in (axes.xlabel, axes.ylabel)] != ["x", "y"]:
                 return Said("The axes need labels that name quantity and unit: x [m] and y [m].")
             r = np.hypot(line.x, line.y)
             if math.dist((line.x[0], line.y[0]), (b, 0.0)) > 0.02 * b:
                 return Said("The trajectory must start at (b, 0).")
             if r.min() < 0.98 * b:
-                return Said("The atom comes closer than b. It starts across the radius, and the force at r > b is not strong enough to pull it in further: check force and step.")
+                return Said("The atom comes closer than b. It starts across the radius, and the force at r > b is not "
+                            "strong enough to pull it in further: check force and step.")
             if abs(r.max() - far[-1]) > 0.02 * b:
-                return Said("The greatest distance of your trajectory is not that of (h1). Let it run for some swings, and check v0, force and step.")
+                return Said("The greatest distance of your trajectory is not that of (h1). Let it run for some "
+                            "swings, and check v0, force and step.")
             return None
     return Said("No trajectory was found; plot y against x, as a curve of many points.")
 

@@ -34,8 +34,10 @@ def ion_force(C: float, *, sign: float = -1.0, power: float = 3.0) -> Force:
     return lambda x, y, u, w: (sign * C * x / math.hypot(x, y) ** power, sign * C * y / math.hypot(x, y) ** power)
 
 
-def stepped(inputs: Mapping[str, Any], force: Force, *, steps: int = 0, both: bool = True, euler: bool = False) -> tuple[float, ...]:
-    """Velocities (A x, A y, B x, B y) at the time T by Euler-Cromer's method, in steps of the inputs' dt or `steps` of them; inf when lost."""
+def stepped(
+    inputs: Mapping[str, Any], force: Force, *, steps: int = 0, both: bool = True, euler: bool = False
+) -> tuple[float, ...]:  # fmt: skip
+    """Velocities (A x, A y, B x, B y) at the time T by Euler-Cromer's method, in `steps` or in steps of dt; inf when lost."""
     count = steps or max(1, round(inputs["T"] / inputs["dt"]))
     dt = inputs["T"] / count
     (ax, ay), (bx, by), (au, aw), (bu, bw) = inputs["rA"], inputs["rB"], inputs["vA"], inputs["vB"]
@@ -53,7 +55,7 @@ def stepped(inputs: Mapping[str, Any], force: Force, *, steps: int = 0, both: bo
 
 
 def converged(inputs: Mapping[str, Any], force: Force, tolerance: float) -> tuple[float, ...]:
-    """The same with the steps halved, and the first order of the error taken out, until nothing changes by more than the tolerance.
+    """The same with steps halved and the first order of the error taken out, until it changes by less than the tolerance.
 
     Raises ArithmeticError when that does not come about.
     """
@@ -70,7 +72,7 @@ def converged(inputs: Mapping[str, Any], force: Force, tolerance: float) -> tupl
 
 
 def sphere_inputs(given: Given, draw: Draw) -> list[dict[str, Any]]:
-    """A head-on hit, an oblique one without damping, an oblique one with it; until the spheres have parted, in 300 steps or so."""
+    """A head-on hit, an oblique one, an oblique one with damping; until the spheres have parted, 200 steps a contact."""
     inputs = []
     for eta, aside in ((0.0, 0.0), (0.0, 0.8), (1.0, 0.6)):
         mA, mB, R = (round(draw(low, high), 4) for low, high in ((0.05, 0.3), (0.05, 0.3), (0.015, 0.03)))
@@ -90,8 +92,10 @@ def judge_spheres(given: Given, inputs: Mapping[str, Any], returned: Sequence[fl
     assert isinstance(reference, tuple)
     R, k, eta = inputs["R"], inputs["k"], inputs["eta"]
     usual = {
-        "the spheres pull each other together while they overlap. The spring pushes A away from B, against $\\Delta\\vec r$.": sphere_force(R, k, eta, spring=1.0),
-        "the damping drives the spheres instead of braking them. The force on A must pull its velocity towards that of B: $+\\eta\\,\\Delta\\vec v$.": sphere_force(R, k, eta, drag=-1.0),
+        "the spheres pull each other together while they overlap. The spring pushes A away from B, against "
+        "$\\Delta\\vec r$.": sphere_force(R, k, eta, spring=1.0),
+        "the damping drives the spheres instead of braking them. The force on A must pull its velocity towards that "
+        "of B: $+\\eta\\,\\Delta\\vec v$.": sphere_force(R, k, eta, drag=-1.0),
         "the spring force grows linearly with the overlap. Its power is 3/2.": sphere_force(R, k, eta, q=1.0),
         "there is no damping. Add the term with $\\eta$.": sphere_force(R, k, 0.0),
     }
@@ -105,7 +109,8 @@ def ion_inputs(given: Given, draw: Draw) -> list[dict[str, Any]]:
         C, mA, mB = round(draw(4e-4, 4e-3), 5), round(draw(0.05, 0.3), 3), round(draw(0.05, 0.3), 3)
         r0, v = round(draw(0.06, 0.15), 3), round(draw(0.6, 1.6), 2)
         T = round(2.5 * r0 / (v - v_b), 4)
-        inputs.append({"C": C, "mA": mA, "mB": mB, "rA": (0.0, 0.0), "vA": (v, 0.0), "rB": (r0, round(aside * r0, 4)), "vB": (v_b, 0.0), "T": T, "dt": T / 1500})
+        case = {"C": C, "mA": mA, "mB": mB, "rA": (0.0, 0.0), "vA": (v, 0.0), "rB": (r0, round(aside * r0, 4)), "vB": (v_b, 0.0)}
+        inputs.append(case | {"T": T, "dt": T / 1500})
     return inputs
 
 
@@ -113,15 +118,16 @@ def judge_ions(given: Given, inputs: Mapping[str, Any], returned: Sequence[float
     """Against steps made ever smaller; then against what the usual wrong programs return, and by the total momentum."""
     C = inputs["C"]
     usual = {
-        "the ions attract each other. With $\\Delta\\vec r$ from A to B, the force on A has a minus sign.": ion_force(C, sign=1.0),
-        "the force falls off as $1/\\Delta r$: the unit vector $\\Delta\\vec r/\\Delta r$ takes one more division.": ion_force(C, power=2.0),
+        "the ions attract. $\\Delta\\vec r$ leads from A to B, so the force on A needs a minus.": ion_force(C, sign=1.0),
+        "the force falls off as $1/\\Delta r$: a unit vector takes one more division.": ion_force(C, power=2.0),
     }
     reference = converged(inputs, ion_force(C), 1e-6 * _speed(inputs))
     return _judged(inputs, returned, reference, usual, ion_force(C), f"With C = {C:g} N m²")
 
 
 def _judged(
-    inputs: Mapping[str, Any], returned: Sequence[float], reference: Sequence[float], usual: Mapping[str, Force], right: Force, case: str
+    inputs: Mapping[str, Any], returned: Sequence[float], reference: Sequence[float], usual: Mapping[str, Force], right: Force,
+    case: str,
 ) -> Said | None:  # fmt: skip
     if len(returned) != 4:
         return Said(f"It returns {len(returned)} numbers; return the four velocities v_Ax, v_Ay, v_Bx, v_By.")
@@ -132,7 +138,8 @@ def _judged(
         if math.dist(returned, stepped(inputs, force)) <= allowed:
             return Said(f"{case} {sentence}", known=True)
     if math.dist(returned, stepped(inputs, right, euler=True)) <= allowed:
-        return Said(f"{case} this is forward Euler: the position is stepped with the old velocity. Step the velocity first, then the position with the new one.", known=True)
+        return Said(f"{case} this is forward Euler: the position is stepped with the old velocity. Step the velocity "
+                    f"first, then the position with the new one.", known=True)
     if math.dist(returned, stepped(inputs, right, both=False)) <= allowed:
         return Said(f"{case} only A feels a force. What B does to A, A does to B, the other way.", known=True)
     if math.dist(returned, (*inputs["vA"], *inputs["vB"])) <= allowed:
@@ -140,8 +147,10 @@ def _judged(
     mA, mB = inputs["mA"], inputs["mB"]
     lost = [mA * (returned[i] - inputs["vA"][i]) + mB * (returned[i + 2] - inputs["vB"][i]) for i in (0, 1)]
     if math.hypot(*lost) > 0.01 * mA * _speed(inputs):
-        return Said(f"{case} the total momentum is not kept. The force on B is that on A, the other way, and each has its own mass.", known=True)
-    return Said(f"{case} the total momentum is kept, but the velocities after the time T are not right. Check the force law, and that you reach T.")
+        return Said(f"{case} the total momentum is not kept. The force on B is that on A, the other way, and each has "
+                    f"its own mass.", known=True)
+    return Said(f"{case} the total momentum is kept, but the velocities after the time T are not right. Check the "
+                f"force law, and that you reach T.")
 
 
 def _played(inputs: Mapping[str, Any]):

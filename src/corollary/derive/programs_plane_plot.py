@@ -24,7 +24,8 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Sa
     for what, labels in AXES.items():
         axes = next((each for each in figures if _labelled(each, labels)), None)
         if axes is None:
-            return Said(f"No axes for {what} were found. Label them with quantity and unit: x [m] and y [m], t [s] and p_x [kg m/s], t [s] and p_y [kg m/s].")
+            return Said(f"No axes for {what} were found. Label them with quantity and unit: x [m] and y [m], t [s] "
+                        f"and p_x [kg m/s], t [s] and p_y [kg m/s].")
         curves = [line for line in axes.lines if line.kind != "bars" and len(line.x) > 20]
         if len(curves) < 2:
             return Said(f"In the axes for {what} there must be a curve for A and one for B.")
@@ -40,15 +41,18 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Sa
                 if max(line.x[-1] for line in curves) < 0.9 * TIME:
                     return Said(f"The curves of {what} must run until {TIME:g} s.")
                 if not _pairs(curves, 0, begins, start):
-                    return Said(f"The curves of {what} must start with A's momentum (A moves along x at 1.0 m/s) and with B at rest. Mind that it is momenta that are asked for.")
+                    return Said(f"The curves of {what} must start with A's momentum (A moves along x at 1.0 m/s) and "
+                                f"with B at rest. Mind that it is momenta that are asked for.")
                 if not _pairs(curves, -1, ends, start):
-                    return Said(f"The curves of {what} do not end where this model leads. Check the force law, its signs and the numbers.")
+                    return Said(f"The curves of {what} do not end where this model leads. Check the force law, its "
+                                f"signs and the numbers.")
     return None
 
 
 def _labelled(axes: Any, labels: tuple[str, str]) -> bool:
     """Whether the labels begin as wanted, whatever TeX, spaces and underscores they hold."""
-    return all(re.search(label, re.sub(r"\\mathrm|[^a-z]", "", text.lower())) for label, text in zip(labels, (axes.xlabel, axes.ylabel), strict=True))
+    texts = [re.sub(r"\\mathrm|[^a-z]", "", text.lower()) for text in (axes.xlabel, axes.ylabel)]
+    return all(re.search(label, text) for label, text in zip(labels, texts, strict=True))
 
 
 def _pairs(curves: Sequence[Any], place: int, wanted: tuple[float, float], scale: float) -> bool:

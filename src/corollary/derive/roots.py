@@ -138,10 +138,12 @@ def _shown(root: Root) -> str:
 
 
 def _condition(where: sympy.Basic | bool) -> str:
+    if isinstance(where, sympy.And):
+        return r" \text{ and } ".join(map(_condition, where.args))
     try:
         return latex(relation(where))  # type: ignore[arg-type]
     except NoTree:
-        return str(where)
+        return rf"\text{{{where}}}"
 
 
 def _equations(root: Root) -> str:

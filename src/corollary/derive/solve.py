@@ -260,17 +260,18 @@ class _Solver:
     def checked(self, entry: Step | Optimum, trees: tuple[Tree, ...]) -> tuple[Dimension, ...]:
         """The dimension of each component; raises ValueError when it is not what the part asks for."""
         part = self.problem.part(entry.answers) if entry.answers in {part.id for part in self.problem.parts} else None
-        result = []
+        found: list[Dimension | None] = []
         for formula in trees:
             dimension = dimension_of(formula, self.dimensions)
             if isinstance(dimension, Trouble):
                 raise ValueError(f"the dimensions do not fit: {dimension.why}")
-            if isinstance(formula, Number) and formula.value == 0:
-                dimension = part.unit.dimension if part else Dimension()
+            found.append(None if isinstance(formula, Number) and formula.value == 0 else dimension)
+        nought = part.unit.dimension if part else next((each for each in found if each is not None), Dimension())
+        result = tuple(nought if each is None else each for each in found)  # a component that is 0 measures what the others do
+        for dimension in result:
             if part and dimension != part.unit.dimension:
                 raise ValueError(f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}")
-            result.append(dimension)
-        return tuple(result)
+        return result
 
 
 def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:

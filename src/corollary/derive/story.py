@@ -10,8 +10,10 @@ from corollary.derive.entries import Code, Explain
 from corollary.derive.solution import Find, Formulas, LawShown, Measured, Solution
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant, number
+from corollary.quantity.ball import certified
 from corollary.quantity.latex import latex, letter
 from corollary.quantity.number import decimal_text
+from corollary.quantity.syntax import author_formula
 from corollary.quantity.tree import Number, Relation, Tree, names
 from corollary.quantity.unit import Unit, si_unit
 from corollary.quantity.unit import latex as unit_latex
@@ -119,9 +121,13 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     if part.id in solution.examples:
         truth = solution.examples[part.id]
         lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws)]
+        if truth.instance is not None:
+            numbers = [_quantity(certified(tree, variant.exact).value, part.unit) for tree in truth.instance]
+            lines += [f"For example: $${', '.join(numbers)}$$"]
     if part.id in solution.proofs:
         truth = solution.proofs[part.id]
-        lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws), f"To show: $${latex(truth.target)}$$"]
+        lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws), f"To show:\n\n$${latex(truth.target)}$$", "", "One way:", ""]
+        lines += [f"$${latex(author_formula(line))}$$\n" for line in truth.lines]
     for entry in solution.entries:
         match entry:
             case Code(part.id, because, _, _, example):

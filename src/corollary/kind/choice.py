@@ -17,6 +17,8 @@ from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
 class Choice(Kind):
     def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
         letters = [option.letter for option in part.options]
+        while isinstance(given, Items) and len(given.items) == 1:
+            given = given.items[0]
         match given:
             case Nothing():
                 return Blank()
@@ -27,8 +29,6 @@ class Choice(Kind):
                 if letter in letters:
                     return Letter(letter, f"({letter})")
                 return Unclear(f"answer with one letter of {', '.join(letters)}", text.strip()[:40])
-            case Items((one,), _):
-                return self.read(one, part, problem)
             case Refused(why, shown):
                 return Unclear(why, shown)
             case _:

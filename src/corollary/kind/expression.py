@@ -7,7 +7,7 @@ from typing import final
 
 from corollary.kind.answer import Answer, Blank, Formulas, Unclear
 from corollary.kind.kind import Kind, Sample
-from corollary.kind.number import PLACEHOLDERS, formula
+from corollary.kind.number import PLACEHOLDERS, as_typed, formula
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.quantity.dimension import dimension_of
@@ -37,12 +37,12 @@ class Expression(Kind):
         for text in texts:
             tree = formula(text, problem)
             if isinstance(tree, Trouble):
-                return Unclear(sentence(tree), text.strip())
+                return Unclear(sentence(tree), as_typed(text))
             dimension = dimension_of(tree, {given.symbol: given.unit.dimension for given in problem.givens})
             if isinstance(dimension, Trouble):
-                return Unclear(sentence(dimension), text.strip())
+                return Unclear(sentence(dimension), as_typed(text))
             if dimension != part.unit.dimension:
-                return Unclear(f"this formula is not in {show(part.unit)}", text.strip())
+                return Unclear(f"this formula is not in {show(part.unit)}", as_typed(text))
             trees.append(tree)
         return Formulas(tuple(trees), ", ".join(text.strip() for text in texts))
 

@@ -21,11 +21,14 @@ from corollary.quantity.unit import ONE, Unit, show
 
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
+LONGEST_SHOWN = 80
 COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
 
 
 def scalar(given: Plain, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
     """One number in SI, or a formula of the givens when the text is one."""
+    while isinstance(given, Items) and len(given.items) == 1:
+        given = given.items[0]
     match given:
         case Nothing():
             return Blank()
@@ -42,8 +45,6 @@ def scalar(given: Plain, unit: Unit, problem: Problem) -> Numbers | Formulas | B
         case Text(text):
             return typed(text, unit, problem)
         case Items(items, _):
-            if len(items) == 1:
-                return scalar(items[0], unit, problem)
             return Unclear(f"one number is asked for, not {len(items)}", "a list")
         case Refused(why, shown):
             return Unclear(why, shown)
@@ -59,13 +60,15 @@ def vector(given: Plain, unit: Unit, count: int, problem: Problem) -> Numbers | 
         case Text(text):
             found = read_quantities(text, unit, count)
             if isinstance(found, Trouble):
-                return Unclear(sentence(found), text.strip())
+                return Unclear(sentence(found), as_typed(text))
             return _together([_reading(each, unit) for each in found])
         case Items((Text(length), Text(angle)), _) if count == 2 and _is_angle(angle, unit):
             return vector(Text(f"{length} at {angle}"), unit, count, problem)
         case Items(items, shape):
             if len([size for size in shape if size != 1]) > 1:
-                return Unclear(f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}", "an array")
+                return Unclear(
+                    f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}", "an array"
+                )
             if all(isinstance(item, Nothing) for item in items):
                 return Blank()
             if len(items) != count:
@@ -116,19 +119,25 @@ def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank
             return Formulas((tree,), text.strip())
         if isinstance(found, Trouble):
             why = sentence(dimension) if isinstance(dimension, Trouble) else f"this formula is not in {show(unit)}"
-            return Unclear(why, text.strip())
+            return Unclear(why, as_typed(text))
     if isinstance(found, Trouble):
-        return Unclear(sentence(found), text.strip(), meanings(found, text, unit))
+        return Unclear(sentence(found), as_typed(text), meanings(found, text, unit))
     return _reading(found, unit)
 
 
 def meanings(trouble: Trouble, text: str, unit: Unit) -> tuple[Numbers, ...]:
     """What an ambiguous text could mean: each choice put in the place of the number it is about."""
-    number = AMBIGUOUS.search(text)
-    if trouble.status != "asked" or number is None:
+    number = AMBIGUOUS.search(text) if trouble.status == "asked" else None  # only a text short enough to be read is asked about
+    if number is None:
         return ()
     read = (read_quantity(text[: number.start()] + choice + text[number.end() :], unit) for choice in trouble.choices)
     return tuple(_reading(each, unit) for each in read if isinstance(each, Reading) and each.fit != "wrong dimension")
+
+
+def as_typed(text: str) -> str:
+    """What was typed, cut short where it is long."""
+    plain = text.strip()
+    return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
 
 
 def formula(text: str, problem: Problem) -> Tree | Trouble:
@@ -166,10 +175,9 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
     shown = f"({', '.join(each.shown for each in found)})"
     numbers = [each for each in found if isinstance(each, Numbers)]
     if len(numbers) == len(found):
-        return Numbers(
-            tuple(each.values[0] for each in numbers), tuple(each.figures[0] for each in numbers), shown,
-            any(each.unitless and each.values[0] != 0 for each in numbers), next((each.misfit for each in numbers if each.misfit), ""),
-        )  # fmt: skip
+        values, figures = tuple(each.values[0] for each in numbers), tuple(each.figures[0] for each in numbers)
+        unitless = any(each.unitless and each.values[0] != 0 for each in numbers)
+        return Numbers(values, figures, shown, unitless, next((each.misfit for each in numbers if each.misfit), ""))
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
 

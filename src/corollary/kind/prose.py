@@ -22,7 +22,9 @@ class Written(Kind):
             case Nothing():
                 return Blank()
             case Text(text):
-                return Blank() if text.strip().strip("*_").strip() in PLACEHOLDERS | {"Your answer here."} else Prose(text.strip())
+                return (
+                    Blank() if text.strip().strip("*_").strip() in PLACEHOLDERS | {"Your answer here."} else Prose(text.strip())
+                )
             case Refused(why, shown):
                 return Unclear(why, shown)
             case _:

@@ -18,6 +18,7 @@ from corollary.quantity.tree import Name, Negative, Relation, Sum, names
 
 EXACT = 1e-9
 POINTS = 6
+SECANTS = 60
 Point = dict[str, Exactly]
 
 
@@ -75,7 +76,7 @@ def _true(line: Relation, point: Point) -> bool:
 def _equivalent(line: Relation, other: Relation, lawful: Sequence[Point]) -> bool:
     """Whether two equations say the same: where the letter they share is changed so that one holds, the other holds too.
 
-    The letter is one in which the other equation is linear; it is solved for at lawless points.
+    The other equation is solved for that letter at lawless points.
     """
     for letter in sorted(names(other) & names(line)):
         checks = [_solved(other, letter, point) for point in lawless_points(lawful)]
@@ -86,19 +87,21 @@ def _equivalent(line: Relation, other: Relation, lawful: Sequence[Point]) -> boo
 
 
 def _solved(equation: Relation, letter: str, point: Point) -> Point | None:
-    """The point with one letter changed so that the equation holds; None where the equation is not linear in it."""
+    """The point with one letter changed so that the equation holds, found by secants; None where none is found."""
     difference = Sum((equation.left, Negative(equation.right)))
 
     def at(value: float) -> float:
         return number(difference, point | {letter: as_exact(value)})
 
     try:
-        start = number(Name(letter), point)
-        low, high = at(start), at(2 * start)
-        if low == high:
-            return None
-        root = start - low * start / (high - low)
-        changed = point | {letter: as_exact(root)}
+        before = number(Name(letter), point)
+        here, low, high = 1.3 * before, at(before), at(1.3 * before)
+        for _ in range(SECANTS):
+            if low == high:
+                break
+            before, here, low = here, here - high * (here - before) / (high - low), high
+            high = at(here)
+        changed = point | {letter: as_exact(here)}
         return changed if holds_nearly(equation, changed, EXACT) else None
-    except Undefined:
+    except (Undefined, OverflowError):
         return None

@@ -53,7 +53,9 @@ def deal(solution: Solution, secret: bytes, student: str, taken: Iterable[int] =
             return fallback
     if fallback is not None:
         return fallback
-    raise NoVariant(f"{problem.code}: none of the draws for {student} will do; {reasons[-1] if reasons else 'its conditions leave none'}")
+    raise NoVariant(
+        f"{problem.code}: none of the draws for {student} will do; {reasons[-1] if reasons else 'its conditions leave none'}"
+    )
 
 
 def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:

@@ -1,4 +1,4 @@
-"""What a student found before: the values that may be carried into a later part, in every combination a consistent student could use."""
+"""What a student found before: the values that may be carried into a later part, in every combination of a consistent student."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def carried(key: Key, truth: Truth, answers: Mapping[str, Numbers]) -> Iterator[
     rules: list[Rule | None] = [None, *solution.finds[truth.place].routes]
     for count in range(min(len(off), MOST) + 1):
         for parts in combinations(list(off)[-MOST:], count):
-            held = {place: values for place, values in (off[part] for part in parts)}
+            held = dict(off[part] for part in parts)
             for exact in ({}, right) if right else ({},):
                 for rule in rules:
                     deviation = Deviation(exact | held, {truth.place: rule} if rule is not None else {})

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+
 from corollary.kind.answer import Numbers
 from corollary.mark.close import close
 from corollary.mark.key import Key, named
@@ -9,7 +12,7 @@ from corollary.mark.replay import as_exact, number
 from corollary.mark.verdict import Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.quantity.ball import Exactly, Undefined
-from corollary.quantity.tree import Relation, Sum, Tree
+from corollary.quantity.tree import Negative, Product, Quotient, Relation, Sum, Tree
 
 TOLERANCE = 0.01
 
@@ -32,12 +35,22 @@ def judge_example(key: Key, part: Part, answer: Numbers) -> Verdict:
     return Right("Every law holds for your numbers.")
 
 
-def holds_nearly(relation: Relation, values: dict[str, Exactly], tolerance: float = TOLERANCE) -> bool:
-    """Whether both sides agree to the tolerance of the largest term on either."""
+def holds_nearly(relation: Relation, values: Mapping[str, Exactly], tolerance: float = TOLERANCE) -> bool:
+    """Whether both sides agree, to the tolerance of what is added up on them before anything cancels."""
     left, right = number(relation.left, values), number(relation.right, values)
-    size = max(abs(number(term, values)) for side in (relation.left, relation.right) for term in _terms(side))
-    return abs(left - right) <= tolerance * size
+    return abs(left - right) <= tolerance * max(_size(relation.left, values), _size(relation.right, values))
 
 
-def _terms(tree: Tree) -> tuple[Tree, ...]:
-    return tree.terms if isinstance(tree, Sum) else (tree,)
+def _size(tree: Tree, values: Mapping[str, Exactly]) -> float:
+    """The value with every subtraction made an addition: how large the terms are."""
+    match tree:
+        case Negative(term):
+            return _size(term, values)
+        case Sum(terms):
+            return sum(_size(term, values) for term in terms)
+        case Product(factors):
+            return math.prod(_size(factor, values) for factor in factors)
+        case Quotient(top, bottom):
+            return _size(top, values) / abs(number(bottom, values))
+        case _:
+            return abs(number(tree, values))

@@ -45,7 +45,8 @@ class Grade:
 
 @dataclass(frozen=True, slots=True)
 class Marked:
-    """A whole submission, marked. `trouble` is a sentence when something went wrong with it as a whole; `late` in seconds."""
+    """A whole submission, marked. `trouble` is a sentence when something went wrong with it as a whole; `late` in seconds;
+    `notes` are sentences on what was noticed, such as an edited statement: told, and not marked."""
 
     student: Student
     grades: tuple[Grade, ...]
@@ -55,6 +56,7 @@ class Marked:
     trouble: str
     late: float
     late_share: float
+    notes: tuple[str, ...] = ()
 
     @property
     def points(self) -> float:

@@ -37,7 +37,9 @@ def judge(
         answer = KINDS[part.kind].read(answers.get(part.id, Nothing()), part, key.variant.problem)
         verdict = _once(verdict_on(key, part, answer, earlier), told)
         if part.id in key.truths:
-            values = answer.values if isinstance(answer, Numbers) else values_of(key, answer) if isinstance(answer, Formulas) else None
+            values = (
+                answer.values if isinstance(answer, Numbers) else values_of(key, answer) if isinstance(answer, Formulas) else None
+            )
             if values is not None:
                 earlier[part.id] = values
         result[part.id] = (verdict,), answer.shown

@@ -65,12 +65,16 @@ def make_key(solution: Solution, variant: Variant) -> Key:
             scale = scale_of(find, values[place], givens | named(solution, values))
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             doubt = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
-            truths[find.answers] = Truth(place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, doubt)
+            truths[find.answers] = Truth(
+                place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, doubt
+            )
     choices = {part: chosen(truth.options, givens, part) for part, truth in solution.choices.items()}
     return Key(solution, variant, tuple(values), truths, choices)
 
 
-def answer(solution: Solution, find: Find, variant: Variant, before: list[tuple[float, ...]]) -> tuple[tuple[float, ...], bool, float]:
+def answer(
+    solution: Solution, find: Find, variant: Variant, before: list[tuple[float, ...]]
+) -> tuple[tuple[float, ...], bool, float]:
     """A find's values from its closed form, certified; or from its scene, with the error the run states."""
     if find.closed is not None:
         found = [certified(tree, variant.exact) for tree in find.closed]
@@ -113,5 +117,3 @@ def chosen(options, givens, part: str) -> str:
     if len(true) != 1:
         raise Undefined(f"part {part}: {len(true)} options hold ({', '.join(true)}); exactly one must")
     return true[0]
-
-

@@ -36,7 +36,11 @@ def part_key(key: Key, part: Part) -> dict[str, Any]:
         return {"choice": key.choices[part.id]}
     if part.id in solution.examples:
         example = solution.examples[part.id]
-        return {"unit": si_name(part), "laws": [f"{law.name}: {text(law.textbook)}" for law in example.laws], "free": example.free}
+        return {
+            "unit": si_name(part),
+            "laws": [f"{law.name}: {text(law.textbook)}" for law in example.laws],
+            "free": example.free,
+        }
     if part.id in solution.proofs:
         proof = solution.proofs[part.id]
         return {"laws": [text(relation) for law in proof.laws for relation in law.here], "target": text(proof.target)}

@@ -11,7 +11,7 @@ from corollary.mark.key import Key
 from corollary.mark.points import grade
 from corollary.mark.programs import asks
 from corollary.mark.said import Shown
-from corollary.mark.verdict import Unread
+from corollary.mark.verdict import Unmarked, Unread
 from corollary.quantity.plain import Nothing, Plain, Text
 from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
 from corollary.sheet.notebook import notebook as handed_out
@@ -84,6 +84,15 @@ def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> 
     why = {"error": f"its cell stopped with {run.error}", "timeout": "its cell ran out of time", "not run": "its cell was not reached any more"}[run.status]
     said = f"No answer came out of this part: {why}."
     return replace(part, verdict=Unread(said, blank=True), feedback=said)
+
+
+def not_marked(sheet: Sheet, why: str, late: float) -> Marked:
+    """A submission that could not be marked through no fault of its student: no points yet, and a person decides on every part."""
+    grades = tuple(
+        Grade(exercise.variant, tuple(PartGrade(prompt.part, Unmarked(why), 0.0, prompt.out_of, "", why) for prompt in exercise.prompts))
+        for exercise in sheet.exercises
+    )
+    return Marked(sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0)
 
 
 def _unreadable(sheet: Sheet, keys: Keys, why: str, late: float) -> Marked:

@@ -54,7 +54,7 @@ def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, V
 
 
 def mistakes(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Values, str]]:
-    """What each known mistake makes of the part: at its own step, at steps nobody was asked about, and at earlier parts not carried."""
+    """What each known mistake makes of the part: at its own step, and at those before it whose values are not carried."""
     solution = key.solution
     places = sorted(ancestors(solution, truth.place) | {truth.place}, reverse=True)
     for place in places:
@@ -112,7 +112,12 @@ def _hint(part: Part, answer: Numbers, truth: Truth) -> str:
         if abs(ratio - 1) < 0.05:
             return "Close, but outside what rounding explains: carry four figures and round at the end."
     if len(answer.values) > 1:
-        right = [name for name, x, wanted in zip(part.components, answer.values, truth.values, strict=True) if abs(x - wanted) <= truth.tolerance * truth.scale]
+        right = [
+            name
+            for name, x, wanted in zip(part.components, answer.values, truth.values, strict=True)
+            if abs(x - wanted) <= truth.tolerance * truth.scale
+        ]
         if right:
-            return f"Component {' and '.join(right)} fits; look at the other{'s' if len(answer.values) - len(right) > 1 else ''} again."
+            others = "others" if len(answer.values) - len(right) > 1 else "other"
+            return f"Component {' and '.join(right)} fits; look at the {others} again."
     return f"Read as {kind}{f' in {show(part.unit)}' if show(part.unit) else ''}; it does not follow from the numbers given."

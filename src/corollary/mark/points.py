@@ -32,9 +32,14 @@ def share(verdict: Verdict, scheme: Scheme) -> float:
 
 
 def grade(
-    key: Key, judged: Mapping[str, tuple[tuple[Verdict, ...], str]], scheme: Scheme = PLAIN, weight: float = 1.0, *, reveal: bool = False
+    key: Key,
+    judged: Mapping[str, tuple[tuple[Verdict, ...], str]],
+    scheme: Scheme = PLAIN,
+    weight: float = 1.0,
+    *,
+    reveal: bool = False,
 ) -> Grade:
-    """Points and feedback for each part. A part of two kinds is worth half for each; its verdict is the first that is not right."""
+    """Points and feedback for each part. Of two kinds each is worth half; the verdict shown is the first that is not right."""
     parts = []
     for part in key.variant.problem.parts:
         verdicts, shown = judged[part.id]

@@ -35,7 +35,11 @@ def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, studen
     if code is None:
         return []
     return [
-        Ask(f"{variant.problem.answer_name(part)}/{place}", part.function, tuple((name, _argument(value)) for name, value in inputs.items()))
+        Ask(
+            f"{variant.problem.answer_name(part)}/{place}",
+            part.function,
+            tuple((name, _argument(value)) for name, value in inputs.items()),
+        )
         for place, inputs in enumerate(inputs_of(code, variant, part, secret, student))
     ]
 

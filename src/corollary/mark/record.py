@@ -50,4 +50,5 @@ def marked_record(marked: Marked) -> dict[str, Any]:
         "trouble": marked.trouble,
         "late": marked.late,
         "late_share": marked.late_share,
+        "notes": list(marked.notes),
     }

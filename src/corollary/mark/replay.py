@@ -1,4 +1,4 @@
-"""A solution replayed on numbers: by the rules, with a student's own earlier values, with a mistake, or with rounding at every step."""
+"""A solution replayed on numbers: by the rules, with a student's own earlier values, with a mistake, or rounded at every step."""
 
 from __future__ import annotations
 
@@ -29,7 +29,9 @@ class Deviation:
 BY_THE_RULES = Deviation()
 
 
-def replay(solution: Solution, givens: Mapping[str, Exactly], deviation: Deviation = BY_THE_RULES, until: int | None = None) -> list[Numbers]:
+def replay(
+    solution: Solution, givens: Mapping[str, Exactly], deviation: Deviation = BY_THE_RULES, until: int | None = None
+) -> list[Numbers]:
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
     values: dict[str, Exactly] = dict(givens)
     found: list[Numbers] = []
@@ -90,7 +92,9 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
     return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
 
 
-_ANCESTORS: dict[tuple[int, int], tuple[Solution, frozenset[int]]] = {}  # by identity; the solution is held, so its id stays its own
+_ANCESTORS: dict[
+    tuple[int, int], tuple[Solution, frozenset[int]]
+] = {}  # by identity; the solution is held, so its id stays its own
 
 
 def ancestors(solution: Solution, place: int) -> frozenset[int]:

@@ -15,12 +15,17 @@ from corollary.quantity.ball import Exactly, Undefined
 from corollary.quantity.tree import Call, Tree, parts, rebuilt
 from corollary.quantity.unit import Dimension, Unit
 
+TEN = "The power of ten is off (by a factor of {}); check prefixes such as g and kg, ms and s."
+KMH = "A factor of 3.6 too {}: km/h and m/s have been mixed."
 FACTORS = (
-    (2.0, "A factor of 2 too large."), (0.5, "A factor of 2 too small."),
-    *((10.0**n, f"The power of ten is off (by a factor of {'1000' if n == 3 else 10**n if n > 0 else '1/' + str(10**-n)}); check prefixes such as g and kg, ms and s.")
-      for n in (1, -1, 2, -2, 3, -3, 4, -4, 6, -6)),
-    (3.6, "A factor of 3.6 too large: km/h and m/s have been mixed."), (1 / 3.6, "A factor of 3.6 too small: km/h and m/s have been mixed."),
-)  # fmt: skip
+    (2.0, "A factor of 2 too large."),
+    (0.5, "A factor of 2 too small."),
+    *((10.0**n, TEN.format(10**n if n > 0 else f"1/{10**-n}")) for n in (1, -1, 2, -2, 3, -3, 4, -4, 6, -6)),
+    (3.6, KMH.format("large")),
+    (1 / 3.6, KMH.format("small")),
+)
+SIGN = "The sign is wrong: check which direction is positive."
+SIGNS = "Every component has the wrong sign: check which way the axes point, or what acts on what."
 SPEED = Dimension(Fraction(0), Fraction(1), Fraction(-1))
 
 
@@ -28,17 +33,18 @@ def slipped(key: Key, truth: Truth, base: Carried, unit: Unit) -> Iterator[tuple
     """What the part's value becomes by each generic slip, and what the student is told."""
     values = base.values
     if any(values):
-        yield tuple(-x for x in values), "The sign is wrong: check which direction is positive." if len(values) == 1 else (
-            "Every component has the wrong sign: check which way the axes point, or what acts on what."
-        )
+        yield tuple(-x for x in values), SIGN if len(values) == 1 else SIGNS
     if len(values) > 1:
         for place, value in enumerate(values):
             if value:
-                yield values[:place] + (-value,) + values[place + 1 :], "The sign of one component is wrong."
+                yield (*values[:place], -value, *values[place + 1 :]), "The sign of one component is wrong."
         if len(values) == 2 and values[0] != values[1]:
             yield (values[1], values[0]), "The two components have changed places."
     if unit.dimension == Dimension():
-        yield tuple(math.degrees(x) for x in values), "That looks like degrees where radians are asked for; write the unit, as in 30 deg."
+        yield (
+            tuple(math.degrees(x) for x in values),
+            "That looks like degrees where radians are asked for; write the unit, as in 30 deg.",
+        )
         yield tuple(math.radians(x) for x in values), "That looks like radians written as degrees."
     for factor, said in FACTORS:
         if any(values):
@@ -50,24 +56,52 @@ def _replayed(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Numbers, 
     """Slips in what goes into the formulas."""
     givens, variant = key.variant.exact, key.variant
     if "g" in givens and givens["g"].ratio in (Fraction("9.8"), Fraction("9.81")):
-        yield from _with(key, truth, base.deviation, givens | {"g": Exactly(Fraction(10))}, "You calculated with g = 10 m/s²; the problem gives a closer value.")
+        yield from _with(
+            key,
+            truth,
+            base.deviation,
+            givens | {"g": Exactly(Fraction(10))},
+            "You calculated with g = 10 m/s²; the problem gives a closer value.",
+        )
     for given in variant.problem.givens:
         value = givens[given.symbol]
         if given.unit.pi:
             inside = Exactly(value.ratio / given.unit.factor, 0)
-            yield from _with(key, truth, base.deviation, givens | {given.symbol: inside}, "Your calculator took the angle for radians; it is given in degrees.")
+            yield from _with(
+                key,
+                truth,
+                base.deviation,
+                givens | {given.symbol: inside},
+                "Your calculator took the angle for radians; it is given in degrees.",
+            )
         elif given.unit.dimension == SPEED and given.unit.factor != 1:
             bare = Exactly(value.ratio / given.unit.factor)
-            yield from _with(key, truth, base.deviation, givens | {given.symbol: bare}, f"{given.symbol} was put in as if it were in m/s; convert km/h first.")
+            yield from _with(
+                key,
+                truth,
+                base.deviation,
+                givens | {given.symbol: bare},
+                f"{given.symbol} was put in as if it were in m/s; convert km/h first.",
+            )
         elif given.unit.factor != 1:
             bare = Exactly(value.ratio / given.unit.factor)
-            yield from _with(key, truth, base.deviation, givens | {given.symbol: bare}, f"{given.symbol} was put in without converting its unit to SI.")
+            yield from _with(
+                key,
+                truth,
+                base.deviation,
+                givens | {given.symbol: bare},
+                f"{given.symbol} was put in without converting its unit to SI.",
+            )
     if any(_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
-            place: Formulas(tuple(map(_swapped, find.local.trees))) for place, find in enumerate(key.solution.finds) if isinstance(find.local, Formulas)
+            place: Formulas(tuple(map(_swapped, find.local.trees)))
+            for place, find in enumerate(key.solution.finds)
+            if isinstance(find.local, Formulas)
         }
         deviation = Deviation(base.deviation.held, swapped | dict(base.deviation.rules))
-        yield from _with(key, truth, deviation, givens, "Sine and cosine have changed places: check from where the angle is measured.")
+        yield from _with(
+            key, truth, deviation, givens, "Sine and cosine have changed places: check from where the angle is measured."
+        )
 
 
 def _with(key: Key, truth: Truth, deviation: Deviation, givens, said: str) -> Iterator[tuple[Numbers, str]]:

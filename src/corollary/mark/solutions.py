@@ -41,5 +41,12 @@ class Solutions:
 
     def story(self, variant: Variant) -> str:
         """The worked solution with these numbers, as Markdown."""
-        key = self.key(variant)
-        return story(key.solution, variant, key.values, key.choices)
+        return self.told(self.key(variant))
+
+    def told(self, key: Key) -> str:
+        """The same, where the key is at hand."""
+        return story(key.solution, key.variant, key.values, key.choices)
+
+    def __reduce__(self):
+        """Sent to another process it is solved again there: scenes are functions of a file, and do not travel."""
+        return Solutions, (self.bank,)

@@ -45,7 +45,9 @@ def _silence(values: Sequence[Numbers]) -> list[Noise]:
     return [Noise(0.0, [0.0] * len(numbers)) for numbers in values]
 
 
-def _widen(noise: list[Noise], solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers], deviation: Deviation) -> None:
+def _widen(
+    noise: list[Noise], solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers], deviation: Deviation
+) -> None:
     try:
         found = replay(solution, givens, deviation)
     except Undefined:

@@ -172,7 +172,7 @@ def exact(text: str) -> Fraction | None:
     text = text.strip().replace("−", "-")
     if len(text) > 60 or not text.isascii():
         return None
-    mantissa, mark, power = text.lower().partition("e")
+    _, mark, power = text.lower().partition("e")
     if mark and not (re.fullmatch(r"[+-]?\d{1,9}", power) and abs(int(power)) <= 400):
         return None
     if "_" in text:

@@ -31,11 +31,12 @@ def read_problem(path: Path) -> Problem:
     (code, code_line), (title, title_line), source = front.line_of("code"), front.line_of("title"), front.text("source", "")
     if code and not CODE.match(code):
         front.complain(code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5")
+    rows = front.table_of("given").entries
     givens = tuple(
-        given for symbol, node in front.table_of("given").entries.items()
+        given for symbol, node in rows.items()
         if (given := _given(path, symbol, node, complaints)) is not None
     )
-    known = frozenset(front.table_of("given").entries)  # those with a fault too: one fault is one complaint
+    known = frozenset(rows)  # those with a fault too: one fault is one complaint
     conditions = [
         condition
         for name, hard in (("where", False), ("require", True))

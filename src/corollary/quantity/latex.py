@@ -17,7 +17,7 @@ GREEK = re.compile("|".join((*WORDS, "pi", "eps")))
 INDEX = re.compile(r"[0-9]+|[A-Z](?=[xyz]?(?![a-z]))|[xyz](?![a-z])|[A-Za-z][a-z]*")
 SIGNS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 FUNCTIONS = {
-    "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\operatorname{atan2}", "gamma": r"\Gamma",
+    "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\mathrm{atan2}", "gamma": r"\Gamma",
     "log10": r"\log_{10}",
 }  # fmt: skip
 DEGREE = r"{}^{\circ}"

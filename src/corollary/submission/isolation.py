@@ -17,7 +17,11 @@ class WeakIsolation(RuntimeError):
         why = "; ".join(found.missing)
         held = f"level {found.level} holds ({found.line})"
         super().__init__(f"Isolation level {required} is required, but here only {held}: {why}.")
-        self.isolation = found
+        self.isolation, self.required = found, required
+
+    def __reduce__(self):
+        """So that it can be raised in one process and told in another."""
+        return WeakIsolation, (self.isolation, self.required)
 
 
 def isolation_of(held: Mapping[str, bool], reasons: Mapping[str, str]) -> Isolation:

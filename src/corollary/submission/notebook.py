@@ -36,17 +36,18 @@ class Unreadable:
 
 def read_notebook(path: str | Path) -> Notebook | Unreadable:
     """The notebook in a file; never raises, whatever the file or its bytes."""
-    content = _bytes_of(path)
+    content = bytes_of(path)
     return notebook_of(content) if isinstance(content, bytes) else content
 
 
 def content_of(path: str | Path) -> bytes:
     """The bytes of a file that was handed in, or the words on why there are none; never raises, never waits."""
-    content = _bytes_of(path)
+    content = bytes_of(path)
     return content if isinstance(content, bytes) else content.why.encode()
 
 
-def _bytes_of(path: str | Path) -> bytes | Unreadable:
+def bytes_of(path: str | Path) -> bytes | Unreadable:
+    """What is in a file that was handed in; never raises, never waits."""
     try:
         # A named pipe would wait for ever, and a link leads where the student could not go.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)

@@ -42,7 +42,8 @@ def derive(m, v, t):
 GOOD = """\
 return derivation(
     step(p, "Mass times velocity.", momentum(p, m, v), answers="a"),
-    step(F, "Per time.", mean_force(F, p, t), answers="b", mistakes=[mistake("You multiplied.", law("F", "F = p*t", F=F, p=p, t=t))]),
+    step(F, "Per time.", mean_force(F, p, t), answers="b",
+         mistakes=[mistake("You multiplied.", law("F", "F = p*t", F=F, p=p, t=t))]),
     printed("a", "1.5 kg m/s", "(1.1)"),
 )
 """

@@ -17,7 +17,9 @@ def scene(m, v, t, answer):
 
 def met(checked: Checked, words: str, line: int, file: str = "cart.py") -> None:
     assert not checked.ok
-    assert any(words in complaint and complaint.startswith(f"{file}:{line}: ") for complaint in checked.complaints), checked.complaints
+    assert any(words in complaint and complaint.startswith(f"{file}:{line}: ") for complaint in checked.complaints), (
+        checked.complaints
+    )
     assert all(re.match(r"cart\.(md|py):\d+: ", complaint) for complaint in checked.complaints), checked.complaints
 
 
@@ -35,22 +37,22 @@ def test_a_sound_problem(verified):
 
 
 def test_a_simulation_that_disagrees(verified):
-    met(verified(more=SCENE % "2*v"), "where the algebra says", 15)
+    met(verified(more=SCENE % "2*v"), "where the algebra says", 16)
 
 
 def test_a_scene_that_does_not_observe_it(verified):
     more = 'def scene(m, v, t, answer):\n    return [simulate("kick", {"m": m}, period=1.0)]\n'
-    met(verified(more="\n" + more), "does not observe period; it observes", 14)
+    met(verified(more="\n" + more), "does not observe period; it observes", 15)
 
 
 @pytest.mark.parametrize(
     ("result", "line", "words"),
     [
-        ("[simulate('pool', {}, x=1.0)]", 15, "There is no scene 'pool'"),
-        ("[simulate('kick', {'mass': m}, x=1.0)]", 15, "'mass' is not among its settings"),
-        ("answer['z']", 16, "scene fails: KeyError"),
-        ("None", 15, "scene fails: TypeError"),
-        ("[1]", 15, "scene must return a list of simulate(…)"),
+        ("[simulate('pool', {}, x=1.0)]", 16, "There is no scene 'pool'"),
+        ("[simulate('kick', {'mass': m}, x=1.0)]", 16, "'mass' is not among its settings"),
+        ("answer['z']", 17, "scene fails: KeyError"),
+        ("None", 16, "scene fails: TypeError"),
+        ("[1]", 16, "scene must return a list of simulate(…)"),
     ],
 )
 def test_a_scene_that_will_not_do(verified, result, line, words):
@@ -75,11 +77,11 @@ def test_a_law_whose_terms_do_not_fit(verified):
 
 
 def test_a_printed_value_that_is_not_met(verified, good):
-    met(verified(good.replace("1.5 kg m/s", "1.7 kg m/s")), "(1.1) prints 1.7 kg m/s for part a; the derivation gives 1.5", 11)
+    met(verified(good.replace("1.5 kg m/s", "1.7 kg m/s")), "(1.1) prints 1.7 kg m/s for part a; the derivation gives 1.5", 12)
 
 
 def test_a_printed_value_that_cannot_be_read(verified, good):
-    met(verified(good.replace("1.5 kg m/s", "one and a half")), "the printed value 'one and a half' cannot be read", 11)
+    met(verified(good.replace("1.5 kg m/s", "one and a half")), "the printed value 'one and a half' cannot be read", 12)
 
 
 def test_a_mistake_that_is_no_mistake(verified, good):
@@ -100,7 +102,12 @@ def test_a_mistake_that_coincides_here_and_there(verified, problem):
 
 
 def test_conditions_that_leave_nothing(verified, problem):
-    met(verified(problem=problem.replace("---\nA cart.", "where: v > 100\n---\nA cart.")), "no variant keeps all the conditions", 5, "cart.md")
+    met(
+        verified(problem=problem.replace("---\nA cart.", "where: v > 100\n---\nA cart.")),
+        "no variant keeps all the conditions",
+        5,
+        "cart.md",
+    )
 
 
 def test_the_chapters_own_numbers_against_the_physics(verified, problem):

@@ -1,4 +1,4 @@
-"""The figure of a problem, with numbers in its holes: a drawing that can stand in every page, described for those who cannot see it."""
+"""The figure of a problem, with numbers in its holes: a drawing that can stand in every page."""
 
 from __future__ import annotations
 

@@ -69,9 +69,9 @@ def check_right(key: Key, tally: Tally) -> None:
             f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}: the key's own answer "
             f"is judged {word(verdict)}"))  # fmt: skip
     tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.finds))
-    for part, text in collisions(key):
+    for part, slip in collisions(key):
         where = f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}"
-        tally.complain(f"{where}: {text!r} cannot be told from the truth")
+        tally.complain(f"{where}: {slip!r} cannot be told from the truth")
 
 
 def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
@@ -95,7 +95,8 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
             allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(map(abs, (*mine, *theirs)))
             tally.expect(
                 len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed, "simulations met",
-                lambda name=name, mine=mine, theirs=theirs: f"{about}: {name} is {theirs} where the algebra says {mine}",
+                lambda about=about, name=name, mine=mine, theirs=theirs: (
+                    f"{about}: {name} is {theirs} where the algebra says {mine}"),
             )  # fmt: skip
 
 

@@ -1,0 +1,84 @@
+"""One submission marked from its bytes alone: what whoever marks is given, and what they return; nothing is written here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from nbformat import NotebookNode
+
+from corollary.deliver.feedback_page import feedback_page
+from corollary.deliver.generating import variants_of
+from corollary.deliver.tamper import notes
+from corollary.mark.grade import Marked
+from corollary.mark.key import Key
+from corollary.mark.marking import mark, not_marked
+from corollary.mark.solutions import Solutions
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.sheet.sheet import sheet
+from corollary.submission.isolation import WeakIsolation
+from corollary.submission.notebook import Notebook, Unreadable, notebook_of
+from corollary.submission.parent import CannotStart
+from corollary.submission.take import Runner
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What all submissions of one grading share. `secret` is the course's key, `runner` makes what runs their notebooks."""
+
+    problem_set: ProblemSet
+    solutions: Solutions
+    secret: bytes
+    runner: Callable[[], Runner]
+
+
+@dataclass(frozen=True, slots=True)
+class Handed:
+    """One submission: its bytes (or why there are none), the variants its student was dealt, and how late it is in seconds."""
+
+    student: Student
+    content: bytes | Unreadable
+    row: Mapping[str, int]
+    late: float
+    fingerprint: str
+
+
+@dataclass(frozen=True, slots=True)
+class Returned:
+    """A submission as marked, its notebook (None when it could not be opened), and the feedback page."""
+
+    handed: Handed
+    marked: Marked
+    notebook: NotebookNode | None
+    page: str
+
+
+def mark_one(order: Order, runner: Runner, handed: Handed) -> Returned:
+    """Marks one submission. A failing of ours goes to a person and costs no marks; only what concerns every submission
+    (CannotStart, WeakIsolation) is raised."""
+    paper = sheet(order.problem_set, handed.student, variants_of(order.problem_set, dict(handed.row)))
+    read = notebook_of(handed.content) if isinstance(handed.content, bytes) else handed.content
+    node = read.node if isinstance(read, Notebook) else None
+    try:
+        keys = {exercise.problem.code: order.solutions.key(exercise.variant) for exercise in paper.exercises}
+        marked = mark(paper, keys, read, runner, order.secret, handed.late)
+        marked = replace(marked, notes=notes(paper, node) if node is not None else ())
+        return Returned(handed, marked, node, page_of(order, marked, keys))
+    except (CannotStart, WeakIsolation):
+        raise
+    except Exception as error:
+        return set_aside(order, handed, f"{type(error).__name__}: {error}", node)
+
+
+def set_aside(order: Order, handed: Handed, why: str, node: NotebookNode | None = None) -> Returned:
+    """A submission that could not be marked through no fault of its student: every part waits for a person."""
+    paper = sheet(order.problem_set, handed.student, variants_of(order.problem_set, dict(handed.row)))
+    marked = not_marked(paper, f"It could not be marked by the program ({why}).", handed.late)
+    return Returned(handed, marked, node, feedback_page(marked, order.problem_set))
+
+
+def page_of(order: Order, marked: Marked, keys: Mapping[str, Key]) -> str:
+    """The feedback page; with the worked solutions where the set reveals them."""
+    stories = {code: order.solutions.told(key) for code, key in keys.items()} if order.problem_set.reveal else None
+    return feedback_page(marked, order.problem_set, solutions=stories)

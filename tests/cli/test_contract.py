@@ -1,0 +1,200 @@
+"""The commands' JSON, as the contract states it: one document on standard output, and a status that means something."""
+
+from __future__ import annotations
+
+import json
+import math
+import shutil
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from corollary.cli.main import app
+
+BANK = Path(__file__).parents[2] / "problems"
+VERDICTS = {"right", "follows", "mistaken", "slip", "wrong", "unread", "unmarked"}
+KINDS = {"value", "vector", "expression", "choice", "example", "code", "plot", "explain", "proof"}
+
+
+def run(*words: object):
+    """Exit status, standard output, standard error."""
+    done = CliRunner().invoke(app, [str(word) for word in words], catch_exceptions=False)
+    return done.exit_code, done.stdout, done.stderr
+
+
+def document(*words: object):
+    """The JSON document of a command that ends with 0."""
+    status, out, err = run(*words, "--json")
+    assert status == 0, err
+    return json.loads(out, parse_constant=lambda word: pytest.fail(f"{word} is no JSON"))
+
+
+@pytest.fixture
+def cases(tmp_path: Path):
+    """A file that holds a JSON value."""
+
+    def written(value: object) -> Path:
+        path = tmp_path / "cases.json"
+        path.write_text(value if isinstance(value, str) else json.dumps(value), encoding="utf-8")
+        return path
+
+    return written
+
+
+def test_list(tmp_path: Path):
+    for name in ("impulse", "projects"):
+        shutil.copytree(BANK / name, tmp_path / "problems" / name)
+    problems = {each["code"]: each for each in document("list", "--bank", tmp_path)}
+    assert {"X12.5", "X12.7", "P12.14"} <= problems.keys()
+    for problem in problems.values():
+        assert {"code", "name", "title", "topic", "source", "given", "parts", "variants", "exact"} <= problem.keys()
+        assert problem["variants"] >= 1
+        assert problem["parts"]
+        for part in problem["parts"].values():
+            assert set(part["kind"].split("+")) <= KINDS
+            assert part["points"] > 0
+    assert problems["X12.5"]["given"]["m"]["unit"] == "kg"
+    assert problems["X12.7"]["parts"]["a"]["components"] == ["x", "y"]
+
+
+def test_key_of_the_chapter():
+    found = document("key", "X12.5", "--set", "m=0.43", "--set", "v=72 km/h")
+    assert found["code"] == "X12.5"
+    assert found["given"] == {"m": 0.43, "v": 20.0, "w": 20.0, "dt": 0.1}
+    assert found["parts"]["a"] == {"value": 8.6, "unit": "kg*m/s", "expression": "m*v", "certified": True}
+    assert document("key", "kicking_a_ball") == document("key", "X12.5")
+
+
+def test_key_of_every_kind_of_part():
+    parts = document("key", "P12.14")["parts"]
+    assert len(parts["b"]["value"]) == len(parts["b"]["expression"]) == 2
+    assert parts["i"]["certified"] is False
+    assert 0 <= parts["i"]["error"] < 1e-9
+    assert "expression" not in parts["i"]
+    assert parts["k"]["rubric"]
+    assert document("key", "X12.7")["parts"]["d"] == {
+        "value": math.pi / 2,
+        "unit": "rad",
+        "expression": "pi/2",
+        "certified": True,
+    }
+
+
+def test_key_at_the_extremes(cases):
+    huge, tiny, beyond, refused = document(
+        "key", "X12.5", "--cases", cases([{"m": 1e150, "v": 1e150}, {"m": 1e-150}, {"m": 1e200, "v": 1e200}, {"m": 0}])
+    )
+    assert huge["parts"]["a"]["value"] == 1e300
+    assert tiny["parts"]["a"]["value"] == pytest.approx(2e-149, rel=1e-15)
+    assert beyond["parts"]["a"]["value"] == "inf"
+    assert set(refused) == {"error"}
+    assert "m > 0" in refused["error"]
+
+
+def test_judge(cases):
+    asked = [
+        {"given": {"m": 0.43}, "answers": {"a": "8.6 kg m/s", "b": 8.6, "c": "0.86 N", "d": "-172 N"}},
+        {"given": {}, "answers": {"a": "5 kg m/s", "b": "5 Ns", "c": 60, "d": None}},
+        {"answers": {"a": "five"}},
+        {"given": {"m": -1}, "answers": {}},
+        {"given": {}, "answers": {"z": 1}},
+        7,
+    ]
+    status, out, _ = run("judge", "X12.5", "--cases", cases(asked), "--json")
+    assert status == 1  # some cases could not be judged
+    first, second, third, *wrong = json.loads(out)
+    assert [part["verdict"] for part in first["parts"].values()] == ["right", "right", "mistaken", "slip"]
+    assert first["parts"]["c"]["mistake"]
+    assert first["parts"]["d"]["slip"]
+    assert first["given"]["m"] == 0.43
+    assert first["points"] == pytest.approx(1 + 1 + 0.25 + 1)
+    assert first["out_of"] == 5
+    assert [part["verdict"] for part in second["parts"].values()] == ["wrong", "follows", "wrong", "unread"]
+    assert third["parts"]["a"]["verdict"] == "unread"
+    assert all(set(each) == {"error"} for each in wrong)
+    for record in (first, second, third):
+        for part in record["parts"].values():
+            assert {"verdict", "points", "out_of", "feedback"} <= part.keys()
+            assert part["verdict"] in VERDICTS
+            assert part["feedback"]
+
+
+def test_judge_gives_no_value_away_unless_asked(cases):
+    path = cases([{"answers": {"a": "1 kg m/s", "b": "2 Ns", "c": "3 N", "d": "4 N"}}])
+    (silent,) = document("judge", "X12.5", "--cases", path)
+    (open_,) = document("judge", "X12.5", "--cases", path, "--reveal")
+    for part, value in (("a", "8.6"), ("c", "86"), ("d", "172")):
+        assert value not in silent["parts"][part]["feedback"]
+        assert value in open_["parts"][part]["feedback"]
+
+
+def test_judge_takes_components_and_programs(cases):
+    program = "def contact():\n    return 1e9, 6.0"
+    (found,) = document(
+        "judge",
+        "P12.14",
+        "--cases",
+        cases([{"answers": {"b": ["0", "1.4 m/s"], "g": [-1 / 3, 2 / 3, 2 / 3], "k": "So.", "j": program}}]),
+    )
+    assert {part: found["parts"][part]["verdict"] for part in "bgk"} == {"b": "right", "g": "right", "k": "unmarked"}
+    assert found["parts"]["k"]["rubric"]
+    assert found["parts"]["j"]["verdict"] in VERDICTS
+
+
+def test_show(tmp_path: Path):
+    chapter, other = run("show", "X12.5")[1], run("show", "X12.5", "--variant", "17")[1]
+    assert "0.43" in chapter
+    assert chapter != other
+    assert run("show", "X12.5", "--student", "ada")[1] == run("show", "X12.5", "--student", "ada")[1]
+    assert "impulse" in run("show", "X12.5", "--solution", "--format", "md")[1]
+    status, out, _ = run("show", "X12.5", "--format", "html", "-o", tmp_path / "page.html")
+    assert status == 0
+    assert out == ""
+    assert "<svg" in (tmp_path / "page.html").read_text()
+    notebook = json.loads(run("show", "X12.5", "--format", "ipynb")[1])
+    assert notebook["nbformat"] == 4
+
+
+def test_scene():
+    found = document("scene", "cradle", "--set", "N=3", "--set", "q=1.5", "--tolerance", "1e-10")
+    assert {"scene", "set", "observed", "error", "model", "why", "evaluations", "seconds", "outcome"} <= found.keys()
+    assert found["set"]["N"] == 3
+    assert len(found["observed"]["velocities"]) == 3
+    assert found["error"] < 1e-8
+    assert found["outcome"] == "released"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("key", "X99"), "X99"),
+        (("key", "X12.5", "--set", "m=0"), "m > 0"),
+        (("key", "X12.5", "--set", "m=red"), "m=red"),
+        (("key", "X12.5", "--set", "q=1"), "q is not among"),
+        (("key", "X12.5", "--cases", "nowhere.json"), "nowhere.json"),
+        (("judge", "X12.5", "--cases", "nowhere.json"), "nowhere.json"),
+        (("show", "X12.5", "--format", "docx"), "docx"),
+        (("show", "X12.5", "--variant", "999999999"), "999999999"),
+        (("show", "X12.5", "--student", "a", "--variant", "1"), "one of them"),
+        (("scene", "nothing"), "nothing"),
+        (("scene", "cradle", "--set", "N"), "name=number"),
+        (("list", "--bank", "/nowhere"), "nowhere"),
+        (("key", "X12.5", "--no-such"), ""),
+        (("no-such",), ""),
+    ],
+)
+def test_a_request_that_is_wrong_ends_with_2_and_a_sentence(words, said):
+    status, out, err = run(*words)
+    assert status == 2
+    assert out == ""
+    assert said in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("text", ["{", '{"a": 1}', "7"])
+def test_a_file_that_holds_no_cases_ends_with_2(cases, text):
+    status, out, err = run("judge", "X12.5", "--cases", cases(text), "--json")
+    assert status == 2
+    assert out == ""
+    assert "cases.json" in err
