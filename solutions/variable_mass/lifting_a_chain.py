@@ -17,7 +17,7 @@ def derive(m, L, v0, y, g):
         step(
             F, "The body is what hangs. It does not accelerate, its weight and your pull act on it, and it takes up links that were at rest.",
             rocket_equation(F - mu * g, m=mu, a=0, v=v0, u=0, R=R), answers="a",
-            routes=[route("Or as the textbook asks it.", law("To show", "F = m/L*(v_0^2 + g*y)", F=F, m=m, L=L, v_0=v0, g=g, y=y))],
+            routes=[route("Or at once, by what part (p) shows.", law("To show", "F = m/L*(v_0^2 + g*y)", F=F, m=m, L=L, v_0=v0, g=g, y=y))],
             mistakes=[
                 mistake("That is the weight of what hangs. At constant speed too, links at rest have to be brought up to speed all the time.", law("Equilibrium", "F = mu*g", F=F, mu=mu, g=g)),
                 mistake("You lift the links with the energy $\\mu v^2/2$ in mind; the factor 1/2 is wrong for momentum, and half of the work is lost.",

@@ -34,11 +34,14 @@ def run(
         )  # fmt: skip
     for stranger in done.strangers:
         say(f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)")
+    for student, names in done.unclear.items():
+        said = f"{student} handed in {len(names)} notebooks, none of them called {problem_set.name}.ipynb ({', '.join(names)})"
+        say(f"{said}; rename the one that counts")
     if json:
         answer(document(problem_set.name, done))
     else:
         show(done)
-    return FAILS if done.failed or done.strangers else HOLDS
+    return FAILS if done.failed or done.strangers or done.unclear else HOLDS
 
 
 def document(name: str, done: Outcome) -> dict[str, Any]:
@@ -46,6 +49,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
     return {
         "set": name, "graded": len(done.graded), "skipped": len(done.skipped), "failed": list(done.failed), "strangers": list(done.strangers),
         "in_gradebook": done.in_gradebook, "report": str(done.page),
+        "unclear": {student: list(names) for student, names in done.unclear.items()},
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
             student: {each: record.get(each, []) for each in ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")}

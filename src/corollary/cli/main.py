@@ -91,9 +91,20 @@ def scene(
 def verify(
     codes: Annotated[list[str] | None, typer.Argument(metavar="[CODE]...", help="Problems to verify; all when left out.")] = None,
     bank: Bank = None, variants: Annotated[int, typer.Option(min=1, help="How many variants to walk for each problem.")] = 100, json: Json = False,
+    extremes: Annotated[bool, typer.Option("--extremes", help="Instead: closed forms and scenes at the ends of the range.")] = False,
 ) -> None:  # fmt: skip
     """Proves problems and solutions right, or says what is wrong."""
-    _run("verify", codes=codes or [], bank=bank, variants=variants, json=json)
+    _run("verify", codes=codes or [], bank=bank, variants=variants, json=json, extremes=extremes)
+
+
+@app.command()
+def trade(
+    scenes: Annotated[list[str] | None, typer.Argument(metavar="[SCENE]...", help="cradle, spheres, \"cradle N=3 q=1.5\" …; all when left out.")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Where table and pictures go; trade/ when left out (nowhere with --json).")] = None,
+    json: Json = False, quick: Annotated[bool, typer.Option("--quick", help="Without the longest runs, each timed once.")] = False,
+) -> None:  # fmt: skip
+    """Measures speed against accuracy; writes the table and the picture."""
+    _run("trade", scenes=scenes or [], output=output, json=json, quick=quick)
 
 
 @app.command()

@@ -11,25 +11,19 @@ from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.mark.verify.checked import Checked
 from corollary.mark.verify.verify import verify
-from corollary.problem.bank import doubles, files, home, open_bank
+from corollary.problem.bank import Bank, doubles, files, home, open_bank
 from corollary.problem.complaint import Malformed
+from corollary.problem.problem import Problem
 from corollary.problem.read import read_problem
 
 
-def run(codes: list[str], bank: Path | None, variants: int, json: bool) -> int:
+def run(codes: list[str], bank: Path | None, variants: int, json: bool, extremes: bool = False) -> int:
     start = time.perf_counter()
-    broken: list[str] = []
-    todo = []
-    if codes:
-        todo = [home(bank, code) for code in codes]
-    else:
-        place = open_bank(bank)
-        for path in files(place):
-            try:
-                todo.append((place, read_problem(path)))
-            except Malformed as error:
-                broken += map(str, error.complaints)
-        broken += map(str, doubles([problem for _, problem in todo]))
+    todo, broken = _problems(codes, bank)
+    if extremes:
+        from corollary.cli.verify_extremes import run_extremes
+
+        return run_extremes(todo, broken, scenes=not codes, json=json)
     found: list[Checked] = []
     for place, problem in steps(todo, lambda each: each[1].code, "verifying"):
         found.append(verify(place, problem, variants))
@@ -39,6 +33,19 @@ def run(codes: list[str], bank: Path | None, variants: int, json: bool) -> int:
     else:
         _table(found, broken, time.perf_counter() - start)
     return HOLDS if ok else FAILS
+
+
+def _problems(codes: list[str], bank: Path | None) -> tuple[list[tuple[Bank, Problem]], list[str]]:
+    """The problems asked for, all without a code, each with its bank; and what is wrong with files that cannot be read."""
+    if codes:
+        return [home(bank, code) for code in codes], []
+    place, todo, broken = open_bank(bank), [], []
+    for path in files(place):
+        try:
+            todo.append((place, read_problem(path)))
+        except Malformed as error:
+            broken += map(str, error.complaints)
+    return todo, [*broken, *map(str, doubles([problem for _, problem in todo]))]
 
 
 def _record(checked: Checked) -> dict[str, Any]:

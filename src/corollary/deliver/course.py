@@ -127,6 +127,16 @@ def _handed_in_notebook(place: Path, set_name: str) -> Path | None:
     return others[0] if len(others) == 1 else None
 
 
+def unclear(course: Course, set_name: str) -> dict[str, tuple[str, ...]]:
+    """Who handed in several notebooks of which none has the set's name, and what they are called: nobody can guess which counts."""
+    found = {}
+    for place in sorted((course.folder / "submitted").glob(f"*/{set_name}/")):
+        names = tuple(sorted(path.name for path in place.glob("*.ipynb") if path.is_file()))
+        if len(names) > 1 and f"{set_name}.ipynb" not in names:
+            found[place.parent.name] = names
+    return found
+
+
 def handed_in(course: Course, set_name: str, student: str) -> datetime | None:
     """When a student handed in: what timestamp.txt says (as nbgrader writes it: 2026-12-04 21:03:11.5 UTC), else the age of
     the file, to the second; None when there is nothing."""

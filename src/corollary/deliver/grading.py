@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from corollary.deliver.course import Course, read_dealt, students, submissions, write_atomically
+from corollary.deliver.course import Course, read_dealt, students, submissions, unclear, write_atomically
 from corollary.deliver.executing import Execute, here
 from corollary.deliver.keeping import fingerprint, keep, lateness, read_record, settle
 from corollary.deliver.nbgrader_book import NoNbgrader, gradebook, need_nbgrader
@@ -43,6 +43,7 @@ class Outcome:
     report: Report
     page: Path
     changed: tuple[Change, ...] = ()
+    unclear: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def grade_set(
@@ -103,7 +104,7 @@ def grade_set(
     if not dry_run:
         write_atomically(page, report_page(found, problem_set))
     failed = tuple(one.student for one in found.failed)
-    return Outcome(tuple(todo), tuple(skipped), failed, strangers, records, has_nbgrader(), found, page, changed)
+    return Outcome(tuple(todo), tuple(skipped), failed, strangers, records, has_nbgrader(), found, page, changed, unclear(course, problem_set.name))
 
 
 def _records(course: Course, problem_set: ProblemSet, of: Iterable[str]) -> dict[str, dict[str, Any]]:

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from errno import ENOSPC
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -75,6 +76,8 @@ def gradebook(course: Course) -> Iterator[Gradebook]:
         with book:
             yield book
     except OperationalError as error:
+        if "disk is full" in str(error.orig):
+            raise OSError(ENOSPC, os.strerror(ENOSPC), str(course.gradebook)) from None
         if "locked" not in str(error.orig):
             raise
         raise GradebookLocked(

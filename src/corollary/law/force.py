@@ -25,19 +25,19 @@ def sphere_contact(
     F: object, *, theta: object, k: object, delta: object, eta: object, apart: tuple, r: object, passing: tuple
 ) -> Law:
     """What sphere B does to sphere A: a push along the line of centres, and a drag; `apart` and `passing` are B less A."""
-    return law("Contact of two spheres", "F = theta*(-k*abs(delta)^(3/2)*Dr/r + eta*Dv)", source="program of section 12.6",
-               holds="theta is 1 while they overlap and 0 otherwise",
-               F=F, theta=theta, k=k, delta=delta, eta=eta, Dr=apart, r=r, Dv=passing)  # fmt: skip
+    return law("Contact of two spheres", "F = theta*(-k*abs(delta)^(3/2)*dr/r + eta*dv)", source="(program of section 12.6)",
+               holds="$\\theta$ is 1 while they overlap and 0 otherwise",
+               F=F, theta=theta, k=k, delta=delta, eta=eta, dr=apart, r=r, dv=passing)  # fmt: skip
 
 
 def ionic(F: object, *, C: object, apart: tuple, r: object) -> Law:
     """What ion B does to ion A, which it repels; `apart` is the place of B less that of A."""
-    return law("Ionic force", "F = -C/r^2*Dr/r", source="section 12.6", F=F, C=C, Dr=apart, r=r)
+    return law("Ionic force", "F = -(C/r^2)*(dr/r)", source="(section 12.6)", F=F, C=C, dr=apart, r=r)
 
 
 def towards_circle(F: object, *, k: object, b: object, place: tuple, r: object) -> Law:
     """A spring that pulls to the distance b from the origin, along the radius."""
-    return law("Central force", "F = -k*(r - b)*s/r", source="project 12.15 (f)",
+    return law("Central force", "F = -k*(r - b)*s/r", source="(project 12.15 f)",
                holds="b - d < r < b + d; s is the vector from the molecule to the atom", F=F, k=k, b=b, r=r, s=place)  # fmt: skip
 
 

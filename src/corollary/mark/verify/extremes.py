@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.derive.solution import Measured, Solution
-from corollary.mark.replay import as_exact, compute, uses
+from corollary.mark.replay import as_exact, compute
 from corollary.problem.given import Given
 from corollary.problem.variant import Variant, chapter
 from corollary.quantity.ball import Certified, Exactly, Undefined, certified
+from corollary.quantity.tree import names
+from corollary.quantity.unit import ONE
 
-FACTORS = tuple(Fraction(10) ** power for power in (-150, -12, 12, 150))
+POWERS = (-150, -12, 12, 150)
 NEAR = Fraction(1, 10**12)
 
 
@@ -22,7 +24,8 @@ class Pushed:
     """One problem at its extremes: how many values were certified, refused, or left unproven.
 
     `worst` (ulp) is the largest error of a replay in doubles, met at `where`. `lost` counts values for which the replay gave
-    none although there is one: the way to it, not the value, left the range.
+    none although there is one: the way to it, not the value, left the range. `cancelled` counts values that are exactly zero
+    and came out as a remainder.
     """
 
     code: str
@@ -30,6 +33,7 @@ class Pushed:
     unproven: int
     refused: Mapping[str, int]
     lost: int
+    cancelled: int
     worst: float
     where: str
 
@@ -40,7 +44,7 @@ class Pushed:
 
 def push(solution: Solution) -> Pushed:
     """Every given of a problem, one after the other, at each of its extremes; all finds that have a closed form."""
-    proven = unproven = lost = 0
+    proven = unproven = lost = cancelled = 0
     refused: dict[str, int] = {}
     worst, where = 0.0, ""
     for label, givens in pushed(chapter(solution.problem)):
@@ -59,9 +63,11 @@ def push(solution: Solution) -> Pushed:
                 near = replayed.get(find.names[i])
                 if near is None:
                     lost += 1
+                elif true.value == 0.0:
+                    cancelled += near != 0.0
                 elif (off := ulps(near, true)) > worst:
                     worst, where = off, f"{find.names[i]} at {label}"
-    return Pushed(solution.problem.code, proven, unproven, refused, lost, worst, where)
+    return Pushed(solution.problem.code, proven, unproven, refused, lost, cancelled, worst, where)
 
 
 def pushed(variant: Variant) -> Iterator[tuple[str, dict[str, Exactly]]]:
@@ -77,12 +83,12 @@ def extremes(given: Given, value: Exactly) -> Iterator[tuple[str, Exactly]]:
     if given.unit.pi:
         yield f"{given.symbol} = 1e-12 pi", Exactly(NEAR, 1)
         yield f"{given.symbol} = pi/2 - 1e-12 pi", Exactly(Fraction(1, 2) - NEAR, 1)
-    elif given.unit.dimension == variantless():
+    elif given.unit.dimension == ONE:
         yield f"{given.symbol} = 0", Exactly(Fraction(0))
         yield f"{given.symbol} = 1", Exactly(Fraction(1))
     else:
-        for factor in FACTORS:
-            yield f"{given.symbol} × 1e{_power(factor)}", Exactly(value.ratio * factor, value.pi)
+        for power in POWERS:
+            yield f"{given.symbol} × 1e{power}", Exactly(value.ratio * Fraction(10) ** power, value.pi)
 
 
 def replay_in_doubles(solution: Solution, givens: Mapping[str, Exactly]) -> dict[str, float]:
@@ -90,7 +96,7 @@ def replay_in_doubles(solution: Solution, givens: Mapping[str, Exactly]) -> dict
     known: dict[str, Exactly] = dict(givens)
     found: dict[str, float] = {}
     for find in solution.finds:
-        if isinstance(find.local, Measured) or not {n for n in uses_now(find.local) if n != "pi"} <= known.keys():
+        if isinstance(find.local, Measured) or any(names(tree) - known.keys() - {"pi"} for tree in find.local.trees):
             continue
         try:
             numbers = compute(find.local, known)
