@@ -13,12 +13,11 @@ import time
 from pathlib import Path
 from typing import Any
 
-from corollary.deliver.demo.player import right_sources
+from corollary.deliver.course import open_course
+from corollary.deliver.demo.player import Hand, right_sources
 from corollary.deliver.demo.stage import hand_in
-from corollary.deliver.demo.player import Hand
 from corollary.deliver.generating import generate, variants_of
 from corollary.deliver.keeping import history
-from corollary.deliver.course import open_course
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
@@ -74,7 +73,8 @@ def killed(folder: Path, count: int, kills: int, seed: int) -> dict[str, Any]:
     entries = [entry["student"] for entry in history(open_course(torn), "small")]
     return {
         "submissions": count, "seconds undisturbed": round(seconds, 1), "per second": round(count / seconds, 2),
-        "killed after seconds": [round(moment, 1) for moment in moments], "marked by then": done_before, "last run": said.strip()[-200:],
+        "killed after seconds": [round(moment, 1) for moment in moments], "marked by then": done_before,
+        "last run": said.strip().splitlines()[-1],
         "rows": len(_rows(calm)), "the same gradebook": _rows(calm) == _rows(torn),
         "nothing twice": len(entries) == len(set(entries)) == count, "the same feedback": _pages(calm) == _pages(torn),
     }  # fmt: skip

@@ -368,13 +368,6 @@ def test_a_locked_gradebook_is_said_in_one_sentence(course: Course, week: Proble
     record(course, week, [marked(week, ADA, *GOOD)], {"ada": nb})
 
 
-def test_autograde_leaves_our_marks_alone(course: Course, week: ProblemSet, book: Gradebook):
-    record(course, week, [marked(week, ADA, *GOOD)], {"ada": hand_in(course, week, ADA)})
-    with pytest.raises(AssertionError, match="marked by `corollary grade`"):
-        command(course, "autograde", "week_1", "--force")
-    assert grades(book, "ada")["X12_5_a"] == (1.0, None, False)
-
-
 def test_an_unknown_set_is_said(course: Course, week: ProblemSet):
     other = replace(week, name="week_9")
     with pytest.raises(NotRegistered, match="does not know week_9"):

@@ -28,6 +28,7 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.quantity.compiled": ["Undefined"],
         "corollary.scene.run": ["BadSetting"],
         "corollary.deliver.course": ["NotACourse"],
+        "corollary.deliver.cluster": ["NoCluster"],
         "corollary.deliver.grading": ["NotDealt"],
         "corollary.deliver.nbgrader_book": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
         "corollary.deliver.nbgrader_config": ["NotOurs"],

@@ -42,8 +42,8 @@ def _shown(what: str, total: int | None, done: int) -> Iterator[Callable[[str, i
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     progress = Progress(
-        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn(),
-        TextColumn("{task.fields[name]}"), console=Console(stderr=True), transient=True,
+        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"),
+        TimeRemainingColumn(), TextColumn("{task.fields[name]}"), console=Console(stderr=True), transient=True,
     )  # fmt: skip
     task = progress.add_task(what, total=total, name="", rate="", completed=done)
     started, told = time.monotonic(), 0

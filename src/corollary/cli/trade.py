@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json as plain_json
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +12,13 @@ from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.cli.progress import steps
 from corollary.scene.trade.case import Case
 from corollary.scene.trade.measures import WANTED, orders, reaching
-from corollary.scene.trade.race import Raced, cases, race
+from corollary.scene.trade.race import Lap, Raced, cases, race
 from corollary.scene.trade.record import label, record
+
+COSTS: dict[str, tuple[str, Callable[[Lap], float]]] = {
+    "evaluations": ("evaluations of the force", lambda lap: float(max(lap.evaluations, 1))),
+    "seconds": ("processor time, s", lambda lap: lap.seconds),
+}
 
 
 def run(scenes: list[str], output: Path | None, json: bool, quick: bool) -> int:
@@ -26,8 +31,8 @@ def run(scenes: list[str], output: Path | None, json: bool, quick: bool) -> int:
     found["seconds"] = round(time.perf_counter() - begin, 2)
     folder = output or (None if json else Path("trade"))
     if folder is not None:
-        _write(folder, raced, found)
-        say(f"written to {folder}/: trade.json, trade.md, and two pictures for each scene")
+        _write(folder, raced, found, ("evaluations",) if quick else ("evaluations", "seconds"))
+        say(f"written to {folder}/: trade.json, trade.md, and pictures of each scene")
     if json:
         answer(found)
     else:
@@ -66,7 +71,7 @@ def table(raced: Sequence[Raced], found: dict[str, Any]) -> str:
     text += ["Observed orders, with two standard errors; the step, in contact times, beyond which Euler-Cromer is off by 1 %", ""]
     text += [*_rows(slopes), ""]
     if found["closed_forms"]:
-        text += ["Closed forms of the whole bank: speed against the worst error", ""]
+        text += ["Closed forms of ten problems (four when quick), many variants of each: speed against error", ""]
         heads = ["arithmetic", "formulas", "values a second", "median error, ulp", "worst error, ulp", "worst is"]
         closed = [
             [c["arithmetic"], str(c["formulas"]), f"{c['values_per_second']:.3g}", f"{c['median_ulp']:.2g}", f"{c['worst_ulp']:.2g}", c["worst"]]
@@ -83,7 +88,7 @@ def _rows(rows: Sequence[Sequence[str]]) -> list[str]:
     return [lines[0], "|" + "|".join("-" * (width + 2) for width in wide) + "|", *lines[1:]]
 
 
-def _write(folder: Path, raced: Sequence[Raced], found: dict[str, Any]) -> None:
+def _write(folder: Path, raced: Sequence[Raced], found: dict[str, Any], costs: Sequence[str]) -> None:
     from corollary.figure.plots import Curve, lines
 
     folder.mkdir(parents=True, exist_ok=True)
@@ -92,15 +97,12 @@ def _write(folder: Path, raced: Sequence[Raced], found: dict[str, Any]) -> None:
     for each in raced:
         name = each.case.name.replace(" ", "_").replace("=", "")
         methods = dict.fromkeys(lap.method for lap in each.laps)
-        for what, axis, cost in (
-            ("evaluations", "evaluations of the force", lambda lap: float(max(lap.evaluations, 1))),
-            ("seconds", "processor time, s", lambda lap: lap.seconds),
-        ):
+        for what in costs:
             curves = []
             for method in methods:
                 # Beyond a hundred per cent a curve says nothing; below 1e-17 there are no doubles left.
                 laps = [lap for lap in each.laps if lap.method == method and lap.error <= 1.0]
-                curves.append(Curve(method, tuple(map(cost, laps)), tuple(max(lap.error, 1e-17) for lap in laps)))
+                curves.append(Curve(method, tuple(COSTS[what][1](lap) for lap in laps), tuple(max(lap.error, 1e-17) for lap in laps)))
             alt = f"{each.case.name}: error of the {each.case.observable} against {what}, for {', '.join(methods)}"
-            drawn = lines(curves, x_label=axis, y_label=f"error, {each.case.observable}", alt=alt, log_x=True, log_y=True)
+            drawn = lines(curves, x_label=COSTS[what][0], y_label=f"error, {each.case.observable}", alt=alt, log_x=True, log_y=True)
             (folder / f"{name}_{what}.svg").write_text(drawn, encoding="utf-8")

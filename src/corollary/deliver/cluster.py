@@ -31,7 +31,7 @@ class NoCluster(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Sent:
-    """An order on its way: `token` tells this grading from the one before, `state` is what program and solutions it was made for."""
+    """An order on its way: `token` tells this grading from the one before, `state` its program and solutions."""
 
     order: Order
     token: str
@@ -41,7 +41,7 @@ class Sent:
 def on_cluster(address: str) -> Execute:
     """On the cluster whose scheduler is at this address; what a dying worker was at is done again by another.
 
-    Entering raises NoCluster when there is none; so does going on when it is lost on the way.
+    Entering raises NoCluster where there is none, and so does going on once it is lost.
     """
 
     @contextmanager
@@ -72,7 +72,7 @@ def mark_there(sent: Sent, handed: Handed) -> Returned:
         if sent.token not in _at_work:
             _leave()
             if state_of(sent.order) != sent.state:
-                raise NoCluster("a worker has another version of the program or of the solutions; install and copy the same everywhere")
+                raise NoCluster("a worker has another version of the program or of the solutions; put the same ones everywhere")
             _at_work[sent.token] = sent.order, sent.order.runner()
         order, runner = _at_work[sent.token]
         return mark_one(order, runner, handed)
@@ -99,10 +99,15 @@ def _connect(address: str) -> Client:
         client = Client(address, timeout=SECONDS_TO_CONNECT)
     except (OSError, ValueError) as error:
         raise NoCluster(f"no Dask scheduler answers at {address} ({error}); start one, or leave out --executor") from None
-    if not client.nthreads():
+    if not _processes(client):
         client.close()
         raise NoCluster(f"the Dask cluster at {address} has no workers; start some with: dask worker {address} --nthreads 1")
     return client
+
+
+def _processes(client: Client) -> int:
+    info: Any = client.scheduler_info(n_workers=-1)
+    return len(info["workers"])
 
 
 def _as_done(client: Client, sent: Sent, left: Iterator[Handed]) -> Iterator[Returned]:
@@ -114,7 +119,7 @@ def _as_done(client: Client, sent: Sent, left: Iterator[Handed]) -> Iterator[Ret
         return future
 
     doing: dict[Any, Handed] = {}
-    going = as_completed([give(each) for each in islice(left, AHEAD * len(client.nthreads()))])
+    going = as_completed([give(each) for each in islice(left, AHEAD * _processes(client))])
     for future in going:
         handed = doing.pop(future.key)
         for another in islice(left, 1):

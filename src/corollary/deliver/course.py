@@ -128,7 +128,7 @@ def _handed_in_notebook(place: Path, set_name: str) -> Path | None:
 
 
 def unclear(course: Course, set_name: str) -> dict[str, tuple[str, ...]]:
-    """Who handed in several notebooks of which none has the set's name, and what they are called: nobody can guess which counts."""
+    """Who handed in several notebooks, none of the set's name, and what they are called: nobody can guess which counts."""
     found = {}
     for place in sorted((course.folder / "submitted").glob(f"*/{set_name}/")):
         names = tuple(sorted(path.name for path in place.glob("*.ipynb") if path.is_file()))

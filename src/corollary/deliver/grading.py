@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 from corollary.deliver.course import Course, read_dealt, students, submissions, unclear, write_atomically
 from corollary.deliver.executing import Execute, here
-from corollary.deliver.keeping import fingerprint, keep, lateness, read_record, settle
+from corollary.deliver.keeping import fingerprint, keep, keep_sharing, kept_sharing, lateness, read_record, settle
 from corollary.deliver.nbgrader_book import NoNbgrader, gradebook, need_nbgrader
 from corollary.deliver.order import Handed, Order, Returned
 from corollary.deliver.regrading import Change, changes
 from corollary.deliver.report import report
 from corollary.deliver.report_page import report_page
+from corollary.deliver.sharing import sharing
 from corollary.deliver.tally import HandedIn, Report, Row
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
@@ -99,6 +100,8 @@ def grade_set(
             for one in held if not dry_run else ():
                 _write(course, problem_set, solutions, one, book)
     records = _records(course, problem_set, papers)
+    if not dry_run:
+        keep_sharing(course, problem_set, sharing(problem_set, solutions, dealt, records))
     found = report_of(course, problem_set)
     page = course.folder / "reports" / f"{problem_set.name}.html"
     if not dry_run:
@@ -133,7 +136,7 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
     kept = [entry for student in roster if (entry := read_record(course, problem_set, student)) is not None]
     all_rows = [Row(**each) for entry in kept for each in entry["rows"]]
     all_rows.sort(key=lambda each: order.index((each.problem, each.part)) if (each.problem, each.part) in order else len(order))
-    return report([HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster)
+    return report([HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster, shared=kept_sharing(course, problem_set))
 
 
 def has_nbgrader() -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
@@ -16,6 +16,7 @@ from corollary.deliver.course import Course, handed_in, write_atomically
 from corollary.deliver.feedback_page import feedback_page
 from corollary.deliver.report import handed_in as row_of
 from corollary.deliver.report import rows
+from corollary.deliver.tally import Shared
 from corollary.mark.grade import Marked
 from corollary.mark.record import marked_record
 from corollary.mark.solutions import Solutions
@@ -123,6 +124,21 @@ def fingerprint(
         add(problem.path.read_bytes())
         add(solutions.source(problem))
     return digest.hexdigest()
+
+
+def keep_sharing(course: Course, problem_set: ProblemSet, shared: Iterable[Shared]) -> None:
+    """What was found at the last grading, beside the records."""
+    text = json.dumps([asdict(one) for one in shared], ensure_ascii=False)
+    write_atomically(course.folder / ".corollary" / "sharing" / f"{problem_set.name}.json", text)
+
+
+def kept_sharing(course: Course, problem_set: ProblemSet) -> tuple[Shared, ...]:
+    """Empty when nothing was found, or nothing graded yet."""
+    try:
+        found = json.loads((course.folder / ".corollary" / "sharing" / f"{problem_set.name}.json").read_text(encoding="utf-8"))
+        return tuple(Shared(**one) for one in found)
+    except (OSError, ValueError, TypeError):  # none, or damaged: found again at the next grading
+        return ()
 
 
 def _remember(course: Course, problem_set: ProblemSet, student: str, entry: Record) -> None:

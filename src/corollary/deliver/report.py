@@ -9,7 +9,7 @@ from statistics import fmean
 from typing import assert_never
 
 from corollary.deliver.report_table import terminal as terminal
-from corollary.deliver.tally import HandedIn, Met, PartTally, Report, Row, Waiting
+from corollary.deliver.tally import SHARING, HandedIn, Met, PartTally, Report, Row, Shared, Waiting
 from corollary.deliver.verdict_look import LOOKS
 from corollary.mark.grade import Marked
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
@@ -21,7 +21,9 @@ def summary(marked: Iterable[Marked], *, roster: Iterable[str] = ()) -> Report:
     return report([handed_in(one) for one in marked], [row for one in marked for row in rows(one)], roster=roster)
 
 
-def report(handed: Sequence[HandedIn], rows: Sequence[Row], *, roster: Iterable[str] = ()) -> Report:
+def report(
+    handed: Sequence[HandedIn], rows: Sequence[Row], *, roster: Iterable[str] = (), shared: Sequence[Shared] = ()
+) -> Report:
     """The report on plain rows, as they are kept beside a course; parts in the order of their first row."""
     by_part: dict[tuple[str, str], list[Row]] = {}
     by_slip: dict[tuple[str, str, str, str], dict[str, None]] = {}
@@ -38,6 +40,7 @@ def report(handed: Sequence[HandedIn], rows: Sequence[Row], *, roster: Iterable[
         tuple(sorted(met, key=lambda one: (-len(one.students), one.verdict, one.problem, one.part))),
         tuple(waiting),
         tuple(student for student in roster if student not in came),
+        tuple(shared),
     )
 
 
@@ -96,5 +99,8 @@ def as_json(report: Report) -> dict[str, object]:
         "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
         "waiting": [asdict(one) for one in report.waiting],
         "failed": [{"student": one.student, "why": one.trouble} for one in report.failed],
+        "noticed": [{"student": one.student, "notes": list(one.notes)} for one in report.noticed],
+        "sharing": [asdict(one) for one in report.shared],
+        "sharing_model": SHARING,
         "isolation": report.isolation,
     }

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from corollary.deliver.page import page, points
-from corollary.deliver.tally import PartTally, Report
+from corollary.deliver.tally import SHARING, PartTally, Report
 from corollary.deliver.verdict_look import LOOKS
 from corollary.figure.plots import Layer, histogram, interval_counts, stacked_bars
 from corollary.problem.problem_set import ProblemSet
@@ -31,6 +31,7 @@ def report_page(report: Report, problem_set: ProblemSet) -> str:
         "report.html",
         title=f"{problem_set.title}: report",
         report=report,
+        sharing=SHARING,
         problem_set=problem_set,
         looks=LOOKS.values(),
         titles=titles,

@@ -36,6 +36,14 @@ def _pieces(report: Report) -> Iterator[RenderableType]:
         yield from _more(len(report.waiting))
     if report.failed:
         yield _table("Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed))
+    if report.noticed:
+        yield _table("Noticed", ("student", "what"), ((one.student, note) for one in report.noticed for note in one.notes))
+    if report.shared:
+        title = "Wrong here, right for somebody else's numbers (proves nothing by itself)"
+        yield _table(title, ("student", "fits", "parts", "by chance"), (
+            (one.student, one.other, ", ".join(one.parts), f"{one.chance:.2g}") for one in report.shared[:MOST]
+        ))
+        yield from _more(len(report.shared))
     if report.missing:
         yield Text(f"\nNothing from {len(report.missing)}: {_some(report.missing, 12)}")
     for line, count in report.isolation.items():

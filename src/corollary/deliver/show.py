@@ -60,7 +60,7 @@ def _earns(part: Part, out_of: float) -> str:
     said = [f"{points(out_of)} point{'s' * (out_of != 1)}"]
     if unit := show(part.unit):
         said.append(f"in {unit}")
-    if part.components:
+    if part.components and part.kind != "proof":
         said.append(f"as {', '.join(part.components)}")
     if part.signature:
         said.append(f"a function {part.signature}")

@@ -7,6 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from statistics import fmean, median
 
+WITHIN = 0.005
+SHARING = (
+    "A wrong answer is taken to fall anywhere, on a logarithmic scale, in the span of the whole class's right answers to that part; "
+    f"it fits another student's when it lies within {WITHIN:.1%} of it. The chance is that of meeting at least one of the "
+    "other students so, in one part of each exercise listed (parts of one exercise follow from one another and count once)."
+)
+
 
 @dataclass(frozen=True, slots=True)
 class Row:
@@ -68,14 +75,30 @@ class Waiting:
 
 
 @dataclass(frozen=True, slots=True)
+class Shared:
+    """Wrong answers of a student that are right for the numbers of `other`, by part, and how likely that is by chance."""
+
+    student: str
+    other: str
+    parts: Sequence[str]
+    chance: float
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
-    """A graded problem set in sum; `missing` are students of the roster who handed in nothing."""
+    """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing."""
 
     handed_in: tuple[HandedIn, ...]
     parts: tuple[PartTally, ...]
     met: tuple[Met, ...]
     waiting: tuple[Waiting, ...]
     missing: tuple[str, ...]
+    shared: tuple[Shared, ...] = ()
+
+    @property
+    def noticed(self) -> tuple[HandedIn, ...]:
+        """The submissions of which something was noticed, such as an edited statement."""
+        return tuple(one for one in self.handed_in if one.notes)
 
     @property
     def failed(self) -> tuple[HandedIn, ...]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
-from nbformat import NotebookNode
-
-from corollary.sheet.cells import checksum
+from corollary.sheet.cells import as_handed_out
 from corollary.sheet.found import cells_by_id
 from corollary.sheet.notebook import notebook as handed_out
 from corollary.sheet.sheet import Sheet
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
 
 MOST_NAMED = 4
 
@@ -26,7 +28,7 @@ def notes(sheet: Sheet, notebook: NotebookNode) -> tuple[str, ...]:
         theirs = found.get(cell.id)
         if not cell.metadata["nbgrader"]["locked"] or theirs is None or _plain(theirs.source) == _plain(cell.source):
             continue
-        (foreign if _as_handed_out(theirs, cell) else edited).append(cell.id)
+        (foreign if as_handed_out(theirs, cell) else edited).append(cell.id)
     return tuple(_said(sheet, _owner(notebook), edited, foreign))
 
 
@@ -63,15 +65,6 @@ def _owner(notebook: NotebookNode) -> str:
     about = notebook.get("metadata", {}).get("corollary")
     said = about.get("student") if isinstance(about, Mapping) else None
     return said[:100] if isinstance(said, str) and said.isprintable() else ""
-
-
-def _as_handed_out(theirs: NotebookNode, ours: NotebookNode) -> bool:
-    """Whether a cell still has the checksum of its own text."""
-    mark = theirs.get("metadata", {}).get("nbgrader")
-    if not isinstance(mark, Mapping) or theirs.cell_type != ours.cell_type:
-        return False
-    copy = NotebookNode(source=theirs.source, cell_type=ours.cell_type, metadata=ours.metadata)
-    return mark.get("checksum") == checksum(copy)
 
 
 def _plain(source: str) -> str:

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import sympy
 
 from corollary.derive.closed import tree
+from corollary.derive.point import Point, at
 from corollary.derive.roots import NoRoot
-from corollary.law.put import as_expression, put
+from corollary.law.put import put
 from corollary.quantity.latex import latex
 
 
 def best(
     goal: sympy.Expr, over: sympy.Symbol, between: tuple[sympy.Expr, sympy.Expr], largest: bool,
-    points: Sequence[Mapping[sympy.Symbol, sympy.Expr]],
+    points: Sequence[Point],
 ) -> tuple[sympy.Expr, str]:  # fmt: skip
     """The place of the extremum and a line on how it was found. Raises NoRoot when it differs from point to point."""
-    known = {over, *(letter for point in points for letter in point)}
+    known = {over, *(letter for point in points for letter in point.values)}
     if strange := {letter for formula in (goal, *between) for letter in formula.free_symbols} - known:
         raise NoRoot(f"the extremum over {over}: {', '.join(sorted(map(str, strange)))} has no value here")
     letter = sympy.Dummy("x", real=True)
@@ -29,8 +30,8 @@ def best(
         raise NoRoot(f"where the slope over {over} vanishes cannot be put in a formula; use simulated(…)") from None
     winners: set[sympy.Expr] = set()
     for point in points:
-        def height(place: sympy.Expr, point: Mapping = point) -> sympy.Expr:
-            return put(put(free, {letter: place}), point).evalf(30)
+        def height(place: sympy.Expr, point: Point = point) -> sympy.Expr:
+            return at(put(free, {letter: place}), point)
 
         inside = [place for place in slope if _between(place, between, point)]
         candidates = list(dict.fromkeys([*inside, low, high]))
@@ -47,6 +48,6 @@ def best(
     )
 
 
-def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Mapping) -> bool:
-    value, low, high = (put(as_expression(x), point).evalf(30) for x in (place, *between))
+def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Point) -> bool:
+    value, low, high = (at(x, point) for x in (place, *between))
     return bool(value.is_real) and low <= value <= high

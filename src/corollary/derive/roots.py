@@ -9,12 +9,12 @@ import sympy
 
 from corollary.derive.closed import NoTree, relation, tree
 from corollary.derive.entries import Rejected
+from corollary.derive.point import Point, at
 from corollary.law.law import Law, sides, symbols
-from corollary.law.put import as_expression, put
+from corollary.law.put import put
 from corollary.quantity.latex import latex
 from corollary.quantity.tree import Name, Relation
 
-Point = Mapping[sympy.Symbol, sympy.Expr]
 Root = Mapping[sympy.Symbol, sympy.Expr]
 
 
@@ -109,15 +109,15 @@ def _real(root: Root, point: Point) -> bool:
     for value in root.values():
         if value.is_real:
             continue
-        number = _at(value, point)
+        number = at(value, point)
         if number.is_finite is False or not _settled(abs(sympy.im(number)) < 1e-20, f"whether {value} is real"):
             return False
     return True
 
 
 def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
-    numbers = {symbol: _at(value, point) for symbol, value in root.items()}
-    return _settled(put(put(where, numbers), point), f"where={where}")
+    numbers = {symbol: at(value, point) for symbol, value in root.items()}
+    return _settled(put(put(where, numbers), point.values), f"where={where}")
 
 
 def _settled(held: sympy.Basic | bool, what: str) -> bool:
@@ -126,10 +126,6 @@ def _settled(held: sympy.Basic | bool, what: str) -> bool:
         letters = _list(held.free_symbols) if isinstance(held, sympy.Basic) else ""
         raise NoRoot(f"{what} cannot be decided: {letters or held} has no value here")
     return bool(held)
-
-
-def _at(value: sympy.Expr, point: Point) -> sympy.Expr:
-    return put(as_expression(value), point).evalf(30)
 
 
 def _shown(root: Root) -> str:

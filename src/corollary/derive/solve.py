@@ -26,6 +26,7 @@ from corollary.derive.failing import NotDerivable
 from corollary.derive.load import Loaded, line_of, load, symbol_of
 from corollary.derive.optimum import best
 from corollary.derive.parts import answered, misfits, words
+from corollary.derive.point import Point, at, learn, point
 from corollary.derive.roots import NoRoot, Root, pick, roots, simplest
 from corollary.derive.shown import shown
 from corollary.derive.solution import (
@@ -87,9 +88,7 @@ class _Solver:
         self.closed: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in self.givens}
         self.dimensions: dict[str, Dimension] = {given.symbol: given.unit.dimension for given in problem.givens}
         variants = [chapter(problem), *sample(problem, POINTS - 1, salt="roots")]
-        self.points = [
-            {symbol: _number(variant.exact[symbol.name]) for symbol in self.givens} for variant in variants
-        ]
+        self.points = [point(variant.exact, self.givens) for variant in variants]
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}
         self.measured: set[sympy.Symbol] = set()
 
@@ -224,7 +223,7 @@ class _Solver:
             for root in sympy.solve([put(equation, fixed) for equation in equations], others, dict=True) if others else [{}]:
                 whole = fixed | root
                 if all(symbol in whole and not whole[symbol].free_symbols - set(self.closed) for symbol in entry.finds) and all(
-                    abs(sympy.im(put(value, point).evalf(20))) < 1e-15 for value in whole.values() for point in self.points
+                    at(value, each).is_real for value in whole.values() for each in self.points
                 ):
                     return tuple(tree(simplest(whole[symbol])) for symbol in entry.finds)
         return None
@@ -238,11 +237,12 @@ class _Solver:
         also = entry.also if isinstance(entry, Step) else ()
         return roots(laws, [*entry.finds, *also], set(self.closed) | self.measured)
 
-    def numbers(self) -> list[dict[sympy.Symbol, sympy.Expr]]:
+    def numbers(self) -> list[Point]:
         """The sample points, with the values of what has been found."""
-        for place, point in enumerate(self.points):
-            new = {find: put(value, point).evalf(30) for find, value in self.closed.items() if find not in point}
-            self.points[place] = point | new
+        for each in self.points:
+            for find, value in self.closed.items():
+                if find not in each.values:
+                    learn(each, find, value)
         return self.points
 
     def formulas(self, finds: tuple[sympy.Symbol, ...], root: Root) -> Formulas:
@@ -284,7 +284,3 @@ def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
     if sum(stated.name == wanted for stated in laws) != 1:
         raise NoRoot(f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}")
     return tuple(new for stated in laws for new in (slip.laws if stated.name == wanted else (stated,)))
-
-
-def _number(exact) -> sympy.Expr:
-    return sympy.Rational(exact.ratio.numerator, exact.ratio.denominator) * sympy.pi**exact.pi

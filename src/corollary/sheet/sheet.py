@@ -65,7 +65,7 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
         Prompt(
             problem,
             part,
-            filled(part.text, variant),
+            filled(part.text, variant) + letters(problem, part),
             tuple(Option(option.letter, filled(option.text, variant)) for option in part.options),
             part.points * weight,
         )
@@ -73,6 +73,15 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
     )
     figure, alt = filled(problem.figure, variant), filled(problem.figure_alt, variant)
     return Exercise(variant, filled(problem.statement, variant), figure, alt, prompts)
+
+
+def letters(problem: Problem, part: Part) -> str:
+    """For parts answered in formulas: how each letter is typed, and what it stands for. Empty for the others."""
+    if part.kind not in ("expression", "proof"):
+        return ""
+    known = ", ".join(f"`{given.symbol}` ({given.meaning})" for given in problem.givens)
+    more = f"; and, as said above, {', '.join(f'`{name}`' for name in part.components)}" if part.kind == "proof" else ""
+    return f"\n\nLetters: {known}{more}. Write `*` for a product and `^` for a power."
 
 
 def sheet(problem_set: ProblemSet, student: Student, variants: Iterable[Variant]) -> Sheet:

@@ -50,11 +50,10 @@ def case(eta: float, reference: Reference) -> Case:
     both = pair(eta)
     met = meet(both)
     assert met is not None
-    steps = tuple(1.0 / n for n in (4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128))
     own = {
         "regularised": Route("tolerance", TOLERANCES, lambda tolerance: _answer(both, met, follow(both, met, tolerance))),
-        "regularised_rk4": Route("step", steps, partial(_phased, both, met, RK4)),
-        "regularised_dop853": Route("step", steps[:7], partial(_phased, both, met, DOP853)),
+        "regularised_rk4": Route("step", _parts(4, 400), partial(_phased, both, met, RK4)),
+        "regularised_dop853": Route("step", _parts(4, 48), partial(_phased, both, met, DOP853)),
     }
     if eta == 0.0:
         own = {"quadrature": Route("tolerance", ONCE, lambda _: _answer(both, met, glance(both, met))), **own}
@@ -69,6 +68,12 @@ def case(eta: float, reference: Reference) -> Case:
         program=program(eta, met.after + 1.3 * follow(both, met, 1e-8).duration),
         own=own,
     )
+
+
+def _parts(fewest: int, most: int) -> tuple[float, ...]:
+    """Steps as parts of the contact, each a little shorter than the last."""
+    counts = dict.fromkeys(round(fewest * 2.0 ** (i / 3.0)) for i in range(100))
+    return tuple(1.0 / n for n in counts if n <= most)
 
 
 def _phased(both: Pair, met: Touching, table: Tableau, part: float) -> Answer:

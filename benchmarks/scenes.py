@@ -1,0 +1,205 @@
+"""Scenes raced in one run: the planned route against the chapter's loop, scipy and heyoka at equal error; a whole course at once.
+
+python benchmarks/scenes.py [--error 1e-9] [--json]
+
+Times are the processor's, best of several, so only ratios within one run mean anything. heyoka and numba are optional: what is
+missing is left out, with the reason.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+from taylor import taylor_of
+
+from corollary.scene.catalogue import run
+from corollary.scene.method.many_contacts import Pairs, collide_many
+from corollary.scene.trade import cradles, solvers, spheres
+from corollary.scene.trade.case import Answer, Case, Program, Reference, error_of
+from corollary.scene.trade.race import PLANNED
+from corollary.scene.trade.references import SPHERES, SPHERES_DAMPED
+
+REFERENCES = Path(__file__).resolve().parent.parent / "tests" / "scene" / "references.json"
+LONGEST = 60_000
+TARGETS = {"book loop": 50.0, "DOP853, events": 1.0}
+
+
+def main() -> None:
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--error", type=float, default=1e-9, help="the error at which methods are compared")
+    options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
+    asked = options.parse_args()
+    rows = [compared(case, asked.error) for case in cases()]
+    result = {"error": asked.error, "scenes": rows, "course": [course(steps) for steps in (6, 8, 12)], "momentum": momentum()}
+    if asked.json:
+        print(json.dumps(result))
+    else:
+        show(result)
+
+
+def cases() -> list[Case]:
+    known = json.loads(REFERENCES.read_text(encoding="utf-8"))
+    rows = [
+        cradles.case(count, q, Reference(tuple(known[f"{count} {q:g}"]), 18, "tests/scene/references.json"))
+        for count in (3, 5)
+        for q in (1.0, 1.5, 3.0)
+    ]
+    return [*rows, spheres.case(0.0, SPHERES), spheres.case(1.0, SPHERES_DAMPED)]
+
+
+def compared(case: Case, wanted: float) -> dict[str, Any]:
+    """The cheapest run of each method that keeps the error, as a multiple of the planned route's time."""
+    planned = PLANNED[run(case.ready, case.settings).model]
+    bought = solvers.routes(case)
+    times = {"planned": cheapest(case, case.own[planned].run, case.own[planned].settings, wanted)}
+    times["book loop"] = book_loop(case, wanted)
+    for label, name in (("DOP853", "scipy_dop853"), ("LSODA", "scipy_lsoda"), ("DOP853, events", "scipy_dop853_events")):
+        times[label] = cheapest(case, bought[name].run, bought[name].settings, wanted) if bought else None
+    times["heyoka"], reason = taylor(case)
+    base = times["planned"]
+    assert base is not None
+    return {
+        "scene": case.name, "planned": planned, "milliseconds": 1e3 * base["seconds"], "error": base["error"],
+        "methods": {name: found for name, found in times.items() if found},
+        "ratios": {name: found["seconds"] / base["seconds"] for name, found in times.items() if found and name != "planned"},
+        "heyoka": reason,
+    }  # fmt: skip
+
+
+def cheapest(case: Case, route: Callable[[float], Answer], settings: tuple[float, ...], wanted: float) -> dict[str, Any] | None:
+    """The first setting, from the coarsest, from which on every run keeps the error."""
+    good = None
+    for setting in reversed(settings):
+        answer = route(setting)
+        if error_of(case, answer) > wanted:
+            break
+        good = setting, answer
+    if good is None:
+        return None
+    setting, answer = good
+    return {"seconds": timed(lambda: route(setting)), "evaluations": answer.evaluations, "error": error_of(case, answer)}
+
+
+def timed(call: Callable[[], object], least: float = 0.05) -> float:
+    """The least processor time of one call, over five calls or more."""
+    call()
+    best, spent, count = math.inf, 0.0, 0
+    while count < 5 or (spent < least and count < 50):
+        begin = time.thread_time()
+        call()
+        taken = time.thread_time() - begin
+        best, spent, count = min(best, taken), spent + taken, count + 1
+    return best
+
+
+def book(program: Program, steps: int) -> Answer:
+    """The chapter's program: Euler-Cromer in a plain loop."""
+    x, v, dt = list(program.x), list(program.v), program.until / steps
+    for _ in range(steps):
+        a = program.acceleration(x, v)
+        for i in range(len(x)):
+            v[i] += a[i] * dt
+            x[i] += v[i] * dt
+    return Answer(program.read(x, v), steps)
+
+
+def book_loop(case: Case, wanted: float) -> dict[str, Any]:
+    """Steps doubled until the error is kept; where that takes too long, continued by the order of the last runs."""
+    steps, errors = 500, []
+    while steps <= LONGEST:
+        # Neighbouring step counts average out where the touch falls between two steps.
+        errors.append((steps, math.sqrt(sum(error_of(case, book(case.program, steps + i)) ** 2 for i in (0, 1, 3)) / 3)))
+        if errors[-1][1] <= wanted:
+            break
+        steps *= 2
+    (n, last), (first_n, first) = errors[-1], errors[max(len(errors) - 4, 0)]
+    each = timed(lambda: book(case.program, 2000), 0.02) / 2000
+    if last <= wanted:
+        return {"seconds": each * n, "evaluations": n, "error": last, "extrapolated": False}
+    order = math.log(first / last) / math.log(n / first_n)
+    needed = n * (last / wanted) ** (1.0 / order)
+    return {"seconds": each * needed, "evaluations": round(needed), "error": wanted, "extrapolated": True, "order": order}
+
+
+def taylor(case: Case) -> tuple[dict[str, Any] | None, str]:
+    """heyoka, compiled before it is timed; and why not, where it cannot."""
+    try:
+        route = taylor_of(case)
+    except ImportError:
+        return None, "heyoka is not installed"
+    except NotImplementedError as reason:
+        return None, str(reason)
+    answer = route()
+    return {"seconds": timed(route), "evaluations": answer.evaluations, "error": error_of(case, answer)}, "terminal events"
+
+
+def course(steps: int) -> dict[str, Any]:
+    """Ten thousand variants of the two spheres: random impact parameter, stiffness and damping."""
+    random, n = np.random.default_rng(12), 10_000
+    b, k, eta = random.uniform(-0.034, 0.034, n), random.uniform(1e4, 4e4, n), random.uniform(0.0, 2.0, n)
+    apart, relative = np.stack([np.full(n, 0.08), b], axis=1), np.tile([-1.0, 0.0], (n, 1))
+    pairs = Pairs(np.full(n, 0.05), np.full(n, 0.04), k, eta, apart, relative)
+    true = collide_many(pairs, 40).relative
+    found = collide_many(pairs, steps)
+    worst = float(np.abs(found.relative - true).max())
+    return {
+        "steps": 2 * steps, "seconds": timed(lambda: collide_many(pairs, steps), 1.0), "worst_error": worst,
+        "stated": float(found.errors.max()), "alone": int(found.alone.sum()),
+    }  # fmt: skip
+
+
+def momentum() -> float:
+    """The largest relative change of momentum over cradles of every size and exponent, and the spheres."""
+    lost = []
+    for count in (2, 3, 5, 10):
+        for q in (1.0, 1.5, 3.0, 5.0):
+            velocities = run("cradle", {"N": count, "q": q}).observed["velocities"]
+            assert isinstance(velocities, tuple)
+            lost.append(abs(math.fsum(velocities) - 1.0))
+    for eta in (0.0, 1.0, 5.0):
+        ax, ay, bx, by = run("spheres", {"eta": eta}).observed["velocities"]  # pyright: ignore[reportGeneralTypeIssues]
+        lost += [abs(ax + bx - 1.0), abs(ay + by)]
+    return max(lost)
+
+
+def show(result: dict[str, Any]) -> None:
+    console = Console(width=150)
+    names = ("book loop", "DOP853", "LSODA", "DOP853, events", "heyoka")
+    table = Table(title=f"Time at an error of {result['error']:g}, as a multiple of the planned route's (pure Python)")
+    for heading in ("scene", "planned", "ms", "its error", *names):
+        table.add_column(heading, justify="left" if heading in {"scene", "planned"} else "right")
+    for row in result["scenes"]:
+        cells = []
+        for name in names:
+            mark = "*" if row["methods"].get(name, {}).get("extrapolated") else ""
+            cells.append(f"{row['ratios'][name]:.3g}{mark}" if name in row["ratios"] else "")
+        table.add_row(row["scene"], row["planned"], f"{row['milliseconds']:.2f}", f"{row['error']:.0e}", *cells)
+    console.print(table)
+    console.print("* continued by the measured order from the longest run")
+    for row in result["scenes"]:
+        if "heyoka" not in row["ratios"]:
+            console.print(f"heyoka on {row['scene']}: {row['heyoka']}")
+    for target, least in TARGETS.items():
+        met = sum(row["ratios"].get(target, 0.0) >= least for row in result["scenes"])
+        console.print(f"at least {least:g} times as fast as {target}: {met} of {len(result['scenes'])} scenes")
+    table = Table(title="10 000 variants of the two spheres, once warm (target: 1e-7 in 0.2 s)")
+    for heading in ("steps", "seconds", "worst error", "stated", "followed alone"):
+        table.add_column(heading, justify="right")
+    for row in result["course"]:
+        cells = (str(row["steps"]), f"{row['seconds']:.3f}", f"{row['worst_error']:.1e}", f"{row['stated']:.1e}", str(row["alone"]))
+        table.add_row(*cells)
+    console.print(table)
+    console.print(f"momentum kept to {result['momentum']:.1e} of itself")
+
+
+if __name__ == "__main__":
+    main()
