@@ -36,7 +36,7 @@ def ball_on_floor():
 def atom_bound():
     """Velocity after three radial periods of the chapter's atom, which starts at r = b with 3 m/s across, and the period.
 
-    The square of the radial speed is written as (r - b)(high - r) times a factor without zeros, so no digits are lost at the ends.
+    The square of the radial speed is written as (r - b)(high - r) times a factor without zeros: no digits are lost at the ends.
     """
     w, v, b = mp.sqrt(mp.mpf(100) / 2), mp.mpf(3), mp.mpf(1)
     high = mp.findroot(lambda r: v**2 * (1 / r + b / r**2) - w**2 * (r - b), mp.mpf("1.257"))
@@ -78,20 +78,19 @@ def product(a, b, n):
 def series(w, rate, spin, time, turn, stiff, drag, reach):
     """Taylor coefficients in sigma, dt = 2 w d(sigma), of one contact with q = 3/2 and overlap w^2."""
     y = [[w], [rate], [spin], [time], [turn]]
-    square, cube, near, inverse = [], [], [], []
+    square, cube, near, inverse, two, three, ell, push, swept = [], [], [], [], [], [], [], [], []
     for n in range(ORDER):
         square.append(product(y[0], y[0], n))
         cube.append(product(y[0], square, n))
         near.append((reach if n == 0 else 0) - square[n])
         inverse.append(1 / near[0] if n == 0 else -mp.fsum(near[i] * inverse[n - i] for i in range(1, n + 1)) / near[0])
-        if n == 0:
-            two, three, ell, push = [], [], [], []
         two.append(product(inverse, inverse, n))
         three.append(product(two, inverse, n))
         ell.append(product(y[2], y[2], n))
         push.append(stiff * cube[n] + drag * y[1][n] + product(ell, three, n))
-        swept = [product(y[2], two, i) for i in range(n + 1)] if n == 0 else [*swept, product(y[2], two, n)]
-        slopes = (y[1][n], -2 * product(y[0], push, n), -2 * drag * product(y[0], y[2], n), 2 * y[0][n], 2 * product(y[0], swept, n))
+        swept.append(product(y[2], two, n))
+        faded, turned = -2 * drag * product(y[0], y[2], n), 2 * product(y[0], swept, n)
+        slopes = (y[1][n], -2 * product(y[0], push, n), faded, 2 * y[0][n], turned)
         for row, slope in zip(y, slopes, strict=True):
             row.append(slope / (n + 1))
     return y

@@ -10,10 +10,14 @@ from typing import Any
 
 from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.cli.progress import steps
+from corollary.scene.method.tables import METHODS
 from corollary.scene.trade.case import Case
-from corollary.scene.trade.measures import WANTED, orders, reaching
+from corollary.scene.trade.measures import WANTED, lies_beyond, orders, reaching
 from corollary.scene.trade.race import Lap, Raced, cases, race
 from corollary.scene.trade.record import label, record
+
+NAMESPACE = '<svg xmlns="http://www.w3.org/2000/svg" '
+"""A drawing in a page needs none; one in a file of its own does."""
 
 COSTS: dict[str, tuple[str, Callable[[Lap], float]]] = {
     "evaluations": ("evaluations of the force", lambda lap: float(max(lap.evaluations, 1))),
@@ -60,26 +64,40 @@ def table(raced: Sequence[Raced], found: dict[str, Any]) -> str:
             ways = sorted(reaching(each, wanted).values(), key=lambda lap: lap.seconds)
             row.append(f"{ways[0].method}: {ways[0].evaluations}; {1e3 * ways[0].seconds:.2f} ms" if ways else "none")
         best.append([*row, each.planned])
-    slopes = [["scene", "euler_cromer", "velocity_verlet", "rk4", "yoshida4", "yoshida6", "yoshida8", "regularised", "lies beyond"]]
-    for each, data in zip(raced, found["scenes"], strict=True):
-        measured = orders(each)
-        own = [f"{name.removeprefix('regularised_')} {o.value:.1f}" for name, o in measured.items() if name.startswith("regularised")]
-        honest = data["lies_beyond"]["euler_cromer"]
-        fixed = [f"{measured[m].value:.2f} ± {measured[m].high - measured[m].value:.2f}" if m in measured else "" for m in slopes[0][1:7]]
-        slopes.append([each.case.name, *fixed, ", ".join(own), "always" if honest is None else f"{honest:.3f}"])
-    text = ["The cheapest method for a wanted accuracy (evaluations; processor time), and what the planner takes", "", *_rows(best), ""]
+    text = [
+        "The cheapest method for a wanted accuracy (evaluations; processor time), and what the planner takes",
+        "",
+        *_rows(best),
+        "",
+    ]
     text += ["Observed orders, with two standard errors; the step, in contact times, beyond which Euler-Cromer is off by 1 %", ""]
-    text += [*_rows(slopes), ""]
+    text += [*_rows(_slopes(raced)), ""]
     if found["closed_forms"]:
         text += ["Closed forms of ten problems (four when quick), many variants of each: speed against error", ""]
-        heads = ["arithmetic", "formulas", "values a second", "median error, ulp", "worst error, ulp", "worst is"]
-        closed = [
-            [c["arithmetic"], str(c["formulas"]), f"{c['values_per_second']:.3g}", f"{c['median_ulp']:.2g}", f"{c['worst_ulp']:.2g}", c["worst"]]
-            for c in found["closed_forms"]
-        ]
-        text += [*_rows([heads, *closed]), ""]
+        text += [*_rows(_closed(found["closed_forms"])), ""]
     missing = {f"{each.case.name}: {name}: {why}" for each in raced for name, why in each.missing.items()}
     return "\n".join([*text, *sorted(missing)])
+
+
+def _slopes(raced: Sequence[Raced]) -> list[list[str]]:
+    """One row for each scene, in which a fixed-step method's order is given with its bounds."""
+    fixed = list(METHODS)
+    rows = [["scene", *fixed, "regularised", "lies beyond"]]
+    for each in raced:
+        measured, honest = orders(each), lies_beyond(each)
+        shown = {name: f"{order.value:.2f} ± {order.high - order.value:.2f}" for name, order in measured.items()}
+        own = [f"{name.removeprefix('regularised_')} {shown[name]}" for name in shown if name.startswith("regularised")]
+        last = "always" if honest is None else f"{honest:.3f}"
+        rows.append([each.case.name, *(shown.get(name, "") for name in fixed), ", ".join(own), last])
+    return rows
+
+
+def _closed(found: Sequence[dict[str, Any]]) -> list[list[str]]:
+    rows = [["arithmetic", "formulas", "values a second", "median error, ulp", "worst error, ulp", "worst is"]]
+    for each in found:
+        numbers = (f"{each[name]:.3g}" for name in ("values_per_second", "median_ulp", "worst_ulp"))
+        rows.append([each["arithmetic"], str(each["formulas"]), *numbers, each["worst"]])
+    return rows
 
 
 def _rows(rows: Sequence[Sequence[str]]) -> list[str]:
@@ -102,7 +120,11 @@ def _write(folder: Path, raced: Sequence[Raced], found: dict[str, Any], costs: S
             for method in methods:
                 # Beyond a hundred per cent a curve says nothing; below 1e-17 there are no doubles left.
                 laps = [lap for lap in each.laps if lap.method == method and lap.error <= 1.0]
-                curves.append(Curve(method, tuple(COSTS[what][1](lap) for lap in laps), tuple(max(lap.error, 1e-17) for lap in laps)))
+                curves.append(
+                    Curve(method, tuple(COSTS[what][1](lap) for lap in laps), tuple(max(lap.error, 1e-17) for lap in laps))
+                )
             alt = f"{each.case.name}: error of the {each.case.observable} against {what}, for {', '.join(methods)}"
-            drawn = lines(curves, x_label=COSTS[what][0], y_label=f"error, {each.case.observable}", alt=alt, log_x=True, log_y=True)
-            (folder / f"{name}_{what}.svg").write_text(drawn, encoding="utf-8")
+            drawn = lines(
+                curves, x_label=COSTS[what][0], y_label=f"error, {each.case.observable}", alt=alt, log_x=True, log_y=True
+            )
+            (folder / f"{name}_{what}.svg").write_text(drawn.replace("<svg ", NAMESPACE, 1), encoding="utf-8")

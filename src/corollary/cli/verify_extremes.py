@@ -55,7 +55,9 @@ def _tables(pushed: list[Pushed], met: list[Met], broken: list[str], seconds: fl
     from rich.table import Table
 
     console = Console()
-    table = Table(title="Closed forms, one given at a time at 1e±12 and 1e±150 of itself, an angle within 1e-12 of 0 and 90 degrees")
+    table = Table(
+        title="Closed forms, one given at a time at 1e±12 and 1e±150 of itself, an angle within 1e-12 of 0 and 90 degrees"
+    )
     for heading in ("code", "certified", "unproven", "refused", "lost", "cancelled", "worst replay, ulp", "where"):
         table.add_column(heading, justify="left" if heading in {"code", "where"} else "right")
     for each in pushed:
@@ -74,4 +76,6 @@ def _tables(pushed: list[Pushed], met: list[Met], broken: list[str], seconds: fl
     for sentence in (*broken, *bad):
         print(sentence, file=sys.stderr)
     total = sum(each.proven for each in pushed)
-    console.print(f"{total:,} values certified, {len(met)} scenes in {seconds:.1f} s; {'all hold' if not broken + bad else 'not all hold'}")
+    console.print(
+        f"{total:,} values certified, {len(met)} scenes in {seconds:.1f} s; {'all hold' if not broken + bad else 'not all hold'}"
+    )

@@ -125,7 +125,7 @@ def _write(course: Course, problem_set: ProblemSet, solutions: Solutions, one: R
     if book is not None:
         from corollary.deliver.nbgrader_record import record_one
 
-        record_one(course, book, problem_set, one.marked, one.notebook)
+        record_one(course, book, problem_set, one.marked, one.notebook.node if one.notebook else None)
     keep(course, problem_set, solutions, one.marked, one.handed.fingerprint, one.page)
 
 

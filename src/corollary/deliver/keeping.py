@@ -136,8 +136,8 @@ def kept_sharing(course: Course, problem_set: ProblemSet) -> tuple[Shared, ...]:
     """Empty when nothing was found, or nothing graded yet."""
     try:
         found = json.loads((course.folder / ".corollary" / "sharing" / f"{problem_set.name}.json").read_text(encoding="utf-8"))
-        return tuple(Shared(**one) for one in found)
-    except (OSError, ValueError, TypeError):  # none, or damaged: found again at the next grading
+        return tuple(Shared(**one | {"parts": tuple(one["parts"])}) for one in found)
+    except (OSError, ValueError, TypeError, KeyError):  # none, or damaged: found again at the next grading
         return ()
 
 

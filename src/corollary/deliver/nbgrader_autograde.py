@@ -62,7 +62,7 @@ class JudgedOutside(Execute):
             _flag(resources["nbgrader"])
             raise
         resources["corollary"] = paper, returned
-        return marked_notebook(returned.marked, paper.order.problem_set, returned.notebook), resources
+        return marked_notebook(returned.marked, paper.order.problem_set, paper.node), resources
 
 
 class MarksKept(SaveAutoGrades):
@@ -75,7 +75,7 @@ class MarksKept(SaveAutoGrades):
         paper, given = judged
         course, order = paper.course, paper.order
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
-            record_one(course, book, order.problem_set, given.marked, given.notebook, anew=True)
+            record_one(course, book, order.problem_set, given.marked, paper.node, anew=True)
         keep(course, order.problem_set, order.solutions, given.marked, given.handed.fingerprint, given.page)
         return nb, resources
 
@@ -107,7 +107,8 @@ def _runner(require: int) -> Runner:
 
 def _handed_in(paper: Paper, name: str) -> bool:
     """Whether the file is what was handed in; nbgrader reads its own copy in `autograded/` with the same classes."""
-    return Path(name).resolve().parent == paper.course.place("submitted", paper.handed.student.id, paper.order.problem_set.name).resolve()
+    place = paper.course.place("submitted", paper.handed.student.id, paper.order.problem_set.name)
+    return Path(name).resolve().parent == place.resolve()
 
 
 def _flag(about: Mapping[str, str]) -> None:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from nbformat import NotebookNode
-
 from corollary.deliver.feedback_page import feedback_page
 from corollary.deliver.generating import variants_of
 from corollary.deliver.tamper import notes
@@ -50,7 +48,7 @@ class Returned:
 
     handed: Handed
     marked: Marked
-    notebook: NotebookNode | None
+    notebook: Notebook | None
     page: str
 
 
@@ -59,23 +57,23 @@ def mark_one(order: Order, runner: Runner, handed: Handed) -> Returned:
     (CannotStart, WeakIsolation) is raised."""
     paper = sheet(order.problem_set, handed.student, variants_of(order.problem_set, dict(handed.row)))
     read = notebook_of(handed.content) if isinstance(handed.content, bytes) else handed.content
-    node = read.node if isinstance(read, Notebook) else None
+    opened = read if isinstance(read, Notebook) else None
     try:
         keys = {exercise.problem.code: order.solutions.key(exercise.variant) for exercise in paper.exercises}
         marked = mark(paper, keys, read, runner, order.secret, handed.late)
-        marked = replace(marked, notes=notes(paper, node) if node is not None else ())
-        return Returned(handed, marked, node, page_of(order, marked, keys))
+        marked = replace(marked, notes=notes(paper, opened.node) if opened is not None else ())
+        return Returned(handed, marked, opened, page_of(order, marked, keys))
     except (CannotStart, WeakIsolation):
         raise
     except Exception as error:
-        return set_aside(order, handed, f"{type(error).__name__}: {error}", node)
+        return set_aside(order, handed, f"{type(error).__name__}: {error}", opened)
 
 
-def set_aside(order: Order, handed: Handed, why: str, node: NotebookNode | None = None) -> Returned:
+def set_aside(order: Order, handed: Handed, why: str, opened: Notebook | None = None) -> Returned:
     """A submission that could not be marked through no fault of its student: every part waits for a person."""
     paper = sheet(order.problem_set, handed.student, variants_of(order.problem_set, dict(handed.row)))
     marked = not_marked(paper, f"It could not be marked by the program ({why}).", handed.late)
-    return Returned(handed, marked, node, feedback_page(marked, order.problem_set))
+    return Returned(handed, marked, opened, feedback_page(marked, order.problem_set))
 
 
 def page_of(order: Order, marked: Marked, keys: Mapping[str, Key]) -> str:

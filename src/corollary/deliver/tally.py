@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from statistics import fmean, median
 
 WITHIN = 0.005
 SHARING = (
-    "A wrong answer is taken to fall anywhere, on a logarithmic scale, in the span of the whole class's right answers to that part; "
+    "A wrong answer is taken to fall anywhere, on a logarithmic scale, in the span of the class's right answers to that part; "
     f"it fits another student's when it lies within {WITHIN:.1%} of it. The chance is that of meeting at least one of the "
     "other students so, in one part of each exercise listed (parts of one exercise follow from one another and count once)."
 )
@@ -42,7 +42,7 @@ class HandedIn:
     late_share: float = 1.0
     trouble: str = ""
     isolation: str = ""
-    notes: Sequence[str] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ class Shared:
 
     student: str
     other: str
-    parts: Sequence[str]
+    parts: tuple[str, ...]
     chance: float
 
 

@@ -77,7 +77,11 @@ def _ways() -> list[Way]:
         Way(ARRAYS.name, _arrays, lambda formula, at: np.broadcast_to(at[0](at[1]), len(formula.true)).tolist()),
         _one_by_one(PAIRS, _pair),
         _one_by_one(between, lambda given: between.number(given.ratio) * between.pi**given.pi),
-        Way("certified balls", lambda formula: None, lambda formula, _: [certified(formula.tree, at).value for at in formula.givens]),
+        Way(
+            "certified balls",
+            lambda formula: None,
+            lambda formula, _: [certified(formula.tree, at).value for at in formula.givens],
+        ),
     ]
 
 

@@ -110,8 +110,9 @@ PAIRS = Arithmetic("double-double", DoubleDouble.of, PI, {"sqrt": root, "abs": a
 
 def intervals() -> Arithmetic:
     """Pairs of doubles that hold the value between them; made when asked for, since mpmath takes a while to load."""
-    from mpmath import iv
+    import mpmath
 
+    iv: Any = mpmath.iv
     iv.prec = 53
     return Arithmetic(
         "intervals", lambda value: iv.mpf(value.numerator) / iv.mpf(value.denominator), iv.pi,

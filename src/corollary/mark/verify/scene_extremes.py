@@ -111,27 +111,58 @@ def extremes() -> tuple[Extreme, ...]:
     hertz, far, near = {"q": 1.5}, 2.0, 1e-12
     edge = math.sqrt(50.0 * 0.16 / (1.0 - 1.0 / 1.96))
     return (
-        *(Extreme(f"middle ball {m:g} times as heavy", "cradle", {"masses": (1.0, m, 1.0), **hertz}, row_law(1.0, m, 1.0)) for m in (1e-3, 1e9)),
+        *(
+            Extreme(f"middle ball {m:g} times as heavy", "cradle", {"masses": (1.0, m, 1.0), **hertz}, row_law(1.0, m, 1.0))
+            for m in (1e-3, 1e9)
+        ),
         Extreme("middle ball 1e-9 times as heavy", "cradle", {"masses": (1.0, 1e-9, 1.0)}, row_law(1.0, 1e-9, 1.0)),
         Extreme("first ball 1e9 times as heavy", "cradle", {"masses": (1e9, 1.0, 1.0), **hertz}, row_law(1e9, 1.0, 1.0)),
-        *(Extreme(f"mass of A {m:g} kg", "two_blocks", {"mA": m, "r": 1.0}, meets("velocities", *two(m, 3.0, 5.0, -1.0, 1.0))) for m in (1e-150, 1e-12, 1e12, 1e150)),
+        *(
+            Extreme(f"mass of A {m:g} kg", "two_blocks", {"mA": m, "r": 1.0}, meets("velocities", *two(m, 3.0, 5.0, -1.0, 1.0)))
+            for m in (1e-150, 1e-12, 1e12, 1e150)
+        ),
         *(Extreme(f"stiffness {k:g}", "cradle", {"k": k, **hertz}, meets("velocities", *HERTZ)) for k in (1e-12, 1e12)),
-        *(Extreme(f"speed {v:g} m/s", "cradle", {"v0": v, **hertz}, meets("velocities", *(v * u for u in HERTZ))) for v in (1e-150, 1e150)),
+        *(
+            Extreme(f"speed {v:g} m/s", "cradle", {"v0": v, **hertz}, meets("velocities", *(v * u for u in HERTZ)))
+            for v in (1e-150, 1e150)
+        ),
         *(Extreme(f"exponent {q:g}", "cradle", {"q": q}, row_law(1.0, 1.0, 1.0)) for q in (1.0, 1.001, 10.0)),
         Extreme("20 balls", "cradle", {"N": 20.0}, row_law(*[1.0] * 20)),
         Extreme("200 balls", "cradle", {"N": 200.0}, row_law(*[1.0] * 200)),
         Extreme("gaps of the least denormal", "cradle", {"gaps": 5e-324, **hertz}, meets("velocities", *HERTZ)),
-        *(Extreme(f"restitution {r:g}", "two_blocks", {"r": r}, meets("velocities", *two(2.0, 3.0, 5.0, -1.0, r))) for r in (0.0, 1e-9, 1.0)),
-        Extreme("inelastic collapse", "bouncing_ball", {"r": 0.9, "n": 1000.0}, meets("rests_after", math.sqrt(2.0 * far / 9.8) * 19.0)),
+        *(
+            Extreme(f"restitution {r:g}", "two_blocks", {"r": r}, meets("velocities", *two(2.0, 3.0, 5.0, -1.0, r)))
+            for r in (0.0, 1e-9, 1.0)
+        ),
+        Extreme(
+            "inelastic collapse",
+            "bouncing_ball",
+            {"r": 0.9, "n": 1000.0},
+            meets("rests_after", math.sqrt(2.0 * far / 9.8) * 19.0),
+        ),
         Extreme("a ball that never rises", "bouncing_ball", {"r": 0.0}, meets("heights", 0.0, 0.0, 0.0)),
-        Extreme("grazing by 1e-10", "spheres", {"eta": 0.0, "dy": 0.04 * (1.0 - 1e-10)}, ends("released", meets("energy_ratio", 1.0))),
-        Extreme("missing by 1e-10", "spheres", {"dy": 0.04 * (1.0 + 1e-10)}, ends("missed", meets("velocities", 1.0, 0.0, 0.0, 0.0))),
+        Extreme(
+            "grazing by 1e-10", "spheres", {"eta": 0.0, "dy": 0.04 * (1.0 - 1e-10)}, ends("released", meets("energy_ratio", 1.0))
+        ),
+        Extreme(
+            "missing by 1e-10", "spheres", {"dy": 0.04 * (1.0 + 1e-10)}, ends("missed", meets("velocities", 1.0, 0.0, 0.0, 0.0))
+        ),
         Extreme("head-on", "spheres", {"eta": 0.0, "dy": 0.0}, meets("velocities", 0.0, 0.0, 1.0, 0.0)),
-        *(Extreme(f"damping {eta:g}, past sticking", "spheres", {"eta": eta}, ends("sticks", meets("velocities", 0.5, 0.0, 0.5, 0.0))) for eta in (9.6, 1e3)),
+        *(
+            Extreme(
+                f"damping {eta:g}, past sticking",
+                "spheres",
+                {"eta": eta},
+                ends("sticks", meets("velocities", 0.5, 0.0, 0.5, 0.0)),
+            )
+            for eta in (9.6, 1e3)
+        ),
         Extreme("damping 1e6, past sticking", "ball_on_floor", {"eta": 1e6}, ends("sticks", meets("rebound_speed", 0.0))),
         Extreme("an orbit just inside the rim", "atom", {"v0": edge * (1.0 - 1e-9)}, ends("bound", meets("escapes", 0.0))),
         Extreme("an orbit just over the rim", "atom", {"v0": edge * (1.0 + 1e-9)}, ends("escaped", meets("escapes", 1.0))),
         Extreme("straight onto the core", "atom", {"r0": 2.0, "v0": (-5.0, 0.0)}, ends("escaped", meets("velocities", 5.0, 0.0))),
-        Extreme("1e-12 from along the wall", "wall", {"theta": near}, meets("velocities", 8.0 * math.cos(near), 8.0 * math.sin(near))),
+        Extreme(
+            "1e-12 from along the wall", "wall", {"theta": near}, meets("velocities", 8.0 * math.cos(near), 8.0 * math.sin(near))
+        ),
         Extreme("1e-12 from square to the wall", "wall", {"theta": 0.5 * math.pi - near}, meets("velocities", 8.0 * near, 8.0)),
-    )  # fmt: skip
+    )

@@ -14,7 +14,7 @@ from corollary.scene.model.pair import Pair, Parting, Touching
 
 
 def through(pair: Pair, met: Touching, table: Tableau, steps: int) -> Parting:
-    """The contact in a number of equal steps of any method; it must begin at zero overlap and be damped so little that it ends."""
+    """The contact in a number of equal steps of any method; it begins at zero overlap, and its damping lets it end."""
     groups, depth, speed = groups_of(pair, met)
     spent = 0
 

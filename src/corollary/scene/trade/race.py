@@ -25,7 +25,7 @@ PLANNED = {
 
 @dataclass(frozen=True, slots=True)
 class Lap:
-    """One run: `setting` is a step (s) or a tolerance; `error` is in units of the natural sizes, `seconds` are the processor's."""
+    """One run: `setting` is a step (s) or a tolerance; `error` is in natural sizes, `seconds` are the processor's."""
 
     method: str
     knob: Knob
