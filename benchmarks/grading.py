@@ -243,10 +243,8 @@ def main() -> None:
     chosen = options.parse_args()
     folder = Path(tempfile.mkdtemp(prefix="grading-"))
     try:
-        if chosen.kill:
-            found = killed(folder, chosen.submissions, chosen.kills, chosen.seed)
-        else:
-            found = speed(folder, chosen.notebooks, chosen.rounds)
+        kill, race = (folder, chosen.submissions, chosen.kills, chosen.seed), (folder, chosen.notebooks, chosen.rounds)
+        found = killed(*kill) if chosen.kill else speed(*race)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     if chosen.json:

@@ -19,11 +19,10 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 from rich.table import Table
-from taylor import taylor_of
 
 from corollary.scene.catalogue import run
 from corollary.scene.method.many_contacts import Pairs, collide_many
-from corollary.scene.trade import cradles, solvers, spheres
+from corollary.scene.trade import cradles, solvers, spheres, taylor
 from corollary.scene.trade.case import Answer, Case, Program, Reference, error_of
 from corollary.scene.trade.race import PLANNED
 from corollary.scene.trade.references import SPHERES, SPHERES_DAMPED
@@ -66,7 +65,7 @@ def compared(case: Case, wanted: float) -> dict[str, Any]:
     times["book arrays"] = times["book loop"] | {"seconds": slower * times["book loop"]["seconds"]}
     for label, name in (("DOP853", "scipy_dop853"), ("LSODA", "scipy_lsoda"), ("DOP853, events", "scipy_dop853_events")):
         times[label] = cheapest(case, bought[name].run, bought[name].settings, wanted) if bought else None
-    times["heyoka"], reason = taylor(case)
+    times["heyoka"], reason = series(case)
     base = times["planned"]
     assert base is not None
     return {
@@ -143,16 +142,15 @@ def book_loop(case: Case, wanted: float) -> dict[str, Any]:
     return {"seconds": each * needed, "evaluations": round(needed), "error": wanted, "extrapolated": True, "order": order}
 
 
-def taylor(case: Case) -> tuple[dict[str, Any] | None, str]:
+def series(case: Case) -> tuple[dict[str, Any] | None, str]:
     """heyoka, compiled before it is timed; and why not, where it cannot."""
     try:
-        route = taylor_of(case)
-    except ImportError:
-        return None, "heyoka is not installed"
-    except NotImplementedError as reason:
+        route = taylor.route(case)
+    except taylor.NoSeries as reason:
         return None, str(reason)
-    answer = route()
-    return {"seconds": timed(route), "evaluations": answer.evaluations, "error": error_of(case, answer)}, "terminal events"
+    answer = route.run(route.settings[0])
+    seconds = timed(lambda: route.run(route.settings[0]))
+    return {"seconds": seconds, "evaluations": answer.evaluations, "error": error_of(case, answer)}, "terminal events"
 
 
 def course(steps: int) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Newton's cradle: what the conservation laws fix, what they leave open, and what the contact decides."""
 
-from corollary.derive.author import code, derivation, example, explain, mistake, plot, simulated, step, unknown, unknowns, vector
+from corollary.derive.author import code, derivation, example, explain, mistake, plot, simulated, step, unknowns, vector
 from corollary.derive.programs import cradle_inputs, judge_contact, judge_cradle, judge_velocity_plot
 from corollary.derive.simulation import simulate
 from corollary.law import (

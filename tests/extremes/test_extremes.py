@@ -8,7 +8,7 @@ import pytest
 
 from corollary.mark.solutions import Solutions
 from corollary.mark.verify.extremes import Pushed, push, pushed, ulps
-from corollary.mark.verify.scene_extremes import Extreme, extremes, meets, play
+from corollary.mark.verify.scene_extremes import Extreme, Met, extremes, meets, play
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
 from corollary.quantity.ball import Certified, Exactly, Undefined, certified
@@ -92,17 +92,22 @@ def test_last_places_are_counted():
 TABLE = extremes()
 
 
+@pytest.fixture(scope="module")
+def played() -> dict[int, Met]:
+    return {id(extreme): play(extreme) for extreme in TABLE}
+
+
 @pytest.mark.parametrize("extreme", TABLE, ids=[f"{each.scene}: {each.what}" for each in TABLE])
-def test_a_scene_far_out_obeys_its_law_or_is_refused_in_a_sentence(extreme):
-    met = play(extreme)
+def test_a_scene_far_out_obeys_its_law_or_is_refused_in_a_sentence(played, extreme):
+    met = played[id(extreme)]
     assert met.ok, met
     assert met.seconds < 30.0
     if met.outcome == "refused":
         assert met.said.endswith(".")
 
 
-def test_few_extremes_are_refused():
-    refused = {each.what for each in TABLE if play(each).outcome == "refused"}
+def test_few_extremes_are_refused(played):
+    refused = {met.what for met in played.values() if met.outcome == "refused"}
     assert refused == {"middle ball 1e-9 times as heavy", "200 balls"}
 
 

@@ -15,7 +15,7 @@ from corollary.scene.method.single_contact import follow
 from corollary.scene.method.tables import RK4
 from corollary.scene.model.beta import contact_time, suggested_step
 from corollary.scene.model.pair import meet
-from corollary.scene.trade import references, solvers, spheres
+from corollary.scene.trade import references, solvers, spheres, taylor
 from corollary.scene.trade.case import Answer, error_of
 from corollary.scene.trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching
 from corollary.scene.trade.phases import through
@@ -61,8 +61,8 @@ def test_the_planner_takes_what_is_cheapest_for_twelve_digits(raced):
     for name, each in raced.items():
         ways = {method: lap.evaluations for method, lap in reaching(each, 1e-12).items()}
         assert each.planned in ways, name
-        # Equal steps have no opinion about their own error; an adaptive route pays for its own.
-        rivals = [cost for method, cost in ways.items() if method != each.planned]
+        # Equal steps have no opinion about their own error; an adaptive route pays for its own. heyoka compiles, and is optional.
+        rivals = [cost for method, cost in ways.items() if method not in (each.planned, "heyoka")]
         assert ways[each.planned] <= 1.5 * min(rivals, default=math.inf), (name, ways)
 
 
@@ -146,6 +146,12 @@ def test_a_run_out_of_range_is_no_answer():
 def test_without_scipy_the_race_goes_on_and_says_why(monkeypatch):
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     assert solvers.routes(cases()[0]) == {}
+
+
+def test_without_heyoka_the_race_goes_on_and_says_why(monkeypatch):
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    with pytest.raises(taylor.NoSeries, match="not installed"):
+        taylor.route(cases()[0])
 
 
 def test_the_record_is_the_contracts(raced):

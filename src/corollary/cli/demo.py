@@ -61,10 +61,24 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
     console = Console()
     console.print(terminal(shown.outcome.report))
     table = Table(title="What each student did, deserves, and got")
-    for heading, justify in (("student", "left"), ("hands in", "left"), ("deserves", "right"), ("got", "right"), ("of", "right"), ("", "left")):
+    for heading, justify in (
+        ("student", "left"),
+        ("hands in", "left"),
+        ("deserves", "right"),
+        ("got", "right"),
+        ("of", "right"),
+        ("", "left"),
+    ):
         table.add_column(heading, justify=justify)  # type: ignore[arg-type]
     for each in shown.played:
-        table.add_row(each.player.student.id, each.player.plays, f"{each.deserved:g}", f"{each.got:g}", f"{each.out_of:g}", "fair" if each.fair else "NOT FAIR")
+        table.add_row(
+            each.player.student.id,
+            each.player.plays,
+            f"{each.deserved:g}",
+            f"{each.got:g}",
+            f"{each.out_of:g}",
+            "fair" if each.fair else "NOT FAIR",
+        )
     console.print(table)
     for each in shown.played:
         for difference in each.differences:

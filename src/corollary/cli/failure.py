@@ -36,7 +36,10 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.submission.isolation": ["WeakIsolation"],
         "corollary.submission.parent": ["CannotStart"],
     }
-    return (Refusal, *(getattr(sys.modules[module], name) for module, kinds in names.items() if module in sys.modules for name in kinds))
+    return (
+        Refusal,
+        *(getattr(sys.modules[module], name) for module, kinds in names.items() if module in sys.modules for name in kinds),
+    )
 
 
 def say(sentence: str) -> None:

@@ -33,7 +33,11 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
         return HOLDS
     print(f"{problem_set.title}: {len(made.sheets)} notebooks in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/")
     print(f"Each student has numbers of their own; {sum(made.passed_over.values())} draws were passed over.")
-    print(f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}")
+    print(
+        f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"
+    )
     if not made.registered:
-        say("nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one")
+        say(
+            "nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one"
+        )
     return HOLDS

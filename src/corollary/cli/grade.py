@@ -21,7 +21,14 @@ from corollary.submission.take import Runner
 
 
 def run(
-    name: str, course: Path, bank: Path | None, json: bool, regrade: bool, require: int, jobs: int | None = None, executor: str = "",
+    name: str,
+    course: Path,
+    bank: Path | None,
+    json: bool,
+    regrade: bool,
+    require: int,
+    jobs: int | None = None,
+    executor: str = "",
     dry_run: bool = False,
 ) -> int:
     opened = open_course(course)
@@ -72,7 +79,8 @@ def show_changes(changed: tuple[Change, ...]) -> None:
         table.add_column(heading, justify="left" if heading in {"student", "parts"} else "right")
     for each in changed:
         parts = "; ".join(
-            f"{part.part}: {part.verdict_before or 'nothing'} to {part.verdict or 'nothing'} ({part.after - part.before:+g})" for part in each.parts
+            f"{part.part}: {part.verdict_before or 'nothing'} to {part.verdict or 'nothing'} ({part.after - part.before:+g})"
+            for part in each.parts
         )
         table.add_row(each.student, f"{each.before:g}", f"{each.after:g}", f"{each.by:+g}", parts)
     console.print(table)

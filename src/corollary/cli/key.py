@@ -25,7 +25,9 @@ def run(code: str, bank: Path | None, sets: list[str], cases: Path | None, json:
     if json:
         answer(record)
         return HOLDS
-    given = ", ".join(f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}" for name, value in record["given"].items())
+    given = ", ".join(
+        f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}" for name, value in record["given"].items()
+    )
     print(f"{problem.code}  {problem.title}\n  given (SI): {given}")
     for part, entry in record["parts"].items():
         print(f"  ({part}) {_line(entry)}")
@@ -34,7 +36,7 @@ def run(code: str, bank: Path | None, sets: list[str], cases: Path | None, json:
 
 def _case(solutions: Solutions, problem, case: Any) -> dict[str, Any]:
     if not isinstance(case, dict):
-        return {"error": "a case is an object of givens, such as {\"m\": 0.43}"}
+        return {"error": 'a case is an object of givens, such as {"m": 0.43}'}
     try:
         return key_record(solutions.key(from_case(problem, case)))
     except (OutOfRange, Undefined) as error:

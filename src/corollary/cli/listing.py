@@ -42,6 +42,12 @@ def run(bank: Path | None, json: bool) -> int:
     for problem in problems:
         givens = ", ".join(f"{given.symbol} [{show(given.unit) or '1'}]" for given in problem.givens)
         number, exact = counted[problem.code]
-        table.add_row(problem.code, problem.title, escape(givens), " ".join(part.id for part in problem.parts), f"{'' if exact else '≈ '}{number:,}")
+        table.add_row(
+            problem.code,
+            problem.title,
+            escape(givens),
+            " ".join(part.id for part in problem.parts),
+            f"{'' if exact else '≈ '}{number:,}",
+        )
     Console().print(table)
     return HOLDS

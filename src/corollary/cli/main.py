@@ -22,7 +22,7 @@ app = typer.Typer(
 Bank = Annotated[Path | None, typer.Option(help="A folder with problems/ and solutions/; the chapter's bank when left out.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON document on standard output.")]
 Code = Annotated[str, typer.Argument(help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")]
-Sets = Annotated[list[str] | None, typer.Option("--set", help="A given: m=0.43 (SI) or v=\"72 km/h\"; may be repeated.")]
+Sets = Annotated[list[str] | None, typer.Option("--set", help='A given: m=0.43 (SI) or v="72 km/h"; may be repeated.')]
 Course = Annotated[Path, typer.Option(help="The course folder.")]
 SetName = Annotated[str, typer.Argument(metavar="SET", help="A problem set of the bank, or a path to its .md file.")]
 
@@ -44,7 +44,17 @@ def show(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write to this file.")] = None,
 ) -> None:  # fmt: skip
     """One problem as a student sees it."""
-    _run("show", code=code, bank=bank, student=student, course=course, variant=variant, solution=solution, format=format, output=output)
+    _run(
+        "show",
+        code=code,
+        bank=bank,
+        student=student,
+        course=course,
+        variant=variant,
+        solution=solution,
+        format=format,
+        output=output,
+    )
 
 
 @app.command()
@@ -109,7 +119,11 @@ def trade(
 
 @app.command()
 def generate(
-    set: SetName, roster: Annotated[Path, typer.Option(help="A CSV file with the column id.")], course: Course, bank: Bank = None, json: Json = False
+    set: SetName,
+    roster: Annotated[Path, typer.Option(help="A CSV file with the column id.")],
+    course: Course,
+    bank: Bank = None,
+    json: Json = False,
 ) -> None:
     """A problem set, different for each student, as an nbgrader course."""
     _run("generate", name=set, roster=roster, course=course, bank=bank, json=json)
@@ -125,7 +139,18 @@ def grade(
     executor: Annotated[str, typer.Option(metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead.")] = "",
 ) -> None:  # fmt: skip
     """Marks what was handed in: gradebook, feedback, report."""
-    _run("grade", name=set, course=course, bank=bank, json=json, regrade=regrade, dry_run=dry_run, require=require_isolation, jobs=jobs, executor=executor)
+    _run(
+        "grade",
+        name=set,
+        course=course,
+        bank=bank,
+        json=json,
+        regrade=regrade,
+        dry_run=dry_run,
+        require=require_isolation,
+        jobs=jobs,
+        executor=executor,
+    )
 
 
 @app.command()
@@ -146,7 +171,9 @@ def demo(
 
 
 @app.callback(invoke_without_command=True)
-def version(version: Annotated[bool, typer.Option("--version", help="Show the version and leave.", is_eager=True)] = False) -> None:
+def version(
+    version: Annotated[bool, typer.Option("--version", help="Show the version and leave.", is_eager=True)] = False,
+) -> None:
     if version:
         print(__version__)
         raise typer.Exit
@@ -185,5 +212,7 @@ def _unforeseen(error: Exception) -> int:
     if isinstance(error, OSError):
         say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
         return REFUSED
-    say(f"corollary: this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)")
+    say(
+        f"corollary: this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
+    )
     return FAILS

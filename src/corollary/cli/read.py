@@ -19,7 +19,13 @@ def run(
         found = [_listed(case) for case in read_cases(cases)]
         answer(found)
         return HOLDS
-    case: dict[str, Any] = {"text": text, "unit": unit, "equals": equals, "names": names.split(",") if names else None, "domain": _domain(domain)}
+    case: dict[str, Any] = {
+        "text": text,
+        "unit": unit,
+        "equals": equals,
+        "names": names.split(",") if names else None,
+        "domain": _domain(domain),
+    }
     if equals is not None or names is not None:
         case["field"] = "expression"
     try:

@@ -18,7 +18,9 @@ def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | N
     problem_set = find_set(open_bank(bank), name)
     found = report_of(opened, problem_set)
     if not found.handed_in:
-        refuse(f"nothing of {problem_set.name} is graded in {course}; run corollary grade {problem_set.name} --course {course} first")
+        refuse(
+            f"nothing of {problem_set.name} is graded in {course}; run corollary grade {problem_set.name} --course {course} first"
+        )
     if output is not None:
         output.write_text(report_page(found, problem_set), encoding="utf-8")
         say(f"written to {output}")

@@ -44,4 +44,10 @@ def _setting(option: str) -> tuple[str, float | tuple[float, ...]]:
 
 
 def _plain(value: Any) -> Any:
-    return [finite(float(each)) for each in value] if isinstance(value, tuple) else finite(float(value)) if isinstance(value, (int, float)) else value
+    return (
+        [finite(float(each)) for each in value]
+        if isinstance(value, tuple)
+        else finite(float(value))
+        if isinstance(value, (int, float))
+        else value
+    )

@@ -17,7 +17,14 @@ FORMATS = ("text", "md", "html", "ipynb")
 
 
 def run(
-    code: str, bank: Path | None, student: str | None, course: Path | None, variant: int | None, solution: bool, format: str, output: Path | None
+    code: str,
+    bank: Path | None,
+    student: str | None,
+    course: Path | None,
+    variant: int | None,
+    solution: bool,
+    format: str,
+    output: Path | None,
 ) -> int:
     if format not in FORMATS:
         refuse(f"--format {format} is not known; choose one of {', '.join(FORMATS)}")

@@ -75,8 +75,16 @@ def table(raced: Sequence[Raced], found: dict[str, Any]) -> str:
     if found["closed_forms"]:
         text += ["Closed forms of ten problems (four when quick), many variants of each: speed against error", ""]
         text += [*_rows(_closed(found["closed_forms"])), ""]
-    missing = {f"{each.case.name}: {name}: {why}" for each in raced for name, why in each.missing.items()}
-    return "\n".join([*text, *sorted(missing)])
+    return "\n".join([*text, *_left_out(raced)])
+
+
+def _left_out(raced: Sequence[Raced]) -> list[str]:
+    """One line for each method that could not run, and each reason."""
+    scenes: dict[tuple[str, str], list[str]] = {}
+    for each in raced:
+        for method, why in each.missing.items():
+            scenes.setdefault((method, why), []).append(each.case.name)
+    return [f"{method} is left out on {', '.join(names)}: {why}" for (method, why), names in scenes.items()]
 
 
 def _slopes(raced: Sequence[Raced]) -> list[list[str]]:

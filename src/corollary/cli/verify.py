@@ -29,7 +29,14 @@ def run(codes: list[str], bank: Path | None, variants: int, json: bool, extremes
         found.append(verify(place, problem, variants))
     ok = not broken and all(each.ok for each in found)
     if json:
-        answer({"ok": ok, "problems": [_record(each) for each in found], "malformed": broken, "seconds": round(time.perf_counter() - start, 2)})
+        answer(
+            {
+                "ok": ok,
+                "problems": [_record(each) for each in found],
+                "malformed": broken,
+                "seconds": round(time.perf_counter() - start, 2),
+            }
+        )
     else:
         _table(found, broken, time.perf_counter() - start)
     return HOLDS if ok else FAILS
@@ -74,4 +81,6 @@ def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
         print(sentence, file=sys.stderr)
     total = sum(sum(each.checks.values()) for each in found)
     bad = len(broken) + sum(not each.ok for each in found)
-    console.print(f"{len(found)} problems, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}")
+    console.print(
+        f"{len(found)} problems, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}"
+    )

@@ -63,7 +63,9 @@ def grade_set(
     if not dry_run:
         settle(course, problem_set)
     if not dealt:
-        raise NotDealt(f"{problem_set.name} was never generated in {course.folder}; run corollary generate {problem_set.name} first")
+        raise NotDealt(
+            f"{problem_set.name} was never generated in {course.folder}; run corollary generate {problem_set.name} first"
+        )
     roster = {student.id: student for student in students(course)}
     papers = submissions(course, problem_set.name)
     strangers = tuple(student for student in papers if student not in roster or student not in dealt)
@@ -107,7 +109,18 @@ def grade_set(
     if not dry_run:
         write_atomically(page, report_page(found, problem_set))
     failed = tuple(one.student for one in found.failed)
-    return Outcome(tuple(todo), tuple(skipped), failed, strangers, records, has_nbgrader(), found, page, changed, unclear(course, problem_set.name))
+    return Outcome(
+        tuple(todo),
+        tuple(skipped),
+        failed,
+        strangers,
+        records,
+        has_nbgrader(),
+        found,
+        page,
+        changed,
+        unclear(course, problem_set.name),
+    )
 
 
 def _records(course: Course, problem_set: ProblemSet, of: Iterable[str]) -> dict[str, dict[str, Any]]:
@@ -136,7 +149,9 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
     kept = [entry for student in roster if (entry := read_record(course, problem_set, student)) is not None]
     all_rows = [Row(**each) for entry in kept for each in entry["rows"]]
     all_rows.sort(key=lambda each: order.index((each.problem, each.part)) if (each.problem, each.part) in order else len(order))
-    return report([HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster, shared=kept_sharing(course, problem_set))
+    return report(
+        [HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster, shared=kept_sharing(course, problem_set)
+    )
 
 
 def has_nbgrader() -> bool:

@@ -57,7 +57,9 @@ def step(
     scale: sympy.Expr | None = None,
 ) -> Step:  # fmt: skip
     """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
-    return Step(_tuple(finds), because, laws, answers, tuple(also), where, tuple(reject), tuple(mistakes), tuple(routes), check, scale)
+    return Step(
+        _tuple(finds), because, laws, answers, tuple(also), where, tuple(reject), tuple(mistakes), tuple(routes), check, scale
+    )
 
 
 def mistake(text: str, *laws: Law, instead: str = "") -> Mistake:
@@ -81,7 +83,9 @@ def optimum(
 ) -> Optimum:  # fmt: skip
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
     low, high = between
-    return Optimum(_tuple(finds), because, of, over, (as_expression(low), as_expression(high)), largest, answers, tuple(mistakes), check)
+    return Optimum(
+        _tuple(finds), because, of, over, (as_expression(low), as_expression(high)), largest, answers, tuple(mistakes), check
+    )
 
 
 def simulated(

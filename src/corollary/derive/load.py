@@ -34,7 +34,12 @@ def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
     for condition in problem.conditions:
         match condition.relation:
             case Relation(sign, Name(left), Number(value)) if condition.hard and left == name and value == 0:
-                known |= {">": {"positive": True}, ">=": {"nonnegative": True}, "<": {"negative": True}, "<=": {"nonpositive": True}}.get(sign, {})
+                known |= {
+                    ">": {"positive": True},
+                    ">=": {"nonnegative": True},
+                    "<": {"negative": True},
+                    "<=": {"nonpositive": True},
+                }.get(sign, {})
     return sympy.Symbol(name, real=True, **known)
 
 
@@ -51,7 +56,9 @@ def load(bank: Bank, problem: Problem) -> Loaded:
     wanted = list(inspect.signature(derive).parameters)
     have = [given.symbol for given in problem.givens]
     if strange := [name for name in wanted if name not in have]:
-        raise NotDerivable(path, line, f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})")
+        raise NotDerivable(
+            path, line, f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})"
+        )
     try:
         derivation = derive(**{name: symbol_of(problem, name) for name in wanted})
     except (Exception, SystemExit) as error:

@@ -68,7 +68,10 @@ def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str,
     found = {entry.answers: len(entry.finds) for entry in derivation.entries if isinstance(entry, Found)}
     for entry in derivation.entries:
         if isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(entry.part):
-            yield f"printed: part {entry.part} has {found.get(entry.part, 'no')} numbers, but {entry.text!r} gives {numbers}", entry.text
+            yield (
+                f"printed: part {entry.part} has {found.get(entry.part, 'no')} numbers, but {entry.text!r} gives {numbers}",
+                entry.text,
+            )
 
 
 def answered(entry: Entry) -> str:

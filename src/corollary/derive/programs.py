@@ -49,12 +49,21 @@ def judge_cradle(given: Given, inputs: Mapping[str, Any], returned: Sequence[flo
         if wrong is not None and _near(returned, wrong, v0):
             return Said(f"{case}: {sentence}", known=True)
     if _near(returned, [v0] + [0.0] * (balls - 1), v0):
-        return Said(f"{case} nothing has happened: the first ball still has v0 and the others are at rest. Step until no two balls touch any more.")
+        return Said(
+            f"{case} nothing has happened: the first ball still has v0 and the others are at rest. Step until no two balls touch any more."
+        )
     if not math.isclose(sum(returned), v0, rel_tol=1e-6):
-        return Said(f"{case} the total momentum is not kept. What one ball does to its neighbour, the neighbour does to it, the other way.", known=True)
+        return Said(
+            f"{case} the total momentum is not kept. What one ball does to its neighbour, the neighbour does to it, the other way.",
+            known=True,
+        )
     if sum(v * v for v in returned) > v0 * v0 * (1 + 2 * TOLERANCE):
-        return Said(f"{case} the kinetic energy has grown. Use the new velocity to step the position, or a smaller step.", known=True)
-    return Said(f"{case} momentum is kept, but the velocities are not those of this contact. Check the force law, and that all contacts have ended.")
+        return Said(
+            f"{case} the kinetic energy has grown. Use the new velocity to step the position, or a smaller step.", known=True
+        )
+    return Said(
+        f"{case} momentum is kept, but the velocities are not those of this contact. Check the force law, and that all contacts have ended."
+    )
 
 
 USUAL: dict[Scheme, str] = {
@@ -93,7 +102,9 @@ def judge_contact(given: Given, inputs: Mapping[str, Any], returned: Sequence[fl
     k, q = returned
     if not (k > 0 and 1 <= q <= 10 and math.isfinite(k)):
         return Said("k must be positive, and q between 1 and 10.")
-    velocities = run("cradle", {"N": 3, "m": given["m"], "k": k, "q": q, "v0": given["v0"]}, tolerance=1e-6).observed["velocities"]
+    velocities = run("cradle", {"N": 3, "m": given["m"], "k": k, "q": q, "v0": given["v0"]}, tolerance=1e-6).observed[
+        "velocities"
+    ]
     assert isinstance(velocities, tuple)
     left = abs(velocities[1]) / given["v0"]
     if left < 0.02:
@@ -113,7 +124,9 @@ def judge_velocity_plot(given: Given, figures: Sequence[Any], balls: int) -> Sai
             return Said(f"The {' and '.join(missing)} axis needs a label that names the quantity and its unit: t [s], v [m/s].")
         starts, ends = sorted(line.y[0] for line in curves[:balls]), [line.y[-1] for line in curves[:balls]]
         if not _near(starts, [0.0] * (balls - 1) + [v0], v0, 0.03):
-            return Said(f"The curves must start with one ball at v0 = {v0:g} m/s and the other{'s' if balls > 2 else ''} at rest.")
+            return Said(
+                f"The curves must start with one ball at v0 = {v0:g} m/s and the other{'s' if balls > 2 else ''} at rest."
+            )
         if not _near(sorted(ends), [0.0] * (balls - 1) + [v0], v0, 0.06):
             return Said("The curves must run until the balls have parted; then only the last ball moves with v0.")
         return None

@@ -42,7 +42,9 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
     except NotImplementedError:
         raise NoRoot(f"these laws cannot be solved for {_list(unknowns)} in a formula; find one letter after the other") from None
     if not found:
-        raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all")
+        raise NoRoot(
+            f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all"
+        )
     for root in found:
         free = [unknown for unknown in unknowns if unknown not in root or root[unknown].free_symbols & set(unknowns)]
         if free:
@@ -61,9 +63,7 @@ def stated_outright(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol]) -> li
     return [root] if len(root) == len(unknowns) else []
 
 
-def pick(
-    found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bool, rejected: Sequence[Rejected]
-) -> Picked:
+def pick(found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bool, rejected: Sequence[Rejected]) -> Picked:
     """The one root that is real and fulfils `where` at every sample point. Raises NoRoot when none or several do."""
     left, refused = [], []
     for root in found:

@@ -212,13 +212,21 @@ class _Solver:
             )
         apart = tuple((tuple(tree(put(value, self.closed)) for value in values), why) for values, why in entry.apart)
         names = tuple(symbol.name for symbol in entry.finds)
-        return ExampleTruth(names, tuple(map(shown, entry.laws)), apart, tree(put(entry.scale, self.closed)), entry.because, entry.free, self.instance(entry, equations))
+        return ExampleTruth(
+            names,
+            tuple(map(shown, entry.laws)),
+            apart,
+            tree(put(entry.scale, self.closed)),
+            entry.because,
+            entry.free,
+            self.instance(entry, equations),
+        )
 
     def instance(self, entry: Example, equations: list[sympy.Expr]) -> tuple[Tree, ...] | None:
         """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
         scale = put(entry.scale, self.closed)
         for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
-            fixed = {symbol: share * scale for symbol in entry.finds[: entry.free]}
+            fixed = dict.fromkeys(entry.finds[: entry.free], share * scale)
             others = list(entry.finds[entry.free :])
             for root in sympy.solve([put(equation, fixed) for equation in equations], others, dict=True) if others else [{}]:
                 whole = fixed | root
@@ -282,5 +290,7 @@ def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
         return slip.laws
     wanted = slip.instead or slip.laws[0].name
     if sum(stated.name == wanted for stated in laws) != 1:
-        raise NoRoot(f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}")
+        raise NoRoot(
+            f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}"
+        )
     return tuple(new for stated in laws for new in (slip.laws if stated.name == wanted else (stated,)))

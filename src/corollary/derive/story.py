@@ -126,7 +126,15 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
             lines += [f"For example: $${', '.join(numbers)}$$"]
     if part.id in solution.proofs:
         truth = solution.proofs[part.id]
-        lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws), f"To show:\n\n$${latex(truth.target)}$$", "", "One way:", ""]
+        lines += [
+            truth.because,
+            "",
+            *(_law(stated) + "\n" for stated in truth.laws),
+            f"To show:\n\n$${latex(truth.target)}$$",
+            "",
+            "One way:",
+            "",
+        ]
         lines += [f"$${latex(author_formula(line))}$$\n" for line in truth.lines]
     for entry in solution.entries:
         match entry:

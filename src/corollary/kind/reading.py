@@ -56,7 +56,11 @@ def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
     if isinstance(found, Trouble):
         return _trouble(found)
     fits = expected is None or found.dimension == expected.dimension
-    why = "" if fits or expected is None else f"{called(expected.dimension)} is expected, for example in {show(expected) or '1'}; {show(found)} is {called(found.dimension)}"
+    why = (
+        ""
+        if fits or expected is None
+        else f"{called(expected.dimension)} is expected, for example in {show(expected) or '1'}; {show(found)} is {called(found.dimension)}"
+    )
     return {
         "status": "ok", "read": show(found) or "1", "value": float(found.factor) * math.pi**found.pi, "unit": canonical(found), "figures": None,
         "dimension": powers(found.dimension), "verdict": None if expected is None else "compatible" if fits else "wrong dimension", "why": why,
@@ -71,7 +75,16 @@ def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
     tree = parse(case["text"], [name.strip() for name in names])
     if isinstance(tree, Trouble):
         return _trouble(tree)
-    result = {"status": "ok", "read": formula_text(tree), "value": None, "unit": None, "figures": None, "dimension": None, "verdict": None, "why": ""}
+    result = {
+        "status": "ok",
+        "read": formula_text(tree),
+        "value": None,
+        "unit": None,
+        "figures": None,
+        "dimension": None,
+        "verdict": None,
+        "why": "",
+    }
     if truth is None:
         return result
     match compare(tree, truth, _domain(case)):
@@ -85,7 +98,11 @@ def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
 
 def powers(dimension: Dimension) -> dict[str, int | float]:
     """A dimension as {"kg": 1, "m": 1, "s": -1}; powers of zero are left out."""
-    return {name: int(power) if power.denominator == 1 else float(power) for name, power in (("kg", dimension.kg), ("m", dimension.m), ("s", dimension.s)) if power}
+    return {
+        name: int(power) if power.denominator == 1 else float(power)
+        for name, power in (("kg", dimension.kg), ("m", dimension.m), ("s", dimension.s))
+        if power
+    }
 
 
 def _trouble(found: Trouble) -> dict[str, Any]:

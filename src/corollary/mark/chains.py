@@ -55,7 +55,11 @@ def lawful_points(key: Key) -> list[Point]:
             found = replay(solution, variant.exact)
         except Undefined:
             continue
-        finds = {name: as_exact(value) for find, values in zip(solution.finds, found, strict=True) for name, value in zip(find.names, values, strict=True)}
+        finds = {
+            name: as_exact(value)
+            for find, values in zip(solution.finds, found, strict=True)
+            for name, value in zip(find.names, values, strict=True)
+        }
         points.append(variant.exact | finds)
     return points
 
@@ -63,7 +67,10 @@ def lawful_points(key: Key) -> list[Point]:
 def lawless_points(lawful: Sequence[Point]) -> list[Point]:
     """The same letters, each moved on its own, so that no law holds any more but by chance."""
     dice = random.Random(7)
-    return [{name: Exactly(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi) for name, value in point.items()} for point in lawful]
+    return [
+        {name: Exactly(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi) for name, value in point.items()}
+        for point in lawful
+    ]
 
 
 def _true(line: Relation, point: Point) -> bool:

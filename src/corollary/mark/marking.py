@@ -41,7 +41,9 @@ def _job(sheet: Sheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
         ask
         for prompt in sheet.prompts
         if "code" in prompt.part.kinds
-        for ask in asks(keys[prompt.problem.code].solution, keys[prompt.problem.code].variant, prompt.part, secret, sheet.student.id)
+        for ask in asks(
+            keys[prompt.problem.code].solution, keys[prompt.problem.code].variant, prompt.part, secret, sheet.student.id
+        )
     ]
     cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, handed_out(sheet)))
     names = tuple(prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds))
@@ -53,12 +55,16 @@ def _grade(sheet: Sheet, keys: Keys, code: str, notebook: Notebook, taken: Taken
     plots = plot_cells(notebook.node, sheet)
     answers = {prompt.part.id: _answer(prompt, notebook, taken) for prompt in prompts}
     shown = {
-        prompt.part.id: Shown(taken.calls, tuple(figure for figure in taken.figures if figure.cell == plots.get(prompt.key)), True)
+        prompt.part.id: Shown(
+            taken.calls, tuple(figure for figure in taken.figures if figure.cell == plots.get(prompt.key)), True
+        )
         for prompt in prompts
     }
     problem_set = sheet.problem_set
     judged = judge(keys[code], answers, shown, secret=secret, student=sheet.student.id)
-    graded = grade(keys[code], judged, problem_set.scheme, problem_set.weight(keys[code].variant.problem), reveal=problem_set.reveal)
+    graded = grade(
+        keys[code], judged, problem_set.scheme, problem_set.weight(keys[code].variant.problem), reveal=problem_set.reveal
+    )
     ran = _runs(notebook, taken)
     return replace(graded, parts=tuple(_explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)))
 
@@ -81,7 +87,11 @@ def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> 
     run = runs.get(answer_id(prompt.key, prompt.part))
     if not (isinstance(part.verdict, Unread) and part.verdict.blank) or run is None or run.status == "ok":
         return part
-    why = {"error": f"its cell stopped with {run.error}", "timeout": "its cell ran out of time", "not run": "its cell was not reached any more"}[run.status]
+    why = {
+        "error": f"its cell stopped with {run.error}",
+        "timeout": "its cell ran out of time",
+        "not run": "its cell was not reached any more",
+    }[run.status]
     said = f"No answer came out of this part: {why}."
     return replace(part, verdict=Unread(said, blank=True), feedback=said)
 
@@ -89,7 +99,10 @@ def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> 
 def not_marked(sheet: Sheet, why: str, late: float) -> Marked:
     """A submission that could not be marked through no fault of its student: no points yet, and a person decides on every part."""
     grades = tuple(
-        Grade(exercise.variant, tuple(PartGrade(prompt.part, Unmarked(why), 0.0, prompt.out_of, "", why) for prompt in exercise.prompts))
+        Grade(
+            exercise.variant,
+            tuple(PartGrade(prompt.part, Unmarked(why), 0.0, prompt.out_of, "", why) for prompt in exercise.prompts),
+        )
         for exercise in sheet.exercises
     )
     return Marked(sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0)

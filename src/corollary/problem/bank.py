@@ -77,9 +77,13 @@ def doubles(problems: list[Problem]) -> list[Complaint]:
     complaints, codes, names = [], {}, {}
     for problem in problems:
         if (other := codes.setdefault(problem.code.lower(), problem)) is not problem:
-            complaints.append(Complaint(problem.path, 2, f"{other.path.name} has the code {problem.code} already; change one of them"))
+            complaints.append(
+                Complaint(problem.path, 2, f"{other.path.name} has the code {problem.code} already; change one of them")
+            )
         if (other := names.setdefault(problem.name, problem)) is not problem:
-            complaints.append(Complaint(problem.path, 1, f"there is another {problem.path.name} in {other.topic}/; rename one of them"))
+            complaints.append(
+                Complaint(problem.path, 1, f"there is another {problem.path.name} in {other.topic}/; rename one of them")
+            )
     return complaints
 
 
@@ -119,7 +123,9 @@ def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:
         path = Path(code).resolve()
         above = next((parent for parent in path.parents if parent.name == "problems"), None)
         if path.is_file() and above is None:
-            raise Unknown(f"{code} lies in no bank: a problem's file lies somewhere below a folder problems/, its solution below solutions/")
+            raise Unknown(
+                f"{code} lies in no bank: a problem's file lies somewhere below a folder problems/, its solution below solutions/"
+            )
         if above is not None:
             return Bank(above.parent), find(Bank(above.parent), str(path))
     bank = open_bank(folder)

@@ -28,8 +28,14 @@ def variants(problem: Problem) -> tuple[int, bool]:
             return _estimated(problem)
         symbols = [given.symbol for given in group]
         conditions = [each for each in problem.conditions if names(each.relation) & set(symbols)]
-        choices = ([Exactly(given.grid[i] * given.unit.factor, given.unit.pi) for i in range(given.grid.count)] for given in group)
-        total *= sum(_keeps(conditions, dict(zip(symbols, values, strict=True))) for values in product(*choices)) if conditions else together
+        choices = (
+            [Exactly(given.grid[i] * given.unit.factor, given.unit.pi) for i in range(given.grid.count)] for given in group
+        )
+        total *= (
+            sum(_keeps(conditions, dict(zip(symbols, values, strict=True))) for values in product(*choices))
+            if conditions
+            else together
+        )
     return total, True
 
 
@@ -45,9 +51,7 @@ def _groups(problem: Problem) -> list[list[Given]]:
 
 def _estimated(problem: Problem) -> tuple[int, bool]:
     total, tries = size(problem), 2000
-    kept = sum(
-        first_broken(at(problem, digest(b"count", problem.code, str(n)) % total)) is None for n in range(tries)
-    )
+    kept = sum(first_broken(at(problem, digest(b"count", problem.code, str(n)) % total)) is None for n in range(tries))
     return total * kept // tries, kept == tries
 
 

@@ -69,7 +69,9 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     due, due_line = front.line_of("due", "")
     moment = _moment(due)
     if due and moment is None:
-        front.complain(due_line, f"due: {due} is no moment; write it as 2026-12-04 23:59 (or with a zone, 2026-12-04T23:59+01:00)")
+        front.complain(
+            due_line, f"due: {due} is no moment; write it as 2026-12-04 23:59 (or with a zone, 2026-12-04T23:59+01:00)"
+        )
     reveal, reveal_line = front.line_of("reveal", "no")
     if reveal not in {"yes", "no"}:
         front.complain(reveal_line, f"reveal: {reveal}: say yes (feedback shows the worked solution) or no")

@@ -32,10 +32,7 @@ def read_problem(path: Path) -> Problem:
     if code and not CODE.match(code):
         front.complain(code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5")
     rows = front.table_of("given").entries
-    givens = tuple(
-        given for symbol, node in rows.items()
-        if (given := _given(path, symbol, node, complaints)) is not None
-    )
+    givens = tuple(given for symbol, node in rows.items() if (given := _given(path, symbol, node, complaints)) is not None)
     known = frozenset(rows)  # those with a fault too: one fault is one complaint
     conditions = [
         condition
@@ -54,7 +51,7 @@ def read_problem(path: Path) -> Problem:
         if holes(text):
             complaints.append(Complaint(path, at, f"the title {text!r} has a hole; numbers stand in the text below it"))
     if not parts:
-        complaints.append(Complaint(path, line, "asks nothing; add a part: ## Title {#a .value unit=\"m/s\" points=1}"))
+        complaints.append(Complaint(path, line, 'asks nothing; add a part: ## Title {#a .value unit="m/s" points=1}'))
     if complaints:
         raise Malformed(complaints)
     return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path,
@@ -63,7 +60,9 @@ def read_problem(path: Path) -> Problem:
 
 def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Complaint]) -> Given | None:
     if not isinstance(node, Table):
-        complaints.append(Complaint(path, node.line, f"{symbol} must be a table: {{is: …, value: …, from: …, to: …, step: …, unit: …}}"))
+        complaints.append(
+            Complaint(path, node.line, f"{symbol} must be a table: {{is: …, value: …, from: …, to: …, step: …, unit: …}}")
+        )
         return None
     before = len(complaints)
     row = Reader(path, node, symbol, complaints)
@@ -88,16 +87,24 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
         row.complain(node.line, f"{symbol} needs all of from, to and step, or none of them (then it is always {value})")
         return None
     if step <= 0 or last < first:
-        row.complain(node.line, f"{symbol} has no values from {first} to {last} in steps of {step}; from must not exceed to, and step be positive")
+        row.complain(
+            node.line,
+            f"{symbol} has no values from {first} to {last} in steps of {step}; from must not exceed to, and step be positive",
+        )
         return None
     count = (last - first) // step + 1
     if first + (count - 1) * step != last:
-        row.complain(node.line, f"{symbol} does not reach `to` in whole steps; the last value would be {float(first + (count - 1) * step):g}")
+        row.complain(
+            node.line,
+            f"{symbol} does not reach `to` in whole steps; the last value would be {float(first + (count - 1) * step):g}",
+        )
         return None
     return Given(symbol, meaning, measured_in, value, Grid(first, step, int(count)), node.line, decimal_places(first, step))
 
 
-def _condition(path: Path, node: Table | Text | List, known: frozenset[str], hard: bool, complaints: list[Complaint]) -> Condition | None:
+def _condition(
+    path: Path, node: Table | Text | List, known: frozenset[str], hard: bool, complaints: list[Complaint]
+) -> Condition | None:
     if not isinstance(node, Text):
         complaints.append(Complaint(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5"))
         return None
@@ -107,10 +114,16 @@ def _condition(path: Path, node: Table | Text | List, known: frozenset[str], har
         complaints.append(Complaint(path, node.line, f"condition {node.text!r}: {error}"))
         return None
     if not isinstance(relation, Relation):
-        complaints.append(Complaint(path, node.line, f"condition {node.text!r} compares nothing; write a relation with <, <=, >, >= or !="))
+        complaints.append(
+            Complaint(path, node.line, f"condition {node.text!r} compares nothing; write a relation with <, <=, >, >= or !=")
+        )
         return None
     if unknown := sorted(names(relation) - known - {"pi"}):
-        complaints.append(Complaint(path, node.line, f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})"))
+        complaints.append(
+            Complaint(
+                path, node.line, f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})"
+            )
+        )
         return None
     if not names(relation) - {"pi"}:
         complaints.append(Complaint(path, node.line, f"condition {node.text!r} is about none of the givens; leave it out"))
@@ -121,7 +134,9 @@ def _condition(path: Path, node: Table | Text | List, known: frozenset[str], har
 def _check_holes(path: Path, text: str, line: int, known: frozenset[str], complaints: list[Complaint]) -> None:
     for symbol, style, at in holes(text):
         if symbol not in known:
-            complaints.append(Complaint(path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})"))
+            complaints.append(
+                Complaint(path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})")
+            )
         if style not in {"", "number"}:
             complaints.append(Complaint(path, line + at, f"{{{{{symbol}|{style}}}}}: the only style is number"))
     for at, words in enumerate(HOLE.sub("", text).splitlines()):

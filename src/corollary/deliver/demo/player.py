@@ -35,7 +35,9 @@ class Player:
     hand: Callable[[Sheet, Mapping[str, Key]], Hand]
 
 
-def right_sources(sheet: Sheet, keys: Mapping[str, Key], write: Callable[[Prompt, tuple[float, ...]], str] | None = None) -> Sources:
+def right_sources(
+    sheet: Sheet, keys: Mapping[str, Key], write: Callable[[Prompt, tuple[float, ...]], str] | None = None
+) -> Sources:
     """A cell for every part with the right answer, as `write` puts it; programs, figures and texts are the solution's examples."""
     sources: Sources = {}
     for prompt in sheet.prompts:

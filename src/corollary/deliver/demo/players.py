@@ -41,12 +41,16 @@ def all_right(sheet: Sheet, keys: Keys) -> Hand:
 def rounding(sheet: Sheet, keys: Keys) -> Hand:
     """Every step rounded to three figures, and the next step done with the rounded number."""
     rounded = {
-        code: replay(key.solution, key.variant.exact, Deviation(rounding=lambda x: float(f"{x:.3g}"))) for code, key in keys.items()
+        code: replay(key.solution, key.variant.exact, Deviation(rounding=lambda x: float(f"{x:.3g}")))
+        for code, key in keys.items()
     }
 
     def write(prompt: Prompt, values: tuple[float, ...]) -> str:
         place = keys[prompt.problem.code].truths[prompt.part.id].place
-        return listed(prompt, [f"{value:.3g} {canonical(prompt.part.unit)}".replace(" 1", "") for value in rounded[prompt.problem.code][place]])
+        return listed(
+            prompt,
+            [f"{value:.3g} {canonical(prompt.part.unit)}".replace(" 1", "") for value in rounded[prompt.problem.code][place]],
+        )
 
     return Hand(right_sources(sheet, keys, write))
 
@@ -73,7 +77,9 @@ def formulas(sheet: Sheet, keys: Keys) -> Hand:
         return f"__import__('numpy').array({numbers})" if prompt.part.components else f"__import__('numpy').float64({numbers})"
 
     sources = right_sources(sheet, keys, write)
-    sources["X12_5_a_answer"] = "import sys, warnings\nprint('thinking', file=sys.stderr)\nwarnings.warn('careful')\n" + sources["X12_5_a_answer"]
+    sources["X12_5_a_answer"] = (
+        "import sys, warnings\nprint('thinking', file=sys.stderr)\nwarnings.warn('careful')\n" + sources["X12_5_a_answer"]
+    )
     return Hand(sources)
 
 
@@ -108,7 +114,9 @@ def euler(sheet: Sheet, keys: Keys) -> Hand:
     """A program that steps the position with the old velocity."""
     sources = right_sources(sheet, keys)
     source = sources["P12_14_h_answer"]
-    swapped = source.replace("        v = v + a * dt\n        shift = shift + v * dt\n", "        shift = shift + v * dt\n        v = v + a * dt\n")
+    swapped = source.replace(
+        "        v = v + a * dt\n        shift = shift + v * dt\n", "        shift = shift + v * dt\n        v = v + a * dt\n"
+    )
     assert swapped != source, "the example program has changed; change this player with it"
     sources["P12_14_h_answer"] = swapped
     return Hand(sources, {"P12_14_h": "mistaken"})

@@ -75,7 +75,9 @@ def perform(folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: T
         hand = player.hand(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
         hands[player.student.id] = paper, hand
         hand_in(made.course, problem_set, paper, hand)
-    outcome = grade_set(open_course(folder), problem_set, solutions, Runner, tell=lambda student, left: tell(f"marking {student}"))
+    outcome = grade_set(
+        open_course(folder), problem_set, solutions, Runner, tell=lambda student, left: tell(f"marking {student}")
+    )
     played = tuple(_played(problem_set, player, *hands[player.student.id], outcome) for player in PLAYERS)
     return Demonstration(made.course, played, outcome)
 

@@ -29,7 +29,8 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
     """Draws until `count` variants are admitted (or all are seen); the share passed over and why."""
     problem, reasons, met = solution.problem, Counter(), 0
     drawn = 0
-    for drawn, variant in enumerate(sample(problem, 20 * count), 1):
+    for variant in sample(problem, 20 * count):
+        drawn += 1
         key, reason = admitted(solution, variant)
         if key is None:
             reasons[reason] += 1

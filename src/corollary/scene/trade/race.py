@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from corollary.scene.catalogue import run
 from corollary.scene.run import GuardFailed
-from corollary.scene.trade import atoms, ball, cradles, marched, solvers, spheres
+from corollary.scene.trade import atoms, ball, cradles, marched, solvers, spheres, taylor
 from corollary.scene.trade.case import Case, Knob, Route, error_of
 
 MOST, MOST_QUICK = 8_000, 700
@@ -54,6 +54,10 @@ def race(case: Case, quick: bool = False) -> Raced:
     bought = solvers.routes(case)
     ways = {**case.own, **marched.routes(case, MOST_QUICK if quick else MOST), **bought}
     missing = {} if bought else {"scipy": solvers.WANTING}
+    try:
+        ways["heyoka"] = taylor.route(case)
+    except taylor.NoSeries as reason:
+        missing["heyoka"] = str(reason)
     laps: list[Lap] = []
     for name, route in ways.items():
         try:

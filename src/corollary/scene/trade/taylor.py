@@ -1,28 +1,43 @@
-"""heyoka's Taylor integrator on the scenes it can follow: compiled once for each set of contacts, stopped at every switch."""
+"""heyoka's Taylor integrator on the scenes it can follow: compiled once for each set of contacts, stopped at every switch.
+
+Its evaluations are derivatives taken: steps times the order of the series.
+"""
 
 from __future__ import annotations
 
+import importlib
+import importlib.util
 import math
 from collections.abc import Callable
 from typing import Any
 
 from corollary.scene.model.pair import Parting, after_parting, meet
+from corollary.scene.ready.setting import one
 from corollary.scene.trade import cradles, spheres
-from corollary.scene.trade.case import Answer, Case
+from corollary.scene.trade.case import Answer, Case, Route
+from corollary.scene.trade.settings import ONCE
 
-MOST_EVENTS = 100
+MOST_EVENTS, MOST_STEPS = 100, 10_000
 
 
-def taylor_of(case: Case) -> Callable[[], Answer]:
-    """One run of the case. Raises ImportError without heyoka, NotImplementedError where the force has no Taylor series."""
-    import heyoka as hy
+class NoSeries(ValueError):
+    """Why heyoka cannot follow a scene."""
 
-    if case.ready == "cradle":
-        q = float(case.settings["q"])  # pyright: ignore[reportArgumentType]
-        if q != round(q):
-            raise NotImplementedError("overlap^q has no Taylor series where a contact begins")
-        return _cradle(hy, case, round(q))
-    return _spheres(hy, float(case.settings["eta"]))  # pyright: ignore[reportArgumentType]
+
+def route(case: Case) -> Route:
+    """One run of the case at heyoka's own tolerance. Raises NoSeries without heyoka, or where the force has no series."""
+    if importlib.util.find_spec("heyoka") is None:
+        raise NoSeries("heyoka is not installed (pip install heyoka)")
+    hy, settings = importlib.import_module("heyoka"), case.settings
+    if case.ready == "cradle" and settings["q"] in (1.0, 2.0, 3.0):
+        run = _cradle(hy, case, round(one(settings, "q")))
+    elif case.ready == "spheres":
+        run = _spheres(hy, one(settings, "eta"))
+    elif case.ready == "atom":
+        raise NoSeries("not written out for heyoka: its integrals are closed up to a quadrature")
+    else:
+        raise NoSeries("a force with a broken power of the overlap has no Taylor series where the contact begins")
+    return Route("tolerance", ONCE, lambda _: run())
 
 
 def _cradle(hy: Any, case: Case, q: int) -> Callable[[], Answer]:
@@ -49,8 +64,8 @@ def _cradle(hy: Any, case: Case, q: int) -> Callable[[], Answer]:
             follow = integrator(touching)
             follow.reset_cooldowns()
             follow.time, follow.state[:] = time, state
-            outcome, _, _, done, *_ = follow.propagate_until(case.program.until)
-            time, state, steps = follow.time, follow.state.copy(), steps + done
+            outcome, _, _, done, *_ = follow.propagate_until(case.program.until, max_steps=MOST_STEPS)
+            time, state, steps = follow.time, follow.state.copy(), steps + done * follow.order
             if outcome == hy.taylor_outcome.time_limit:
                 break
             fired = -int(outcome) - 1
@@ -77,10 +92,10 @@ def _spheres(hy: Any, eta: float) -> Callable[[], Answer]:
     def run() -> Answer:
         follow.reset_cooldowns()
         follow.time, follow.state[:] = 0.0, start
-        _, _, _, steps, *_ = follow.propagate_until(10.0)
+        _, _, _, steps, *_ = follow.propagate_until(10.0, max_steps=MOST_STEPS)
         _, outward, left, lasted, turned = map(float, follow.state)
         u, v = after_parting(both, met, Parting(turned, -outward, left, lasted, math.nan, math.nan, False, steps))
-        return Answer((0.5 - 0.5 * u, -0.5 * v, 0.5 + 0.5 * u, 0.5 * v), steps)
+        return Answer((0.5 - 0.5 * u, -0.5 * v, 0.5 + 0.5 * u, 0.5 * v), steps * follow.order)
 
     return run
 
