@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import assert_never
+from typing import Any, assert_never
 
 import sympy
 from sympy.logic.boolalg import Boolean
@@ -226,7 +226,7 @@ class _Solver:
         """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
         scale = put(entry.scale, self.closed)
         for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
-            fixed = dict.fromkeys(entry.finds[: entry.free], share * scale)
+            fixed: dict[sympy.Symbol, Any] = dict.fromkeys(entry.finds[: entry.free], share * scale)
             others = list(entry.finds[entry.free :])
             for root in sympy.solve([put(equation, fixed) for equation in equations], others, dict=True) if others else [{}]:
                 whole = fixed | root

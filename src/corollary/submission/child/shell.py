@@ -90,10 +90,8 @@ class Shell(InteractiveShell):
         kind, error, trace = self._get_exc_info(exc_tuple)
         while trace is not None and "IPython" in trace.tb_frame.f_code.co_filename:
             trace = trace.tb_next
-        if exception_only or issubclass(kind, SyntaxError):
-            lines = traceback.format_exception_only(kind, error)
-        else:
-            lines = traceback.format_exception(kind, error, trace, limit=-10)
+        alone = exception_only or issubclass(kind, SyntaxError)
+        lines = traceback.format_exception_only(kind, error) if alone else traceback.format_exception(kind, error, trace, limit=-10)
         self._tell(kind, error, lines)
 
     def showsyntaxerror(self, filename=None, running_compiled_code=False):
