@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -16,9 +17,13 @@ class BeingGraded(Exception):
 @contextmanager
 def one_writer(course: Course) -> Iterator[None]:
     """Held while marks are written. Raises BeingGraded. The system gives the lock back when its holder ends, however it ends."""
-    with (course.folder / ".corollary" / "writer").open("ab") as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise BeingGraded(f"another run is grading in {course.folder}; wait until it is done, then run this again") from None
+    place = os.open(course.folder / ".corollary", os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        fcntl.flock(place, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(place)
+        raise BeingGraded(f"another run is grading in {course.folder}; wait until it is done, then run this again") from None
+    try:
         yield
+    finally:
+        os.close(place)
