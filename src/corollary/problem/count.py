@@ -12,7 +12,7 @@ from corollary.problem.variant import at, first_broken, size
 from corollary.quantity.ball import Exactly, Undefined, holds
 from corollary.quantity.tree import names
 
-SMALL = 20_000
+SMALL = 4_000
 
 
 def variants(problem: Problem) -> tuple[int, bool]:
