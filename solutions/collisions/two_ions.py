@@ -2,6 +2,7 @@
 
 from corollary.derive.author import code, derivation, mistake, step, unknown, unknowns, vector
 from corollary.derive.programs_plane import ion_inputs, judge_ions
+from corollary.derive.simulation import simulate
 from corollary.law import distance, ionic, law, reduced_mass
 
 
@@ -60,6 +61,15 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                   "The total momentum must stay the same, and the energy once the step is small enough.",
              inputs=ion_inputs, judge=judge_ions, example=EXAMPLE),
     )  # fmt: skip
+
+
+def scene(C, mA, mB, v, r0, s, dx, dy, answer):
+    """The pair in its own two constants of motion: head-on, and with the impact parameter."""
+    pair = {"C": C, "mA": mA, "mB": mB, "v": v, "r0": r0}
+    return [
+        simulate("ions", pair | {"s": 0.0}, turning_points=answer["b"]),
+        simulate("ions", pair | {"s": s}, turning_points=answer["c"]),
+    ]
 
 
 EXAMPLE = '''

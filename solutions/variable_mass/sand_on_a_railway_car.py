@@ -1,6 +1,7 @@
 """Sand on a railway car: a force is needed to keep a velocity, when there is ever more to move."""
 
 from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.derive.simulation import simulate
 from corollary.law import law, rocket_equation
 
 
@@ -47,3 +48,12 @@ def derive(v, R, ux, m0, t):
             check="Half of the work is lost, however gently the sand is caught.",
         ),
     )  # fmt: skip
+
+
+def scene(v, R, ux, m0, t, answer):
+    """The sand comes in a thousand shovels, each caught by the car; once falling straight down, once with its own velocity."""
+    still = {"v": v, "R": R, "t": t}
+    return [
+        simulate("railway_car", still | {"ux": 0.0}, mean_force=answer["a"], work=answer["b"] * t, energy_lost=answer["d"] * t),
+        simulate("railway_car", still | {"ux": ux}, mean_force=answer["c"]),
+    ]
