@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from corollary.scene.force.contact import Contact
 from corollary.scene.line import Line, energy
 from corollary.scene.model.modal import collide
+from corollary.scene.run import GuardFailed
 
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
 
@@ -58,7 +59,11 @@ def test_a_wall_is_a_body_that_does_not_move():
 )
 @settings(max_examples=25, deadline=None)
 def test_momentum_energy_and_order_are_kept(line):
-    found = collide(line)
+    try:
+        found = collide(line)
+    except GuardFailed:  # refused by name, which only very unequal masses may be
+        assert max(line.masses) / min(line.masses) > 1e3
+        return
     momentum = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
     after = [m * v for m, v in zip(line.masses, found.velocities, strict=True)]
     assert math.fsum(after) == pytest.approx(math.fsum(momentum), abs=1e-13 * sum(map(abs, momentum + after)) + 1e-15)
