@@ -17,7 +17,7 @@ $(STAMP): pyproject.toml .ci/constraints.txt
 	@echo "setting up $(VENV) with $$($(PYTHON) --version); the first time this takes a minute or two"
 	@$(PYTHON) -m venv $(VENV)
 	@$(PIP) install --constraint .ci/constraints.txt hatchling editables
-	@$(PIP) install --constraint .ci/constraints.txt --no-build-isolation --editable ".[nbgrader,isolation,dev]"
+	@$(PIP) install --constraint .ci/constraints.txt --no-build-isolation --editable ".[nbgrader,isolation,dask,dev]"
 	@touch $(STAMP)
 
 demo: $(STAMP)
