@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Mapping
 
+from corollary.scene.ready.absorbed_drop import ABSORBED_DROP
 from corollary.scene.ready.atom import ATOM
 from corollary.scene.ready.ball_on_floor import BALL_ON_FLOOR
 from corollary.scene.ready.ballistic_pendulum import BALLISTIC_PENDULUM
@@ -13,6 +14,7 @@ from corollary.scene.ready.bouncing_ball import BOUNCING_BALL
 from corollary.scene.ready.bullet_block import BULLET_BLOCK
 from corollary.scene.ready.chain import CHAIN
 from corollary.scene.ready.cradle import CRADLE
+from corollary.scene.ready.growing_drop import GROWING_DROP
 from corollary.scene.ready.ions import IONS
 from corollary.scene.ready.kick import KICK
 from corollary.scene.ready.pendulum_block import PENDULUM_BLOCK
@@ -23,6 +25,7 @@ from corollary.scene.ready.setting import settle
 from corollary.scene.ready.snowball import SNOWBALL
 from corollary.scene.ready.spheres import SPHERES
 from corollary.scene.ready.super_ball import SUPER_BALL
+from corollary.scene.ready.touching_spheres import TOUCHING_SPHERES
 from corollary.scene.ready.two_blocks import TWO_BLOCKS
 from corollary.scene.ready.wall import WALL
 from corollary.scene.run import BadSetting, Run
@@ -45,6 +48,9 @@ READY = (
     BALLISTIC_PENDULUM,
     RAILWAY_CAR,
     IONS,
+    TOUCHING_SPHERES,
+    ABSORBED_DROP,
+    GROWING_DROP,
 )
 SCENES: dict[str, Ready] = {scene.name: scene for scene in READY}
 

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import importlib.util
 import math
+import os
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scene.line import Line, Passage, natural_units, reduced_mass
 from corollary.scene.method import regularised
 from corollary.scene.model.beta import contact_time, largest_overlap
-from corollary.scene.run import GuardFailed, Model
+from corollary.scene.run import BadSetting, GuardFailed, Model
 
 # What rounding leaves of a closed formula.
 CLOSED = 2e-15
+# In longer rows of springs a sum of swings costs more than steps.
+MOST_SWINGING = 20
+COMPILED = "COROLLARY_COMPILED"
+"""The environment variable that asks for compiled steps; unset, empty or 0: plain Python."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,10 +35,13 @@ class Collided:
 
 @lru_cache(maxsize=1024)
 def collide(line: Line, tolerance: float) -> Collided:
-    """What the line comes to. Raises GuardFailed when no run keeps momentum and energy."""
+    """What the line comes to; found once and kept.
+
+    Raises GuardFailed when no run keeps momentum and energy, BadSetting when compiled steps are asked for and numba is missing.
+    """
     if _one_free_contact(line):
         return _two_bodies(line)
-    if _springs(line):
+    if _springs(line) and len(line.masses) <= MOST_SWINGING:
         return _swinging(line)
     return _integrated(line, tolerance)
 
@@ -51,6 +61,9 @@ def _swinging(line: Line) -> Collided:
     # Every opening or closing hands its rounding on to what follows.
     sure = dict.fromkeys(("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1))
     errors = sure | {"duration": 10.0 * sure["velocities"]}
+    # A light body between heavier ones is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much of its speed.
+    caught = max((min(a, c) / b for a, b, c in zip(line.masses, line.masses[1:], line.masses[2:], strict=False)), default=1.0)
+    errors["velocities"] *= max(1.0, caught) ** 1.5
     return Collided(passage, errors, "piecewise exact", "springs: from one opening to the next the motion is a sum of swings", 0)
 
 
@@ -76,8 +89,8 @@ def _two_bodies(line: Line) -> Collided:
 
 def _integrated(line: Line, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
-    coarse = regularised.collide(line, max(tolerance, 1e-14))
-    fine = regularised.collide(line, max(tolerance / 30.0, 1e-15))
+    follow = _follower(line)
+    coarse, fine = follow(line, max(tolerance, 1e-14)), follow(line, max(tolerance / 30.0, 1e-15))
     if coarse.outcome != fine.outcome:
         raise GuardFailed(f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge.")
     units = natural_units(line)
@@ -94,9 +107,22 @@ def _integrated(line: Line, tolerance: float) -> Collided:
     return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
 
 
+def _follower(line: Line) -> Callable[[Line, float], Passage]:
+    """Plain Python, or the compiled loop where it is asked for and knows all that acts; both take the same steps."""
+    if os.environ.get(COMPILED, "0") in ("", "0") or line.weight or any(c.eta > 0.0 for c in line.contacts):
+        return regularised.collide
+    if importlib.util.find_spec("numba") is None:
+        raise BadSetting(f"{COMPILED} is set, but numba is not installed: pip install 'corollary[fast]', or unset it.")
+    from corollary.scene.method import compiled  # here, since numba takes long to load
+
+    return compiled.collide
+
+
 def _reason(line: Line) -> str:
     if any(c.eta > 0.0 for c in line.contacts):
         return "damping takes energy at every moment of the contact: no integral of motion is left"
+    if _springs(line):
+        return f"{len(line.masses)} springs in a row: steps cost less than a sum of so many swings"
     return f"{len(line.masses)} bodies touch at once: momentum and energy are two equations for {len(line.masses)} velocities"
 
 

@@ -7,22 +7,24 @@ from collections.abc import Callable, Collection, Sequence
 from typing import assert_never
 
 from corollary.scene.force.contact import Contact
+from corollary.scene.force.well import Well
+from corollary.scene.kept import energy, impulses, momentum
 from corollary.scene.method.newton import Record, integrate
-from corollary.scene.method.pulls import contact_force, kinetic, overlap, pairs, place, velocity
+from corollary.scene.method.pulls import contact_force, kinetic, masses_at, overlap, pairs, place, start_of, velocity
 from corollary.scene.observe import Observable
 from corollary.scene.ready.scenery import Played
-from corollary.scene.run import BadSetting, Observed, Outcome
+from corollary.scene.run import BadSetting, GuardFailed, Observed, Outcome
 from corollary.scene.scene import Scene
 
 Value = Callable[[Sequence[float]], float]
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
-def measured(scene: Scene, observe: Collection[Observable], tolerance: float, why: str) -> Played:
-    """Integrate twice, a finer run after a coarser; the difference is the error of the coarser."""
+def measured(scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()) -> Played:
+    """Integrate twice, a finer run after a coarser; the difference is the error of the coarser. `times` (s) are a trajectory's."""
     coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, max(tolerance / 30.0, 1e-14))
-    rough = {o.value: _look(scene, coarse, o) for o in observe}
-    observed = {o.value: _look(scene, fine, o) for o in observe}
+    rough = {o.value: _look(scene, coarse, o, times) for o in observe}
+    observed = {o.value: _look(scene, fine, o, times) for o in observe}
     errors = {name: max(_apart(rough[name], observed[name]), fine.dropped) for name in observed}
     spent = coarse.evaluations + fine.evaluations
     return Played(observed, errors, "integration", why, spent, _outcome(scene, fine))
@@ -32,9 +34,17 @@ def _outcome(scene: Scene, record: Record) -> Outcome:
     if record.came_to_rest:
         return "sticks"
     if scene.until is not None:
-        return "bound"
+        return "escaped" if _left_every_well(scene, record.state) else "bound"
     touched = any(overlap(scene, leg.before, a, b)[0] > 0.0 for leg in record.legs for a, b in pairs(scene))
     return "released" if touched else "missed"
+
+
+def _left_every_well(scene: Scene, state: Sequence[float]) -> bool:
+    """Whether the scene has wells, and its bodies are beyond their edges on their way out."""
+    wells = [force for force in scene.forces if isinstance(force, Well)]
+    places = [(place(scene, state, i), velocity(scene, state, i)) for i in range(len(scene.bodies))]
+    outward = all(sum(a * b for a, b in zip(x, v, strict=True)) > 0.0 for x, v in places)
+    return bool(wells) and outward and all(math.hypot(*x) >= well.edge for x, _ in places for well in wells)
 
 
 def _apart(a: Observed, b: Observed) -> float:
@@ -45,15 +55,15 @@ def _apart(a: Observed, b: Observed) -> float:
     return max((abs(x - y) / size for x, y in zip(rough, fine, strict=True) if x != y), default=2e-15)
 
 
-def _look(scene: Scene, record: Record, what: Observable) -> Observed:
+def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]) -> Observed:
     match what:
         case Observable.VELOCITIES:
             return tuple(v for i in range(len(scene.bodies)) for v in velocity(scene, record.state, i))
         case Observable.ENERGY_RATIO:
-            before = kinetic(scene, 0.0, record.legs[0].before)
+            before = kinetic(scene, 0.0, start_of(scene))
             return kinetic(scene, record.time, record.state) / before if before else math.inf
         case Observable.LARGEST_OVERLAP:
-            return max((_largest(record, lambda y, a=a, b=b: overlap(scene, y, a, b)[0]) for a, b in pairs(scene)), default=0.0)
+            return max([0.0, *(_largest(record, lambda y, a=a, b=b: overlap(scene, y, a, b)[0]) for a, b in pairs(scene))])
         case Observable.PEAK_FORCE:
             return _peak_force(scene, record)
         case Observable.DURATION:
@@ -67,8 +77,33 @@ def _look(scene: Scene, record: Record, what: Observable) -> Observed:
             if len(inner) < 2:
                 raise BadSetting(f"{scene.name}: the distance did not return twice before until = {scene.until} s.")
             return (inner[-1] - inner[0]) / (len(inner) - 1)
+        case Observable.IMPULSE:
+            if masses_at(scene, 1.0) != masses_at(scene, 0.0):
+                raise BadSetting(
+                    f"{scene.name}: the impulse on a body whose mass changes is not its change of momentum; ask for velocities."
+                )
+            return impulses(scene, start_of(scene), record.state)
+        case Observable.MOMENTUM:
+            return momentum(scene, record.time, record.state)
+        case Observable.ENERGY:
+            return energy(scene, record.time, record.state)
+        case Observable.TRAJECTORY:
+            return tuple(x for time in times for x in _state_at(scene, record, time)[: scene.axes * len(scene.bodies)])
         case _:
             assert_never(what)
+
+
+def _state_at(scene: Scene, record: Record, time: float) -> Sequence[float]:
+    """The state at any time from the start on; after the end of a motion that no time ends, bodies go on straight."""
+    if time <= record.time:
+        return record.at(time) if record.legs else record.state
+    half = scene.axes * len(scene.bodies)
+    places, velocities = record.state[:half], record.state[half:]
+    if record.came_to_rest and any(velocities):
+        raise GuardFailed(
+            f"{scene.name}: a body came to rest at {record.time:.6g} s while others moved; ask for earlier times only."
+        )
+    return [*(x + v * (time - record.time) for x, v in zip(places, velocities, strict=True)), *velocities]
 
 
 def _peak_force(scene: Scene, record: Record) -> float:
@@ -99,9 +134,12 @@ def _turns(scene: Scene, record: Record) -> list[tuple[float, float, bool]]:
     def along(y: Sequence[float]) -> float:
         return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
 
-    found = []
+    found, last = [], 0.0
     for leg in record.legs:
         before, after = along(leg.before), along(leg.part_way(1.0))
+        if last * before < 0.0:  # turned in no time, by a wall or the hard core
+            found.append((leg.time, math.hypot(*place(scene, leg.before, 0)), last < 0.0))
+        last = after
         if before * after >= 0.0 and not (before == 0.0 and not found and leg is record.legs[0]):
             continue
         left, right = 0.0, 1.0

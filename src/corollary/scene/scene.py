@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import assert_never
 
@@ -48,6 +49,11 @@ class Scene:
     @property
     def axes(self) -> int:
         return len(self.bodies[0].place)
+
+    @property
+    def walls_at_rest(self) -> bool:
+        """Whether no body of infinite mass moves; one that does would do work."""
+        return not any(math.isinf(body.mass) and any(body.velocity) for body in self.bodies)
 
     def has_only(self, *kinds: type) -> bool:
         """Whether every force is of one of these kinds."""

@@ -76,6 +76,24 @@ def test_momentum_and_energy_are_kept_and_no_body_passes_through_another(line):
         assert left <= right + 1e-8 * speed
 
 
+def test_an_overlap_that_nearly_ends_and_turns_back():
+    """Its own clock stands still where its speed turns: the time must take over."""
+    line = Line(
+        (5.392647120560536, 0.3111643669578199, 9.093658973051353, 5.569843140251806, 3.6224949109301647),
+        (1.0, 0.66, -0.66, 0.37, 0.0),
+        (3.0, 0.1, 0.0, 0.0),
+        (
+            Contact(8.48762618655357, 3.0),
+            Contact(7.580655855363958, 1.25),
+            Contact(6.219551606411619, 1.0),
+            Contact(4.0, 1.0),
+        ),
+    )
+    found = collide(line, 1e-11)
+    assert found.evaluations < 10_000
+    assert found.velocities == pytest.approx(collide(line, 1e-13).velocities, abs=1e-9)
+
+
 @given(lines, st.floats(0.01, 3.0))
 @settings(max_examples=10, deadline=None)
 def test_damping_never_gives_energy(line, eta):

@@ -7,6 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.scene.catalogue import SCENES, run
+from corollary.scene.force.contact import Contact
+from corollary.scene.model.bounce import deepest
+from corollary.scene.ready.ball_on_floor import HONEY
 from corollary.scene.run import BadSetting
 
 
@@ -28,7 +31,7 @@ def test_every_scene_runs_with_the_chapters_values_and_says_how(name):
         ("cradel", {}, "no scene 'cradel'"),
         ("cradle", {"M": 3}, "'M' is not among its settings (N, q,"),
         ("cradle", {"N": 2.5}, "whole number"),
-        ("cradle", {"N": 21}, "at most 20"),
+        ("cradle", {"N": 201}, "at most 200"),
         ("cradle", {"m": 0}, "more than 0 kg"),
         ("cradle", {"m": "heavy"}, "not a number"),
         ("cradle", {"m": float("nan")}, "not finite"),
@@ -121,6 +124,45 @@ def test_a_ball_that_sinks_into_honey_stays():
         assert found.outcome == "sticks"
         assert found.observed["rebound_speed"] == 0.0
         assert found.evaluations < 10_000
+
+
+@pytest.mark.parametrize("q", [1.0, 1.25, 1.5, 3.0])
+@pytest.mark.parametrize("g", [0.0, 9.8, 1e3])
+@pytest.mark.parametrize("share", [0.999, 1.0, 1.001, 1.1, 10.0, 1e3, 1e6, 1e9])
+def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
+    """`share` in units of the critical damping of the stiffest place met, which is at least the true one."""
+    m, k, v = 0.1, 1e6 * 1e-3 ** (1.5 - q), 2.8
+    deep = deepest(Contact(k, q), m, v, g)
+    found = run(
+        "ball_on_floor",
+        {"q": q, "g": g, "k": k, "v0": -v, "y0": 0.02, "eta": 2.0 * share * math.sqrt(q * k * m * deep ** (q - 1.0))},
+    )
+    assert found.outcome == "sticks" or share < 1.0
+    assert not any(math.isnan(x) for value in found.observed.values() for x in (value if isinstance(value, tuple) else (value,)))
+    if found.outcome == "sticks":
+        assert found.observed["rebound_speed"] == 0.0
+        assert math.isinf(found.observed["duration"])
+        assert found.observed["largest_overlap"] >= (m * g / k) ** (1.0 / q) * (1.0 - 1e-9)
+
+
+@pytest.mark.parametrize("g", [0.0, 9.8])
+def test_honey_is_continuous_with_what_is_followed_in_steps(g):
+    m, k, v = 0.1, 1e6, 2.8
+    edge = HONEY * math.sqrt(k * m * deepest(Contact(k), m, v, g) ** 0.5)
+    stepped, closed = (
+        run("ball_on_floor", {"g": g, "v0": -v, "y0": 0.02, "eta": part * edge}) for part in (1.0 - 1e-12, 1.0 + 1e-9)
+    )
+    assert (stepped.model, closed.model) == ("integration", "conservation")
+    for name in ("largest_overlap", "peak_force"):
+        assert closed.observed[name] == pytest.approx(stepped.observed[name], rel=3.0 * closed.errors[name] + 3e-9)
+
+
+def test_any_restitution_is_reached_by_a_spring_and_a_dashpot():
+    for r in (1e-300, 1e-12, 1e-9, 1e-3, 0.5, 0.999, 1.0):
+        found = run("two_blocks", {"r": r})
+        a, b = found.observed["velocities"]
+        assert (b - a) / 6.0 == pytest.approx(r, abs=1e-15)
+        assert found.outcome == "released"
 
 
 def test_confirmations_of_the_exercises():

@@ -28,10 +28,8 @@ class Well:
 
 
 def pull(well: Well, place: Sequence[float]) -> list[float]:
-    """The force (N) on an atom at a place outside the core."""
+    """The force (N) on an atom at a place inside the edge; there is none beyond."""
     r = math.hypot(*place)
-    if r >= well.edge:
-        return [0.0] * len(place)
     return [-well.k * (r - well.b) * x / r for x in place]
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from corollary.scene.force.contact import smoothing_power
 from corollary.scene.line import Line
-from corollary.scene.method.line_motion import closing_acceleration, closing_speed
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +25,17 @@ class Clock:
         return w**self.power
 
     def stretch(self, w: float, rates: Sequence[float]) -> float:
-        """dt/dw, given the state's rates of change in time."""
-        return 1.0 if self.contact is None else self.power * w ** (self.power - 1) / rates[1 + self.contact]
+        """dt/dw, given the rates of change of the overlaps in time."""
+        return 1.0 if self.contact is None else self.power * w ** (self.power - 1) / rates[self.contact]
 
 
 TIME = Clock()
+
+
+@lru_cache(maxsize=1024)
+def clock_of(contact: int, power: int) -> Clock:
+    """The clock of a contact; one of each kind is enough."""
+    return Clock(contact, power)
 
 
 def reading(clock: Clock, state: Sequence[float]) -> float:
@@ -41,27 +46,40 @@ def reading(clock: Clock, state: Sequence[float]) -> float:
     return overlap if clock.power == 1 else max(overlap, 0.0) ** (1.0 / clock.power)
 
 
-def suited_clock(line: Line, state: Sequence[float], base: Sequence[float], touching: Sequence[bool], noise: float) -> Clock:
-    """The overlap that is nearest in time to its beginning or end, if its speed will not turn soon; else the time."""
-    best, nearest = TIME, math.inf
-    for j, contact in enumerate(line.contacts):
-        power = smoothing_power(contact)
-        overlap, speed = state[1 + j], closing_speed(line, state, j)
-        if not touching[j] or power == 1 or overlap < 0.0 or abs(speed) <= noise:
+def smoothing_powers(line: Line) -> tuple[int, ...]:
+    """For each contact the power in which its force is smooth."""
+    known = {contact: smoothing_power(contact) for contact in set(line.contacts)}
+    return tuple(known[contact] for contact in line.contacts)
+
+
+def suited_clock(
+    powers: Sequence[int], state: Sequence[float], base: Sequence[float], touching: Sequence[bool], lasting: float, noise: float
+) -> Clock:
+    """The overlap that is nearest in time to its beginning or end, if its speed will not turn soon; else the time.
+
+    Further off than two steps (`lasting` each) the beginning or end is not felt: the time does as well and costs less.
+    `base` is the rate of change of (overlaps, velocities) in time.
+    """
+    best, nearest, count = TIME, 2.0 * lasting, len(powers)
+    for j, power in enumerate(powers):
+        if power == 1 or not touching[j]:
             continue
-        if overlap * abs(closing_acceleration(line, base, j)) < 0.3 * speed**2 and overlap < nearest * abs(speed):
-            best, nearest = Clock(j, power), overlap / abs(speed)
+        overlap, speed = state[1 + j], base[j]
+        if overlap < 0.0 or not (speed > noise or speed < -noise):
+            continue
+        if overlap * abs(base[count + j] - base[count + j + 1]) < 0.3 * speed * speed and overlap < nearest * abs(speed):
+            best, nearest = clock_of(j, power), overlap / abs(speed)
     return best
 
 
-def landing_clock(line: Line, contact: int, touching: Sequence[bool]) -> Clock:
+def landing_clock(powers: Sequence[int], contact: int, touching: Sequence[bool]) -> Clock:
     """The clock that reaches zero exactly when a contact ends or begins (Henon's device)."""
-    return Clock(contact, smoothing_power(line.contacts[contact]) if touching[contact] else 1)
+    return clock_of(contact, powers[contact] if touching[contact] else 1)
 
 
-def stride_for(line: Line, state: Sequence[float], clock: Clock, lasting: float) -> float:
+def stride_for(state: Sequence[float], base: Sequence[float], clock: Clock, lasting: float) -> float:
     """The step on this clock that lasts about so long."""
     if clock.contact is None:
         return lasting
-    ahead = state[1 + clock.contact] + closing_speed(line, state, clock.contact) * lasting
+    ahead = state[1 + clock.contact] + base[clock.contact] * lasting
     return max(ahead, 0.0) ** (1.0 / clock.power) - reading(clock, state)

@@ -24,6 +24,11 @@ from corollary.scene.scene import Force, Scene
 State = Sequence[float]
 
 
+def start_of(scene: Scene) -> list[float]:
+    """The state at time zero."""
+    return [x for body in scene.bodies for x in body.place] + [v for body in scene.bodies for v in body.velocity]
+
+
 def place(scene: Scene, state: State, i: int) -> State:
     return state[scene.axes * i : scene.axes * (i + 1)]
 
@@ -67,16 +72,24 @@ def masses_at(scene: Scene, time: float) -> list[float]:
     return masses
 
 
-def law_of_motion(scene: Scene) -> Callable[[float, State], list[float]]:
-    """The rate of change of the state at a time."""
+def law_of_motion(scene: Scene, since: State) -> Callable[[float, State], list[float]]:
+    """The rate of change of the state at a time, for a step that begins at `since`.
+
+    A body that is inside the edge of a well then feels it to the end of the step: the stages of a step that ends at the edge
+    reach over it, and a force that jumps within a step would cost the method its order.
+    """
     count, axes = len(scene.bodies), scene.axes
     fixed = [math.isinf(body.mass) for body in scene.bodies]
+    wells = [force for force in scene.forces if isinstance(force, Well)]
+    held = [(force, i) for force in wells for i in range(count) if math.hypot(*place(scene, since, i)) < force.edge]
 
     def slope(time: float, state: State) -> list[float]:
         masses = masses_at(scene, time)
         pulls = [[0.0] * axes for _ in range(count)]
         for force in scene.forces:
             _add(force, scene, state, masses, pulls)
+        for force, i in held:
+            _pull_on(pulls, i, well.pull(force, place(scene, state, i)))
         gained = [0.0 if still else f / m for pull, m, still in zip(pulls, masses, fixed, strict=True) for f in pull]
         return [*state[count * axes :], *gained]
 
@@ -91,9 +104,6 @@ def _add(force: Force, scene: Scene, state: State, masses: list[float], pulls: l
         case Contact():
             for a, b in pairs(scene):
                 _push_apart(pulls, a, b, contact_force(force, scene, state, a, b))
-        case Well():
-            for i in range(len(masses)):
-                _pull_on(pulls, i, well.pull(force, place(scene, state, i)))
         case Spring(ends=(a, b)):
             _push_apart(pulls, b, a, spring.pull(force, *seen_from(scene, state, a, b)))
         case InverseSquare(ends=(a, b)):
@@ -104,6 +114,8 @@ def _add(force: Force, scene: Scene, state: State, masses: list[float], pulls: l
             _pull_on(pulls, i, thrust.push(force))
         case Absorption(body=i):
             _pull_on(pulls, i, absorption.drag(force, velocity(scene, state, i)))
+        case Well():
+            pass  # felt by the bodies that a step begins with inside its edge
         case HardWall():
             pass  # acts in no time at all: the step that meets it turns the velocity round
         case _:

@@ -14,7 +14,7 @@ from corollary.scene.force.contact import smoothing_power, stored
 from corollary.scene.method.crest import top_between
 from corollary.scene.method.dop853 import DOP853
 from corollary.scene.method.runge_kutta import Slope, doubt, step
-from corollary.scene.model.pair import Pair, Parting, Touching, deepest
+from corollary.scene.model.pair import Pair, Parting, Touching, deepest, hold_apart
 from corollary.scene.model.sticking import never_faster
 from corollary.scene.run import GuardFailed
 
@@ -99,7 +99,7 @@ def groups_of(pair: Pair, met: Touching) -> tuple[Groups, float, float]:
 def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
     """The contact from `met` to its end; `tolerance` is the error allowed to a step, in units of the depth and the speed.
 
-    Raises GuardFailed when the end is not reached.
+    Raises GuardFailed when the end is not reached, BadSetting when the centres all but meet.
     """
     groups, depth, speed = groups_of(pair, met)
     state = [(met.overlap / depth) ** (1.0 / groups.s), met.inward / speed, 1.0, 0.0, 0.0]
@@ -126,6 +126,8 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
         if state[P] > 0.0 >= new[P]:
             top, cost = top_between(state[P], new[P], trial.part_way, lambda y: y[P])
             top_overlap, spent = top[W] ** groups.s, spent + cost
+            hold_apart(top_overlap * groups.thickness, 1.0)
+        hold_apart(new[W] ** groups.s * groups.thickness, 1.0)
         rising, falling = groups.force_growth(state), groups.force_growth(new)
         if rising > 0.0 >= falling:
             top, cost = top_between(rising, falling, trial.part_way, groups.force_growth)

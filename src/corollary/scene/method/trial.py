@@ -6,64 +6,65 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scene.line import Line
 from corollary.scene.method.clock import Clock, reading
 from corollary.scene.method.dop853 import DOP853
-from corollary.scene.method.line_motion import Law
-from corollary.scene.method.runge_kutta import Slope, doubt, step
+from corollary.scene.method.line_motion import in_time, on_clock
+from corollary.scene.method.written_out import Slope, Step
+
+EVALUATIONS = len(DOP853.rows) - 1
+# Errors are averaged over the variables, but in a long row only about so many are at work at a time.
+AT_WORK = 12
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Trial:
-    """`size` is the error of the step in units of the tolerance; `lands` says that the clock ends at zero."""
+    """`size` is the error of the step in units of the tolerance; `lands` says that the clock ends at zero.
+
+    `before` and `first` are (overlaps, velocities) on the clock and their slope; `after` is a state.
+    """
 
     clock: Clock
+    step: Step
     slope: Slope
-    before: list[float]
-    first: list[float]
     x: float
     h: float
+    before: list[float]
+    first: list[float]
     lands: bool
     after: list[float]
     size: float
-    evaluations: int = len(DOP853.rows) - 1
 
     def part_way(self, part: float) -> list[float]:
         """The state after a part (0 to 1) of the step."""
-        return step(DOP853, self.slope, self.x, self.before, part * self.h, self.first)[0]
-
-
-def on_clock(clock: Clock, in_time: Law) -> Slope:
-    """The law of motion with another independent variable: d/dw = (dt/dw) d/dt."""
-    if clock.contact is None:
-        return lambda _, state: in_time(state)
-    place = 1 + clock.contact
-
-    def slope(w: float, state: Sequence[float]) -> list[float]:
-        placed = list(state)
-        placed[place] = clock.overlap(w)
-        rates = in_time(placed)
-        stretch = clock.stretch(w, rates)
-        return [stretch * rate for rate in rates]
-
-    return slope
+        y = self.step(self.slope, self.x, part * self.h, self.before, self.first)[0]
+        return in_time(self.clock, self.x + part * self.h, y)
 
 
 def attempt(
-    line: Line, clock: Clock, in_time: Law, state: list[float], base: list[float], stride: float, tolerance: float
+    step: Step, clock: Clock, slope: Slope, state: list[float], base: Sequence[float], stride: float, tolerance: float
 ) -> Trial:
-    """Try a step of about `stride`; a step toward zero ends there at most. A step out of all range has an infinite size."""
+    """Try a step of about `stride`; a step toward zero ends there at most. A step out of all range has an infinite size.
+
+    `base` is the slope of (overlaps, velocities) in time.
+    """
     x = reading(clock, state)
     lands = clock.contact is not None and x * stride < 0.0 and abs(stride) >= abs(x)
     h = -x if lands else stride
-    slope = on_clock(clock, in_time)
+    before = on_clock(clock, state)
     try:
         stretch = clock.stretch(x, base)
         first = [stretch * rate for rate in base]
-        after, slopes = step(DOP853, slope, x, state, h, first)
-        size = doubt(DOP853, slopes, h, [tolerance] * len(state))
-    except (OverflowError, ZeroDivisionError):
-        return Trial(clock, slope, state, base, x, h, lands, state, math.inf)
-    if clock.contact is not None:
-        after[1 + clock.contact] = clock.overlap(0.0 if lands else x + h)
-    return Trial(clock, slope, state, first, x, h, lands, after, size)
+        if clock.contact is not None:
+            first[clock.contact] = stretch
+        y, fifth, third = step(slope, x, h, before, first)
+        size = error_size(fifth, third, h, len(before)) / tolerance
+    except ArithmeticError:
+        return Trial(clock, step, slope, x, h, before, [], lands, state, math.inf)
+    return Trial(clock, step, slope, x, h, before, first, lands, in_time(clock, 0.0 if lands else x + h, y), size)
+
+
+def error_size(fifth: float, third: float, h: float, count: int) -> float:
+    """The error of a step from the sums of squares of its two doubts (Hairer, Norsett and Wanner, II.10)."""
+    if fifth == 0.0:
+        return 0.0
+    return abs(h) * fifth / math.sqrt((fifth + 0.01 * third) * min(count, AT_WORK))

@@ -20,6 +20,8 @@ class Meeting:
 
 def fall_of(line: Line, contact: int) -> float:
     """How fast the closing speed of a contact grows by weight alone: only beside a wall or floor."""
+    if line.weight == 0.0:
+        return 0.0
     left, right = (0.0 if math.isinf(m) else line.weight for m in line.masses[contact : contact + 2])
     return right - left
 
@@ -31,10 +33,13 @@ def asleep(line: Line, state: Sequence[float], touching: Sequence[bool], noise: 
     """
     count = len(line.masses)
     for j, on in enumerate(touching):
+        if not on:
+            continue
         closing, fall = state[count + j] - state[count + j + 1], fall_of(line, j)
+        if closing > noise or (fall > 0.0 and closing >= 0.0):
+            return False
         faint = 0.5 * reduced_mass(line.masses[j], line.masses[j + 1]) * noise**2
-        pushes = stored(line.contacts[j], state[1 + j]) > (0.0 if fall > 0.0 else faint)
-        if on and (pushes or closing > noise or (fall > 0.0 and closing >= 0.0)):
+        if stored(line.contacts[j], state[1 + j]) > (0.0 if fall > 0.0 else faint):
             return False
     return True
 

@@ -6,17 +6,18 @@ import math
 
 from corollary.scene.force.contact import smoothing_power
 from corollary.scene.model.gauss import integral
-from corollary.scene.model.pair import Pair, Parting, Touching, deepest
+from corollary.scene.model.pair import Pair, Parting, Touching, deepest, hold_apart
 
 
 def glance(pair: Pair, met: Touching) -> Parting:
     """The contact from its beginning to its end; by symmetry its second half mirrors the first.
 
     The square of the radial speed is written as a difference from its zero at the largest overlap, so no digits are lost there;
-    with overlap = deepest sin(angle)^s the integrand is smooth.
+    with overlap = deepest sin(angle)^s the integrand is smooth. Raises BadSetting when the centres all but meet.
     """
     d, q = pair.reach, pair.contact.q
     depth = deepest(pair, met)
+    hold_apart(depth, d)
     s, p = max(smoothing_power(pair.contact), 2), q + 1.0
     stiff, turning, nearest = 2.0 * pair.contact.k / (p * pair.mass) * depth**p, met.spin**2, d - depth
 

@@ -37,16 +37,29 @@ class Swing:
     def at(self, times: Array) -> tuple[Array, Array]:
         """Overlaps and their rates at some times, each (contacts, times)."""
         w = self.frequencies[:, None]
-        cosine, swung = np.cos(w * times), times * np.sinc(w * times / math.pi)
+        cosine, swung = np.cos(w * times), np.where(w > 0.0, np.sin(w * times) / np.where(w > 0.0, w, 1.0), times)
         place = self.start[:, None] * cosine + self.speed[:, None] * swung
         rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * swung
         return self.shapes @ place, self.shapes @ rate
 
-    def overlap(self, contact: int, time: float) -> float:
-        return float(self.at(np.array([time]))[0][contact, 0])
+    def of(self, contact: int) -> Alone:
+        """The overlap of one contact."""
+        shape = self.shapes[contact]
+        parts = self.frequencies.tolist(), (shape * self.start).tolist(), (shape * self.speed).tolist()
+        return Alone(tuple(zip(*parts, strict=True)))
 
-    def rate(self, contact: int, time: float) -> float:
-        return float(self.at(np.array([time]))[1][contact, 0])
+
+@dataclass(frozen=True, slots=True)
+class Alone:
+    """One overlap in time: (frequency, start, speed) of each mode. For single times plain sums are faster than arrays."""
+
+    modes: tuple[tuple[float, float, float], ...]
+
+    def overlap(self, time: float) -> float:
+        return sum(a * math.cos(w * time) + (b * math.sin(w * time) / w if w else b * time) for w, a, b in self.modes)
+
+    def rate(self, time: float) -> float:
+        return sum(b * math.cos(w * time) - a * w * math.sin(w * time) for w, a, b in self.modes)
 
 
 def swing(line: Line, touching: Flags, overlaps: Array, rates: Array) -> Swing:
@@ -125,11 +138,11 @@ def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
         found = [(int(np.argmax(row)), j) for j, row in enumerate(falls) if row.any()]
         stop = min(i for i, _ in found) + 1 if found else CELLS
         for j, i in zip(*np.nonzero(touching[:, None] & (rates[:, :stop] > 0.0) & (rates[:, 1 : stop + 1] <= 0.0)), strict=True):
-            top = _zero(lambda t, j=j: motion.rate(j, t), float(times[i]), float(times[i + 1]))
-            crests[j] = max(crests[j], motion.overlap(j, top))
+            alone = motion.of(int(j))
+            crests[j] = max(crests[j], alone.overlap(_zero(alone.rate, float(times[i]), float(times[i + 1]))))
         if found:
             left, right = float(times[stop - 1]), float(times[stop])
-            moment, j = min((_falling_zero(motion, j, float(sign[j, 0]), left, right), j) for i, j in found if i == stop - 1)
+            moment, j = min((_falling_zero(motion.of(j), float(sign[j, 0]), left, right), j) for i, j in found if i == stop - 1)
             return j, moment, crests
     raise GuardFailed("Springs that touch never part: the bodies are as good as at rest. Make the masses less unequal.")
 
@@ -139,22 +152,23 @@ def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array
     dips = np.zeros((len(values), len(times) - 1), dtype=bool)
     near = values[:, 1:] < CELL**2 * np.abs(values).max(axis=1, initial=NOISE)[:, None]
     for j, i in zip(*np.nonzero((slopes[:, :-1] < 0.0) & (slopes[:, 1:] > 0.0) & near), strict=True):
-        low = _zero(lambda t, j=j: -float(sign[j, 0]) * motion.rate(j, t), float(times[i]), float(times[i + 1]))
-        dips[j, i] = sign[j, 0] * motion.overlap(j, low) < -NOISE
+        alone, turn = motion.of(int(j)), float(sign[j, 0])
+        low = _zero(lambda t, alone=alone, turn=turn: -turn * alone.rate(t), float(times[i]), float(times[i + 1]))
+        dips[j, i] = turn * alone.overlap(low) < -NOISE
     return dips
 
 
-def _falling_zero(motion: Swing, j: int, sign: float, left: float, right: float) -> float:
+def _falling_zero(alone: Alone, sign: float, left: float, right: float) -> float:
     def value(t: float) -> float:
-        return sign * motion.overlap(j, t)
+        return sign * alone.overlap(t)
 
-    if value(left) <= NOISE and sign * motion.rate(j, left) > 0.0 > sign * motion.rate(j, right):
+    if value(left) <= NOISE and sign * alone.rate(left) > 0.0 > sign * alone.rate(right):
         # It has just changed, rises, and falls again within the cell: look beyond its highest point.
-        left = _zero(lambda t: sign * motion.rate(j, t), left, right)
+        left = _zero(lambda t: sign * alone.rate(t), left, right)
     if value(left) <= 0.0:
         return left
     if value(right) > -NOISE:  # it dips between: fall to the lowest point only
-        right = _zero(lambda t: -sign * motion.rate(j, t), left, right)
+        right = _zero(lambda t: -sign * alone.rate(t), left, right)
     return _zero(value, left, right)
 
 
@@ -162,6 +176,8 @@ def _zero(value: Callable[[float], float], left: float, right: float) -> float:
     """Where a value that falls from `left` to `right` is zero, to the last digit (Illinois)."""
     high, low, side = value(left), value(right), 0
     for _ in range(60):
+        if high <= low:  # nothing but rounding on either side
+            break
         middle = left + (right - left) * high / (high - low)
         if not left < middle < right:
             return min(max(middle, left), right)

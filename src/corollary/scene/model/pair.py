@@ -6,8 +6,13 @@ import math
 from dataclasses import dataclass
 
 from corollary.scene.force.contact import Contact
+from corollary.scene.run import BadSetting
 
 Vector = tuple[float, float]
+
+# Centres nearer than this share of the reach: no contact law means anything there, and the turning, which grows as the inverse
+# square of the distance, would leave doubles less than the twelve digits that are promised.
+NEAREST = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +87,12 @@ def after_parting(pair: Pair, met: Touching, parted: Parting) -> Vector:
     angle, across = met.angle + parted.turned, parted.spin / pair.reach
     c, s = math.cos(angle), math.sin(angle)
     return parted.outward * c - across * s, parted.outward * s + across * c
+
+
+def hold_apart(overlap: float, reach: float) -> None:
+    """Raises BadSetting when two spheres are so soft that their centres all but meet."""
+    if overlap > (1.0 - NEAREST) * reach:
+        raise BadSetting("The spheres are so soft that they pass through each other; raise k, or lower the speed.")
 
 
 def deepest(pair: Pair, met: Touching) -> float:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scene.collision import CLOSED, collide
+from corollary.scene.collision import CLOSED
 from corollary.scene.force.contact import Contact
 from corollary.scene.line import Line
-from corollary.scene.model.bounce import bounce
+from corollary.scene.model.bounce import bounce, deepest
 from corollary.scene.ready.scenery import Played, Ready
 from corollary.scene.ready.setting import Setting, one
 from corollary.scene.run import BadSetting, Observed
+from corollary.scene.two_on_a_line import collide_two
 
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.1, above=0.0),
@@ -23,6 +24,11 @@ SETTINGS = (
     Setting("g", "acceleration of gravity", "m/s^2", 9.8, least=0.0),
     Setting("eta", "damping of the contact", "kg/s", 0.0, least=0.0),
 )
+
+
+# From this many times the critical damping on, spring and weight have no say until the ball is at rest: they change its way by the
+# inverse square of that number, times its logarithm, times the share of the spring that is met at all.
+HONEY = 1e5
 
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
@@ -54,15 +60,20 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
 
 
 def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float) -> Played:
+    deep = deepest(contact, m, speed, g)
+    thick = contact.eta / math.sqrt(contact.k * m * deep ** (contact.q - 1.0))
+    if thick > HONEY and (contact.q > 1.0 or g > 0.0):
+        change = 4.0 * math.log(thick) / thick**2 * (m * speed / contact.eta / deep) ** (contact.q - 1.0)
+        return _in_honey(m, contact, speed, g, change)
     line = Line((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
-    found = collide(line, tolerance)
+    found = collide_two(line, tolerance)
     passage, errors = found.passage, found.errors
     rebound = passage.velocities[1]
     observed: dict[str, Observed] = {
         "velocities": (rebound,),
         "duration": passage.duration,
         "peak_force": passage.forces[0],
-        "impulse": m * (rebound + speed) + m * g * passage.duration,
+        "impulse": m * (rebound + speed) + (m * g * passage.duration if g else 0.0),
         "largest_overlap": passage.overlaps[0],
         "rebound_speed": rebound,
         "energy_ratio": (rebound / speed) ** 2,
@@ -70,6 +81,30 @@ def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float
     of = {"duration": "duration", "peak_force": "forces", "largest_overlap": "overlaps"}
     sizes = {name: errors[of.get(name, "velocities")] * (2.0 if name == "energy_ratio" else 1.0) for name in observed}
     return Played(observed, sizes, found.model, found.why, found.spent, passage.outcome)
+
+
+def _in_honey(m: float, contact: Contact, speed: float, g: float, change: float) -> Played:
+    """So much damping that it alone stops the ball, in the way m v/eta; weight then lets it sink to where the floor carries it.
+
+    Critical damping already keeps it down for ever. It pushes hardest when it begins, and sinks to its resting place without ever
+    passing it. `change` is what spring and weight can change of the way to its stop, as a part of it.
+    """
+    rest = (m * g / contact.k) ** (1.0 / contact.q)
+    stopped = m * speed / contact.eta
+    observed: dict[str, Observed] = {
+        "velocities": (0.0,),
+        "duration": math.inf,
+        "peak_force": max(contact.eta * speed, m * g),
+        "impulse": math.inf if g else m * speed,
+        "largest_overlap": max(rest, stopped),
+        "rebound_speed": 0.0,
+        "energy_ratio": 0.0,
+    }
+    errors = dict.fromkeys(observed, CLOSED)
+    if stopped > rest:
+        errors["largest_overlap"] = max(CLOSED, change)
+    why = "the damping is so much above the critical one that it alone decides"
+    return Played(observed, errors, "conservation", why, 0, "sticks")
 
 
 BALL_ON_FLOOR = Ready("ball_on_floor", "a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play)

@@ -12,7 +12,7 @@ from corollary.scene.ready.setting import Setting, one, row
 from corollary.scene.run import BadSetting, Observed
 
 SETTINGS = (
-    Setting("N", "number of balls", "1", 3.0, least=2.0, most=20.0, whole=True),
+    Setting("N", "number of balls", "1", 3.0, least=2.0, most=200.0, whole=True),
     Setting("q", "exponent of the contact force", "1", 1.0, least=1.0, most=10.0),
     Setting("m", "mass of each ball", "kg", 0.1, above=0.0),
     Setting("k", "contact constant", "N/m^q", 1e4, above=0.0),

@@ -40,8 +40,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "height": sphere * sphere / (2.0 * g),
         "duration": found.passage.duration,
     }
-    # The rope pulls with a share of the weight that goes as the angle; over the contact it takes g swung T / 2 from the speed.
-    neglected = 0.5 * g * swung * found.passage.duration / speed
+    # The rope carries the weight on a circle, m (g + v^2/L), and leans by the angle swung: over the contact it takes at most
+    # (g + v^2/L) swung T from the sphere's velocity, from the block's at most twice that, and from the height at most twice its share.
+    neglected = 2.0 * (g + speed**2 / length) * swung * found.passage.duration / speed
     errors = dict.fromkeys(observed, doubt + CLOSED + neglected) | {"speed_before": doubt + CLOSED}
     return Played(observed, errors, found.model, found.why, spent + found.spent, "released")
 

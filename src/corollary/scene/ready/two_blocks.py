@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scene.collision import CLOSED, collide
+from corollary.scene.collision import CLOSED
 from corollary.scene.force.contact import Contact
 from corollary.scene.line import Line, reduced_mass
 from corollary.scene.ready.scenery import Played, Ready
 from corollary.scene.ready.setting import Setting, one
 from corollary.scene.run import Observed
+from corollary.scene.two_on_a_line import collide_two
 
 SETTINGS = (
     Setting("mA", "mass of A, on the left", "kg", 2.0, above=0.0),
@@ -32,7 +33,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     log = -math.log(r) if r else math.inf
     share = log / math.hypot(math.pi, log) if r else 1.0
     eta = 2.0 * share * math.sqrt(k * reduced_mass(ma, mb)) * (1.0 if r else 1.0 + 1e-9)
-    found = collide(Line((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
+    found = collide_two(Line((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
     passage = found.passage
     a, b = passage.velocities
     before = ma * va * va + mb * vb * vb

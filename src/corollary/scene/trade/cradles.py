@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib.util
+
 from corollary.scene.force.contact import Contact
 from corollary.scene.line import Line, Passage
 from corollary.scene.method import regularised
@@ -44,6 +46,8 @@ def program(count: int, q: float, until: float) -> Program:
 def case(count: int, q: float, reference: Reference) -> Case:
     row = line(count, q)
     own = {"regularised": Route("tolerance", TOLERANCES, lambda tolerance: _answer(regularised.collide(row, tolerance)))}
+    if importlib.util.find_spec("numba") is not None:
+        own["regularised_compiled"] = Route("tolerance", TOLERANCES, lambda tolerance: _compiled(row, tolerance))
     if q == 1.0:
         own = {"exact_flow": Route("tolerance", ONCE, lambda _: _exact(row)), **own}
     # All balls are apart well before this: the wave has passed every contact.
@@ -63,6 +67,12 @@ def case(count: int, q: float, reference: Reference) -> Case:
 
 def _answer(passage: Passage) -> Answer:
     return Answer(passage.velocities, passage.evaluations)
+
+
+def _compiled(row: Line, tolerance: float) -> Answer:
+    from corollary.scene.method import compiled  # here, since it brings numba
+
+    return _answer(compiled.collide(row, tolerance))
 
 
 def _exact(row: Line) -> Answer:

@@ -12,6 +12,8 @@ WANTED = (1e-3, 1e-6, 1e-9, 1e-12)
 # Errors above are not yet in the range where a power law holds, errors below are rounding.
 COARSE, FINE = 3e-2, 3e-13
 LIE = 1e-2
+# So many points, and so many standard errors of the bend, before a bent line is believed rather than a straight one.
+ENOUGH, SURE = 6, 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +32,7 @@ def orders(raced: Raced) -> dict[str, Order]:
         points = [(lap.setting, lap.error) for lap in raced.laps if lap.method == method]
         inside = _asymptotic(points)
         if len(inside) >= 4:
-            found[method] = fitted(inside)
+            found[method] = at_the_fine_end(inside)
     return found
 
 
@@ -49,13 +51,38 @@ def _asymptotic(points: Sequence[tuple[float, float]]) -> list[tuple[float, floa
 
 def fitted(points: Sequence[tuple[float, float]]) -> Order:
     """The straight line through the logarithms, by least squares."""
-    xs, ys = [math.log(step) for step, _ in points], [math.log(error) for _, error in points]
-    n, x, y = len(points), math.fsum(xs) / len(points), math.fsum(ys) / len(points)
+    return _slope([math.log(step) for step, _ in points], [math.log(error) for _, error in points], 2)[0]
+
+
+def at_the_fine_end(points: Sequence[tuple[float, float]]) -> Order:
+    """The slope that steps of no length would show: of log error = log C + order log step + bend step, where the points bend.
+
+    An error C h^p (1 + a h) has local slopes p + a h: a straight line through it is off by what the coarse steps add. Where the
+    bend is not clearly more than the points' own scatter, the straight line stands.
+    """
+    steps = [step for step, _ in points]
+    xs, ys = [math.log(step) for step in steps], [math.log(error) for _, error in points]
+    straight, left = _slope(xs, ys, 2)
+    if len(points) < ENOUGH:
+        return straight
+    bent, still = _slope(_beside(xs, steps), _beside(ys, steps), 3)
+    return bent if left - still > SURE**2 * still / (len(points) - 3) else straight
+
+
+def _slope(xs: Sequence[float], ys: Sequence[float], fitted_numbers: int) -> tuple[Order, float]:
+    """The slope, and the sum of the squares of what is left."""
+    n, x, y = len(xs), math.fsum(xs) / len(xs), math.fsum(ys) / len(ys)
     spread = math.fsum((a - x) ** 2 for a in xs)
     slope = math.fsum((a - x) * (b - y) for a, b in zip(xs, ys, strict=True)) / spread
     left = math.fsum((b - y - slope * (a - x)) ** 2 for a, b in zip(xs, ys, strict=True))
-    doubt = 2.0 * math.sqrt(left / (n - 2) / spread)
-    return Order(slope, slope - doubt, slope + doubt)
+    doubt = 2.0 * math.sqrt(left / (n - fitted_numbers) / spread)
+    return Order(slope, slope - doubt, slope + doubt), left
+
+
+def _beside(values: Sequence[float], by: Sequence[float]) -> list[float]:
+    """What of some values a straight line in others does not explain."""
+    along = _slope(by, values, 2)[0].value
+    return [value - along * other for value, other in zip(values, by, strict=True)]
 
 
 def reaching(raced: Raced, wanted: float) -> dict[str, Lap]:
