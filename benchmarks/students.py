@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -104,7 +104,7 @@ def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> 
             found = by_operation(key.solution, givens, figures) if often == OPERATIONS else _by_step(key, givens, figures)
         except Undefined:
             continue
-        answers = {part: found[truth.place] for part, truth in key.truths.items()}
+        answers = _numbers(key, found)
         for part, values in answers.items():
             _fixed(tallies, sort, key, part, values, accepted=False)
         if not dealt:
@@ -131,7 +131,9 @@ def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -
                 found = _by_step(key, _givens(key, dice), 3, {place: wrong.rule})
             except Undefined:
                 continue
-            answers = {part: found[truth.place] for part, truth in key.truths.items()}
+            answers = _numbers(key, found)
+            if first not in answers:
+                continue
             _fixed(tallies, "mistaken", key, first, answers[first], accepted=True)
             if not dealt:
                 continue
@@ -142,6 +144,12 @@ def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -
             if isinstance(verdict, (Right, Follows)):
                 tallies.mistaken["accepted"] += 1
                 tallies.worst[f"{solution.problem.code} ({first}) accepted, {word(verdict)}: {wrong.text[:60]}"] += 1
+
+
+def _numbers(key: Key, found: Sequence[Numbers]) -> Answers:
+    """The numbers of a student's derivation by part, where a number is asked for."""
+    problem = key.variant.problem
+    return {part: found[truth.place] for part, truth in key.truths.items() if problem.part(part).kind != "expression"}
 
 
 def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Numbers, *, accepted: bool) -> None:

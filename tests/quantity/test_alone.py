@@ -11,7 +11,7 @@ import pytest
 import corollary.quantity
 
 FOLDER = Path(corollary.quantity.__file__).parent
-ALONE = ("trouble", "number", "unit", "read", "plain")
+ALONE = ("trouble", "number", "unit_words", "unit", "wording", "tex", "function", "worked", "components", "read", "plain")
 
 
 @pytest.mark.parametrize("name", ALONE)

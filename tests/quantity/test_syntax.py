@@ -150,7 +150,6 @@ def test_an_exact_name_is_that_name():
         ("m > 2", 2, "only the right side"),
         ("m == v", 2, "only the right side"),
         ("m!", 1, "does not belong"),
-        (r"\frac{m}{v}", 0, "LaTeX"),
         ("m; v", 1, "one formula"),
         ("atan2(y)", 5, "takes 2"),
         ("sin()", 4, "closes nothing"),

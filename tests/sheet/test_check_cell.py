@@ -12,6 +12,8 @@ import pytest
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
+from corollary.quantity.unit import unit
+from corollary.sheet.as_read import Asked, heard
 from corollary.sheet.check_cell import check_source
 from corollary.sheet.sheet import Sheet, sheet
 
@@ -33,6 +35,22 @@ SAID = [
     ("X12_5_a", "from fractions import Fraction\nX12_5_a = Fraction(1, 3)", "read as 1/3 kg m/s"),
     ("X12_5_b", "X12_5_b = [3, '4 km/h']", "read as (3 m/s, 4 km/h)"),
     ("X12_5_b", "X12_5_b = '3 i - 4 j m/s'", "read as (3 m/s, -4 m/s)"),
+    ("X12_5_a", "X12_5_a = '-8.6 N s, x to the left'", "read as -8.6 N s (2 figures) with your x to the left\n"),
+    ("X12_5_a", "X12_5_a = '8.6 N s (taking positive to the left).'", "read as 8.6 N s (2 figures) with positive to the left\n"),
+    ("X12_5_a", "X12_5_a = '8.6, x to the left'", "the unit is missing"),
+    ("X12_5_a", "X12_5_a = '8.6 N s to the left'", "read as 8.6 N s (2 figures), to the left\n"),
+    ("X12_5_a", "X12_5_a = '8.6 N s towards the goal'", "write the number with its sign"),
+    ("X12_5_b", "X12_5_b = 'y = 4 m/s, x = 3 m/s'", "read as (3 m/s, 4 m/s)"),
+    ("X12_5_a", "X12_5_a = 'm v'", "read as m*v\n"),
+    ("X12_5_a", "X12_5_a = '2mv'", "read as 2*m*v\n"),
+    ("X12_5_a", "X12_5_a = '-m v, x to the left'", "read as -m*v with your x to the left\n"),
+    ("X12_5_a", "X12_5_a = 'm'", "cannot be read"),
+    ("X12_5_b", "X12_5_b = ['v', '-v/2']", "read as [v, -v/2]\n"),
+    ("X12_5_a", "X12_5_a = '8.6 N s, north to the left'", "cannot be read"),
+    ("X12_5_a", "X12_5_a = ['8.6 N s, x to the left']", "cannot be read"),
+    ("X12_5_b", "X12_5_b = '(-3, 4) m/s, x to the left; y down'", "with your x to the left, y down\n"),
+    ("X12_5_b", "X12_5_b = '(3, 4) m/s, z to the left'", "cannot be read"),
+    ("X12_5_i", "X12_5_i = '3 m/s, x to the left'", "cannot be read"),
     ("X12_5_b", "X12_5_b = [None, None]", "no answer yet"),
     ("X12_5_b", "X12_5_b = [3, None]", "y has no answer yet"),
     ("X12_5_b", "X12_5_b = [1, 2, 3]", "a list of 2 is expected, [x, y]"),
@@ -141,6 +159,18 @@ def test_it_carries_the_code_for_formulas_only_where_there_are_formulas(ada: She
     assert "as_formula" in check_source(ada).split("ASKED")[0]
     assert "reader('as_formula'" not in small
     assert len(small) < 0.7 * len(check_source(ada))
+
+
+@pytest.mark.parametrize(
+    ("answer", "expected"),
+    [
+        ("m*g", "looked at as a formula"), ("2 sqrt(m)g, x to the left", "looked at as a formula"), ("8.6", "the unit is missing"),
+        ("m*q", "cannot be read"), ("8.6 kg m", "is expected"), ("", "cannot be read"), ("sqrt(2)*(", "cannot be read"),
+    ],
+)  # fmt: skip
+def test_a_formula_for_a_number_is_left_to_the_marker_where_no_code_for_it_is_carried(answer: str, expected: str):
+    asked = Asked("number", unit("kg m/s"), letters=(("m", unit("kg")), ("g", unit("m/s^2"))), directed=True)
+    assert expected in heard(asked, ("text", answer)).text
 
 
 def test_it_is_readable_text_with_no_line_out_of_sight(ada: Sheet):

@@ -12,7 +12,8 @@ class Numbers:
     """Values in SI, one for each component; `figures` as written (0: a machine number with many digits).
 
     `unitless` tells that a unit was needed and none was written; the values then take the part's unit. `misfit` is a
-    sentence when the unit measures something else than was asked for.
+    sentence when the unit measures something else than was asked for. `in_words`: the sign comes from a direction in words.
+    `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none).
     """
 
     values: tuple[float, ...]
@@ -20,6 +21,8 @@ class Numbers:
     shown: str
     unitless: bool = False
     misfit: str = ""
+    in_words: bool = False
+    sizes: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +71,7 @@ class Unclear:
 
     why: str
     shown: str
-    readings: tuple[Numbers, ...] = ()
+    readings: tuple[Numbers | Formulas, ...] = ()
 
 
 Answer = Numbers | Formulas | Letter | Chain | Prose | Blank | Unclear

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import final
 
@@ -10,7 +11,15 @@ from corollary.kind.kind import Kind, Sample
 from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
+from corollary.quantity.number import PLAIN
 from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
+
+LONGEST = 200
+AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
+LETTER = re.compile(
+    rf"{AROUND}(?:(?:the )?(?:option|answer|choice|alternative|letter|svar|antwort)(?: is)?{AROUND})?(?P<letter>[A-Za-z]){AROUND}",
+    re.I,
+)
 
 
 @final
@@ -25,8 +34,8 @@ class Choice(Kind):
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
             case Text(text):
-                letter = text.strip().strip("()[].:").strip().lower()
-                if letter in letters:
+                found = LETTER.fullmatch(text.translate(PLAIN)) if len(text) <= LONGEST else None
+                if found and (letter := found["letter"].lower()) in letters:
                     return Letter(letter, f"({letter})")
                 return Unclear(f"answer with one letter of {', '.join(letters)}", text.strip()[:40])
             case Refused(why, shown):

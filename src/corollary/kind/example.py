@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import final
 
 from corollary.kind.answer import Answer, Formulas, Numbers, Unclear
@@ -16,11 +17,12 @@ from corollary.quantity.plain import Plain
 @final
 class Example(Kind):
     def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
-        found = vector(given, part.unit, len(part.components), problem)
+        found = vector(given, part.unit, part.components, problem)
         if isinstance(found, Formulas):
             return Unclear("give numbers for an example, not formulas", found.shown)
         if isinstance(found, Numbers) and found.misfit:
-            return Unclear(found.misfit, found.shown)
+            # components of several kinds (a mass and a velocity) are asked for as plain numbers in SI: their own units will do
+            return replace(found, misfit="") if part.unit.text == "1" else Unclear(found.misfit, found.shown)
         return found
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import final
 
 from corollary.kind.answer import Answer, Blank, Formulas, Unclear
+from corollary.kind.formula import as_typed, dimension_in, fitting, formula
 from corollary.kind.kind import Kind, Sample
-from corollary.kind.number import PLACEHOLDERS, as_typed, formula
+from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.dimension import dimension_of
 from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
+from corollary.quantity.read import Reading, read_quantity
 from corollary.quantity.trouble import Trouble, sentence
 from corollary.quantity.unit import show
+
+WANTED = 'a formula is asked for: write it as text in the letters of the exercise, such as "m*v"'
 
 
 @final
@@ -32,13 +36,18 @@ class Expression(Kind):
             case Refused(why, shown):
                 return Unclear(why, shown)
             case _:
-                return Unclear("a formula is asked for: write it as text, such as \"m*v\"", "no text")
+                return Unclear(WANTED, "no text")
         trees = []
         for text in texts:
             tree = formula(text, problem)
+            if isinstance(tree, Trouble) and tree.status == "asked":
+                tree = fitting(text, part.unit, problem) or tree
+            if isinstance(tree, Unclear):
+                return tree if count == 1 else replace(tree, readings=())
             if isinstance(tree, Trouble):
-                return Unclear(sentence(tree), as_typed(text))
-            dimension = dimension_of(tree, {given.symbol: given.unit.dimension for given in problem.givens})
+                number = isinstance(read_quantity(text, part.unit), Reading)
+                return Unclear(f"this is a number; {WANTED}" if number else sentence(tree), as_typed(text))
+            dimension = dimension_in(tree, problem)
             if isinstance(dimension, Trouble):
                 return Unclear(sentence(dimension), as_typed(text))
             if dimension != part.unit.dimension:

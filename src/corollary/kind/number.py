@@ -9,19 +9,19 @@ from fractions import Fraction
 from itertools import product
 
 from corollary.kind.answer import Blank, Formulas, Numbers, Unclear
+from corollary.kind.formula import as_typed, dimension_in, fitting, formula
 from corollary.problem.problem import Problem
-from corollary.quantity.dimension import dimension_of
+from corollary.quantity.components import place_named
 from corollary.quantity.number import decimal_text
 from corollary.quantity.plain import Complex, Exact, Items, Measured, Nothing, Plain, Real, Refused, Text
-from corollary.quantity.read import Reading, read_quantities, read_quantity
-from corollary.quantity.syntax import parse
-from corollary.quantity.tree import Number, Tree, names
-from corollary.quantity.trouble import Trouble, refused, sentence
+from corollary.quantity.read import Reading, components_in, read_quantities, read_quantity
+from corollary.quantity.tree import Number, Tree
+from corollary.quantity.trouble import Trouble, sentence
 from corollary.quantity.unit import ONE, Unit, show
 
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
+FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
-LONGEST_SHOWN = 80
 COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
 
 
@@ -50,34 +50,71 @@ def scalar(given: Plain, unit: Unit, problem: Problem) -> Numbers | Formulas | B
             return Unclear(why, shown)
 
 
-def vector(given: Plain, unit: Unit, count: int, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
-    """As many numbers as there are components."""
+def vector(given: Plain, unit: Unit, names: int | tuple[str, ...], problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+    """As many numbers as there are components (their count, or their names: then an answer may name them in another order)."""
+    count, called = (names, ()) if isinstance(names, int) else (len(names), names)
     match given:
         case Nothing():
             return Blank()
         case Text(text) if text.strip() in PLACEHOLDERS:
             return Blank()
         case Text(text):
-            found = read_quantities(text, unit, count)
-            if isinstance(found, Trouble):
-                return Unclear(sentence(found), as_typed(text))
-            return _together([_reading(each, unit) for each in found])
+            return _in_one_text(text, unit, count, called, problem)
         case Items((Text(length), Text(angle)), _) if count == 2 and _is_angle(angle, unit):
-            return vector(Text(f"{length} at {angle}"), unit, count, problem)
+            return vector(Text(f"{length} at {angle}"), unit, names, problem)
         case Items(items, shape):
-            if len([size for size in shape if size != 1]) > 1:
+            if all(isinstance(item, Nothing) for item in items):
+                return Blank()
+            items = _flat(items, unit, count)
+            if isinstance(items, Unclear):
+                return items
+            if any(isinstance(item, Items) and len(item.items) != 1 for item in items):
                 return Unclear(
                     f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}", "an array"
                 )
-            if all(isinstance(item, Nothing) for item in items):
-                return Blank()
             if len(items) != count:
                 return Unclear(f"{count} components are asked for, not {len(items)}", f"a list of {len(items)}")
-            return _together([scalar(item, unit, problem) for item in items])
+            return _together([scalar(item, unit, problem) for item in _in_order(items, called)])
         case Refused(why, shown):
             return Unclear(why, shown)
         case _:
             return Unclear(f"{count} components are asked for: write them as a list", "one number")
+
+
+def _in_one_text(
+    text: str, unit: Unit, count: int, names: tuple[str, ...], problem: Problem
+) -> Numbers | Formulas | Blank | Unclear:
+    found = read_quantities(text, unit, count, names)
+    if not isinstance(found, Trouble):
+        return _together([_reading(each, unit) for each in found])
+    pieces = components_in(text, count, names)
+    each = [typed(piece, unit, problem) for piece in pieces] if isinstance(pieces, list) else []
+    if each and (found.status == "asked" or not any(isinstance(one, (Unclear, Blank)) for one in each)):
+        return _together(each)
+    return Unclear(sentence(found), as_typed(text))
+
+
+def _flat(items: tuple[Plain, ...], unit: Unit, count: int) -> tuple[Plain, ...] | Unclear:
+    """Lists within a list, and pairs in one text, opened where that gives the components one after the other."""
+    opened: list[Plain] = []
+    for item in items:
+        match item:
+            case Items(inside, _) if len(items) != count:
+                opened += inside
+            case Text(text) if len(items) != count and count % len(items) == 0:
+                pieces = components_in(text, count // len(items))
+                opened += [Text(piece) for piece in pieces] if isinstance(pieces, list) else [item]
+            case _:
+                opened.append(item)
+    return tuple(opened) if len(opened) == count else items
+
+
+def _in_order(items: tuple[Plain, ...], names: tuple[str, ...]) -> tuple[Plain, ...]:
+    """Texts that name their components (`p_y = 4`), in the order asked for."""
+    places = [place_named(item.text, names) if isinstance(item, Text) and "=" in item.text else None for item in items]
+    if None in places or len(set(places)) != len(items):
+        return items
+    return tuple(item for _, item in sorted(zip(places, items, strict=True), key=lambda pair: pair[0] or 0))
 
 
 def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
@@ -87,6 +124,10 @@ def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
             return Unclear("the result is not a number" if math.isnan(value) else "the result is infinite", str(value))
     size = float(unit.factor) * math.pi**unit.pi
     digits = [len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0")) for value in values]
+    digits = [
+        sure(count, len(f"{abs(value):.0f}")) if value and value == int(value) else count
+        for count, value in zip(digits, values, strict=True)
+    ]
     figures = tuple(count if count <= COARSE else 0 for count in digits)
     shown = ", ".join(f"{value:.6g}" for value in values)
     return Numbers(tuple(value * size for value in values), figures, _with_unit(shown, unit))
@@ -100,9 +141,15 @@ def exact(value: Fraction, unit: Unit) -> Numbers | Unclear:
     except OverflowError:
         number = math.inf if value > 0 else -math.inf
         return Numbers((number,), (0,), "a number too large to show")
-    digits = len(str(abs(value.numerator)).rstrip("0")) if value.denominator == 1 and abs(value) < 10**9 else 0
+    whole = str(abs(value.numerator)) if value.denominator == 1 and abs(value) < 10**9 else ""
+    digits = sure(len(whole.rstrip("0")), len(whole)) if value else 0
     shown = decimal_text(value, 6) if value.denominator > 1 else (str(value) if abs(value) < 10**12 else f"{float(value):.6g}")
     return Numbers((number,), (digits if digits <= COARSE else 0,), _with_unit(shown, unit))
+
+
+def sure(least: int, most: int) -> int:
+    """How many figures a number shows: 170 has two that are sure; 20, with one, was hardly rounded to tens."""
+    return least if least > 1 else most
 
 
 def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
@@ -113,14 +160,24 @@ def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank
     if isinstance(found, Reading) and found.fit != "wrong dimension":
         return _reading(found, unit)
     tree = formula(text, problem)
+    if isinstance(tree, Trouble) and tree.status == "asked":
+        tree = fitting(text, unit, problem) or tree
+    if isinstance(tree, Unclear):
+        return tree
     if not isinstance(tree, Trouble):
-        dimension = dimension_of(tree, {given.symbol: given.unit.dimension for given in problem.givens})
-        if not isinstance(dimension, Trouble) and dimension == unit.dimension:
+        dimension = dimension_in(tree, problem)
+        if dimension == unit.dimension:
             return Formulas((tree,), text.strip())
-        if isinstance(found, Trouble):
-            why = sentence(dimension) if isinstance(dimension, Trouble) else f"this formula is not in {show(unit)}"
+        if isinstance(found, Trouble) or (FORMULA.search(text) and not OWN_NUMBER.search(text)):
+            why = (
+                sentence(dimension)
+                if isinstance(dimension, Trouble)
+                else f"this formula is not in {show(unit) or 'plain numbers'}"
+            )
             return Unclear(why, as_typed(text))
     if isinstance(found, Trouble):
+        if isinstance(tree, Trouble) and FORMULA.search(text) and not OWN_NUMBER.search(text):
+            return Unclear(sentence(tree), as_typed(text))
         return Unclear(sentence(found), as_typed(text), meanings(found, text, unit))
     return _reading(found, unit)
 
@@ -132,20 +189,6 @@ def meanings(trouble: Trouble, text: str, unit: Unit) -> tuple[Numbers, ...]:
         return ()
     read = (read_quantity(text[: number.start()] + choice + text[number.end() :], unit) for choice in trouble.choices)
     return tuple(_reading(each, unit) for each in read if isinstance(each, Reading) and each.fit != "wrong dimension")
-
-
-def as_typed(text: str) -> str:
-    """What was typed, cut short where it is long."""
-    plain = text.strip()
-    return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
-
-
-def formula(text: str, problem: Problem) -> Tree | Trouble:
-    """A formula that uses at least one given."""
-    tree = parse(text, [given.symbol for given in problem.givens])
-    if not isinstance(tree, Trouble) and not names(tree) - {"pi"}:
-        return refused("this has no letters of the problem in it")
-    return tree
 
 
 def _is_angle(text: str, unit: Unit) -> bool:
@@ -163,7 +206,9 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
         value = float(ratio) * math.pi**pi
     except OverflowError:
         value = math.inf if ratio > 0 else -math.inf
-    return Numbers((value,), (found.figures,), found.shown, unitless, found.why if found.fit == "wrong dimension" else "")
+    size = (float(found.unit.factor) * math.pi**found.unit.pi,) if found.unit is not None else ()
+    why = found.why if found.fit == "wrong dimension" else ""
+    return Numbers((value,), (sure(found.least, found.figures),), found.shown, unitless, why, sizes=size)
 
 
 def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
@@ -177,7 +222,9 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
     if len(numbers) == len(found):
         values, figures = tuple(each.values[0] for each in numbers), tuple(each.figures[0] for each in numbers)
         unitless = any(each.unitless and each.values[0] != 0 for each in numbers)
-        return Numbers(values, figures, shown, unitless, next((each.misfit for each in numbers if each.misfit), ""))
+        sizes = tuple(size for each in numbers for size in each.sizes)
+        misfit = next((each.misfit for each in numbers if each.misfit), "")
+        return Numbers(values, figures, shown, unitless, misfit, sizes=sizes if len(sizes) == len(values) else ())
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
 

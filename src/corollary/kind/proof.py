@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import final
 
@@ -12,10 +13,42 @@ from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
 from corollary.quantity.syntax import parse
-from corollary.quantity.tree import Relation
+from corollary.quantity.tex import without_tex
+from corollary.quantity.tree import Relation, Tree
 from corollary.quantity.trouble import Trouble, sentence
 
-LONGEST = 30
+LONGEST, LONGEST_LINE = 30, 400
+LEADING = re.compile(
+    r"\s*(?:(?:=>|⇒|⟹|→|<=>|⇔|\\Rightarrow|\\implies|\\iff|-|\*|\(?[0-9]{1,2}[.)])\s+"
+    r"|(?:so|thus|hence|therefore|then|and|or|with|where|because|since|also|now)\b[:,]?\s+|[A-Za-z][^=:]*:\s*)*",
+    re.IGNORECASE,
+)
+BEHIND = re.compile(r"\s*(?:[.,;]|\(\*{0,2}[0-9]{1,2}\)|\([ivIV]+\))*\s*$")
+
+
+def _equations(line: str, names: Sequence[str], before: Tree | None) -> list[Relation] | str:
+    """The equations of one line; `a = b = c` says two things of a, `= b` goes on from the line before, words alone are none.
+
+    A text says, after the line's number, what could not be read.
+    """
+    if "=" not in LEADING.sub("", line, count=1):
+        return (
+            []
+            if re.search(r"[^\W\d]{3}", line) and not re.search(r"[*^/+<>]", line)
+            else " must be one equation, with one = sign"
+        )
+    plain = without_tex(line.replace("&=", "=").replace("&", ""))
+    sides = BEHIND.sub("", LEADING.sub("", plain, count=1)).split("=")
+    trees: list[Tree] = []
+    for place, side in enumerate(sides):
+        if not side.strip() and place == 0 and before is not None:
+            trees.append(before)
+            continue
+        tree = parse(side, names)
+        if isinstance(tree, Trouble):
+            return f": {sentence(tree)}"
+        trees.append(tree)
+    return [Relation("=", trees[0], right) for right in trees[1:]]
 
 
 @final
@@ -37,18 +70,16 @@ class Proof(Kind):
         if len(lines) > LONGEST:
             return Unclear(f"more than {LONGEST} lines; keep to the steps that matter", f"{len(lines)} lines")
         names = [given.symbol for given in problem.givens] + list(part.components)
-        chain = []
+        chain: list[Relation] = []
         for number, line in enumerate(lines, 1):
-            sides = line.split("=")
-            if len(sides) != 2:
-                return Unclear(f"line {number} must be one equation, with one = sign", line.strip()[:80])
-            trees = []
-            for side in sides:
-                tree = parse(side, names)
-                if isinstance(tree, Trouble):
-                    return Unclear(f"line {number}: {sentence(tree)}", line.strip()[:80])
-                trees.append(tree)
-            chain.append(Relation("=", trees[0], trees[1]))
+            if len(line) > LONGEST_LINE:
+                return Unclear(f"line {number} is longer than {LONGEST_LINE} characters", line.strip()[:80])
+            found = _equations(line, names, chain[-1].left if chain else None)
+            if isinstance(found, str):
+                return Unclear(f"line {number}{found}", line.strip()[:80])
+            chain += found
+        if not chain:
+            return Unclear("no line is an equation; write each step with an = sign", lines[0].strip()[:80])
         return Chain(tuple(chain), "; ".join(line.strip() for line in lines))
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:

@@ -42,10 +42,12 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     if isinstance(found, Trouble):
         return _trouble(found)
     assert isinstance(found, Reading)
-    unit = found.unit or expected
-    verdict = None if expected is None else {"fits": "compatible"}.get(found.fit, found.fit)
+    fits = found.fit == "fits"
+    unit = found.unit or (expected if fits else None)
+    value = float(found.value) if found.fit == "unit missing" else _float(found)  # without the unit it needs it is a plain number
+    verdict = None if expected is None else "compatible" if fits else "wrong dimension"
     return {
-        "status": "ok", "read": found.shown, "value": _float(found), "unit": canonical(unit) if unit else "1", "figures": found.figures,
+        "status": "ok", "read": found.shown, "value": value, "unit": canonical(unit) if unit else "1", "figures": found.figures,
         "dimension": powers(unit.dimension if unit else Dimension()), "verdict": verdict, "why": found.why if expected else "",
     }  # fmt: skip
 
@@ -142,9 +144,13 @@ def _truth(case: Mapping[str, Any]) -> Tree | None:
 def _domain(case: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     domain = case.get("domain") or {}
     try:
-        return {name: (float(low), float(high)) for name, (low, high) in domain.items()}
-    except (AttributeError, TypeError, ValueError):
+        bounds = {name: (float(low), float(high)) for name, (low, high) in domain.items()}
+    except (AttributeError, TypeError, ValueError, OverflowError):
         raise BadCase('"domain" must give each letter its bounds: {"v": [-10, 10]}') from None
+    for name, (low, high) in bounds.items():
+        if not -math.inf < low < high < math.inf:
+            raise BadCase(f'"domain" of {name}: from {low:g} to {high:g} there are no numbers; the lower bound comes first')
+    return bounds
 
 
 def _float(found: Reading) -> float | str:

@@ -7,6 +7,7 @@ from typing import final
 
 from corollary.kind.answer import Answer
 from corollary.kind.axes import in_own_axes
+from corollary.kind.heading import with_heading
 from corollary.kind.kind import Kind, Sample
 from corollary.kind.number import scalar
 from corollary.problem.part import Part
@@ -18,7 +19,7 @@ from corollary.quantity.unit import canonical, si_unit
 @final
 class Value(Kind):
     def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
-        return in_own_axes(given, part, lambda plain: scalar(plain, part.unit, problem))
+        return in_own_axes(given, part, lambda own: with_heading(own, part, lambda plain: scalar(plain, part.unit, problem)))
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
         assert not isinstance(truth, str)

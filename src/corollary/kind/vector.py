@@ -18,7 +18,7 @@ from corollary.quantity.unit import canonical, si_unit
 @final
 class Vector(Kind):
     def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
-        return in_own_axes(given, part, lambda plain: vector(plain, part.unit, len(part.components), problem))
+        return in_own_axes(given, part, lambda plain: vector(plain, part.unit, part.components, problem))
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
         assert not isinstance(truth, str)
@@ -32,5 +32,5 @@ class Vector(Kind):
             Sample([f"{value!r}{name}" for value in truth][:-1], "unread"),
             Sample([None] * len(truth), "unread"),
             Sample("north-east", "unread"),
-            Sample([[1.0, 2.0], [3.0, 4.0]], "unread"),
+            Sample([[1.0] * len(truth)] * 2, "unread"),
         )

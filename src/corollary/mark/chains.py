@@ -9,7 +9,7 @@ from corollary.kind.answer import Chain
 from corollary.mark.examples import holds_nearly
 from corollary.mark.key import Key
 from corollary.mark.replay import as_exact, number, replay
-from corollary.mark.verdict import Mistaken, Right, Verdict, Wrong
+from corollary.mark.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
 from corollary.problem.draw import sample
 from corollary.problem.part import Part
 from corollary.quantity.ball import Exactly, Undefined
@@ -44,7 +44,19 @@ def judge_chain(key: Key, part: Part, answer: Chain) -> Verdict:
         return Wrong("The last line is true, but it is not yet what was to be shown.")
     if len(answer.lines) < 2:
         return Wrong("One line is a claim; a proof shows the way from a law to it.")
+    if _leaps(answer.lines, [law for stated in truth.laws for law in stated.here], truth.target, lawful):
+        return Unmarked("Every line holds, but the way from the law to the last line is not written down; a person will look at it.")
     return Right("Every line holds, from the law to what was to be shown.")
+
+
+def _leaps(lines: Sequence[Relation], laws: Sequence[Relation], target: Relation, lawful: Sequence[Point]) -> bool:
+    """Whether nothing stands between some of the laws and the claim: no step, and not every law that it takes."""
+    written = {text(line): line for line in lines}.values()
+    if len(written) > len(laws) + 1:
+        return False
+    steps = [line for line in written if text(line) not in (text(lines[-1]), text(target))]
+    stated = [[_equivalent(step, law, lawful) for law in laws] for step in steps]
+    return all(map(any, stated)) and not all(any(each[place] for each in stated) for place in range(len(laws)))
 
 
 def lawful_points(key: Key) -> list[Point]:
@@ -108,6 +120,8 @@ def _solved(equation: Relation, letter: str, point: Point) -> Point | None:
                 break
             before, here, low = here, here - high * (here - before) / (high - low), high
             high = at(here)
+        if abs(here) < EXACT * abs(number(Name(letter), point)):
+            return None  # a common factor of both sides set to nought makes any equation hold
         changed = point | {letter: as_exact(here)}
         return changed if holds_nearly(equation, changed, EXACT) else None
     except (Undefined, OverflowError):

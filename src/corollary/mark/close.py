@@ -18,17 +18,24 @@ def same_signs(values: Sequence[float], target: Sequence[float], doubt: Sequence
     return all(x * y >= 0 or abs(y) <= small for x, y, small in zip(values, target, doubt, strict=True))
 
 
-def coarse(values: Sequence[float], figures: Sequence[int], target: Sequence[float], size: float) -> int:
+def coarse(
+    values: Sequence[float], figures: Sequence[int], target: Sequence[float], sizes: Sequence[float], near: float = 0.0
+) -> int:
     """The fewest figures written, when the target rounded to the figures written gives just these values; else 0.
 
-    `size` is the SI value of the unit in which the numbers were written, for figures are counted in that unit.
+    `sizes` are the SI values of the units in which the numbers were written, for figures are counted there. A component that
+    is `near` the target (in SI) has figures enough.
     """
     if not all(figures):
         return 0
-    for value, count, wanted in zip(values, figures, target, strict=True):
+    few = []
+    for value, count, wanted, size in zip(values, figures, target, sizes, strict=True):
+        if abs(value - wanted) <= near:
+            continue
         if value == 0:
             return 0
         unit = 10.0 ** (math.floor(math.log10(abs(value / size)) + 1e-12) - count + 1) * size
         if abs(value - wanted) > 0.5 * unit * (1 + 1e-9):
             return 0
-    return min(figures)
+        few.append(count)
+    return min(few or figures)

@@ -7,18 +7,24 @@ from collections.abc import Mapping
 from corollary.derive.solution import Formulas as Closed
 from corollary.derive.solution import Rule
 from corollary.kind.answer import Formulas
+from corollary.kind.answer import Numbers as Said
 from corollary.kind.equality import Different, Equal, Undecided, compare, hint
+from corollary.mark.close import close
 from corollary.mark.key import Key
+from corollary.mark.numbers import judge_numbers
 from corollary.mark.replay import Numbers, ancestors, number
-from corollary.mark.verdict import Mistaken, Right, Slip, Unmarked, Verdict, Wrong
+from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.quantity.ball import Exactly, Undefined, certified
-from corollary.quantity.tree import Name, Tree, substitute
+from corollary.quantity.degrees import in_degrees
+from corollary.quantity.tree import Name, Number, Tree, names, substitute, walk
+
+EXACTLY = 1e-6
 
 
-def judge_formulas(key: Key, part: Part, answer: Formulas) -> Verdict:
-    """Component by component against the closed form, then against what each known mistake makes of it."""
+def judge_formulas(key: Key, part: Part, answer: Formulas, earlier: Mapping[str, Numbers]) -> Verdict:
+    """Component by component against the closed form, by its value where numbers stand in it, then against the known mistakes."""
     truth = key.truths[part.id]
     closed = key.find(truth).closed
     if closed is None:
@@ -29,6 +35,8 @@ def judge_formulas(key: Key, part: Part, answer: Formulas) -> Verdict:
         return Right()
     if any(isinstance(each, Undecided) for each in found):
         return Unmarked("The machine can neither show that this formula is right nor that it is wrong; a person will look at it.")
+    if part.kind != "expression" and (verdict := _by_value(key, part, answer, closed, earlier)) is not None:
+        return verdict
     for wrong, said in wrong_forms(key, truth.place):
         if all(isinstance(compare(tree, other, where), Equal) for tree, other in zip(answer.trees, wrong, strict=True)):
             return Mistaken(said)
@@ -37,6 +45,34 @@ def judge_formulas(key: Key, part: Part, answer: Formulas) -> Verdict:
         return Slip(f"{said[0].upper()}{said[1:]}.")
     point = ", ".join(f"{name} = {value:.4g}" for name, value in sorted(first.point.items()))
     return Wrong(f"For example at {point} (SI) it gives something else than the laws do.")
+
+
+def _by_value(key: Key, part: Part, answer: Formulas, closed: tuple[Tree, ...], earlier: Mapping[str, Numbers]) -> Verdict | None:
+    """Right where only some letters were put in as numbers, or where it follows from earlier answers; else None."""
+    if all(names(mine) <= names(wanted) | {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)):
+        return _numbers_put_in(key, part, answer, closed)
+    values = values_of(key, answer)
+    verdict = judge_numbers(key, part, _said(values, answer), earlier) if values is not None else None
+    return verdict if isinstance(verdict, Follows) else None
+
+
+def _numbers_put_in(key: Key, part: Part, answer: Formulas, closed: tuple[Tree, ...]) -> Right | None:
+    """`m v cos(30°)`, `L/9`: right when the letters left out were put in as numbers, exactly or as decimals."""
+    if not any(names(wanted) - names(mine) - {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)):
+        return None
+    decimals = any(isinstance(node, Number) and node.figures for tree in answer.trees for node in walk(tree))
+    truth = key.truths[part.id]
+    for trees in (answer.trees, tuple(map(in_degrees, answer.trees))):
+        values = values_of(key, Formulas(trees, answer.shown))
+        if values is None or not (decimals or close(values, truth.values, EXACTLY, truth.scale)):
+            continue
+        if isinstance(judge_numbers(key, part, _said(values, answer), {}), Right):
+            return Right("" if trees == answer.trees else "Right. (Write 30° where degrees are meant.)")
+    return None
+
+
+def _said(values: Numbers, answer: Formulas) -> Said:
+    return Said(values, (0,) * len(values), answer.shown)
 
 
 def values_of(key: Key, answer: Formulas) -> Numbers | None:

@@ -53,14 +53,14 @@ def verdict_on(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Value
             return Unread("No answer was given.", blank=True)
         case Unclear(why, _, readings):
             if any(isinstance(verdict_on(key, part, meant, earlier), Right | Follows) for meant in readings):
-                return Unmarked(f"This can be read in two ways, and one of them is right: a person will decide. {why}.")
+                return Unmarked(f"This can be read in two ways, and one of them is right: a person will decide. ({why[0].upper()}{why[1:]}.)")
             return Unread(f"This could not be read: {why}{'' if why.endswith(('.', '?')) else '.'}")
         case Numbers() if part.kind == "example":
             return judge_example(key, part, answer)
         case Numbers():
             return judge_numbers(key, part, answer, earlier)
         case Formulas():
-            return judge_formulas(key, part, answer)
+            return judge_formulas(key, part, answer, earlier)
         case Letter(letter, _):
             if letter == key.choices[part.id]:
                 return Right()

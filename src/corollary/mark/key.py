@@ -54,7 +54,11 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     values: list[tuple[float, ...]] = []
     stated: dict[int, tuple[bool, float]] = {}
     for place, find in enumerate(solution.finds):
-        numbers, proven, error = answer(solution, find, variant, values)
+        try:
+            numbers, proven, error = answer(solution, find, variant, values)
+        except Undefined as why:
+            what = f"part {find.answers}" if find.answers else ", ".join(find.names)
+            raise Undefined(f"{what} has no value for these numbers: {why}") from why
         values.append(numbers)
         stated[place] = proven, error
     noise = noise_of(solution, givens, values)

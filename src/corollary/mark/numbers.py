@@ -13,18 +13,22 @@ from corollary.mark.key import Key, Truth
 from corollary.mark.replay import Deviation, ancestors, replay
 from corollary.mark.replay import Numbers as Values
 from corollary.mark.slips import slipped
-from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Verdict, Wrong
+from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.quantity.ball import Undefined
 from corollary.quantity.unit import called, show
 
 COARSE = "Rounded too far to tell: give three significant figures."
+CLOSE = "Close, but outside what rounding explains: carry four figures and round at the end."
+NEAR = 0.1  # of the tolerance: a component so close is not rounded too far
 UNITLESS = "The number is right, but its unit is missing; a quantity is a number *and* a unit."
 
 
 def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, Values]) -> Verdict:
     """What a good marker says of these numbers, given the student's earlier values (SI, by part)."""
     truth = key.truths[part.id]
+    if answer.in_words:
+        return _in_words(key, part, replace(answer, in_words=False), earlier)
     if answer.unitless:
         verdict = judge_numbers(key, part, replace(answer, unitless=False), earlier)
         return Slip(UNITLESS) if isinstance(verdict, (Right, Follows)) else verdict
@@ -36,7 +40,7 @@ def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, V
     for base in bases:
         if _met(answer, truth, base.values):
             return Follows(base.parts) if base.parts else Right()
-    if few := _coarse(part, answer, truth.values):
+    if few := _coarse(part, answer, truth, truth.values):
         told = few > 1 and not _also_a_mistake(key, part, truth, bases, answer)
         return Right(f"Right, but coarse: {few} figures are few; give three.") if told else Slip(COARSE)
     for base in bases:
@@ -44,7 +48,7 @@ def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, V
             if _met(answer, truth, wrong):
                 return Mistaken(said, base.parts)
     for base in bases:
-        if base.parts and _coarse(part, answer, base.values) > 1:
+        if base.parts and _coarse(part, answer, truth, base.values) > 1:
             return Follows(base.parts)
     for base in _distinct(bases):
         for off, said in slipped(key, truth, base, part.unit):
@@ -68,6 +72,19 @@ def mistakes(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Values, st
                 continue
 
 
+def _in_words(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, Values]) -> Verdict:
+    """A sign that was given as a direction in words: where the other sign would be right, a person looks at the words."""
+    verdict = judge_numbers(key, part, answer, earlier)
+    if isinstance(verdict, (Right, Follows)):
+        return verdict
+    other = judge_numbers(key, part, replace(answer, values=tuple(-value for value in answer.values)), earlier)
+    return (
+        Unmarked(f"The size is right; a person will read your words on the direction: {answer.shown}.")
+        if isinstance(other, (Right, Follows))
+        else verdict
+    )
+
+
 def _misfit(why: str, verdict: Verdict) -> Verdict:
     """A wrong unit is a slip on a right number, is told by a known mistake, and settles everything else."""
     match verdict:
@@ -84,13 +101,15 @@ def _met(answer: Numbers, truth: Truth, target: Values) -> bool:
     return close(answer.values, target, truth.tolerance, size(target, truth)) and same_signs(answer.values, target, truth.doubt)
 
 
-def _coarse(part: Part, answer: Numbers, target: Values) -> int:
-    return coarse(answer.values, answer.figures, target, float(part.unit.factor) * math.pi**part.unit.pi)
+def _coarse(part: Part, answer: Numbers, truth: Truth, target: Values) -> int:
+    near = NEAR * truth.tolerance * size(target, truth) if len(target) > 1 else 0.0
+    own = (float(part.unit.factor) * math.pi**part.unit.pi,) * len(target)
+    return coarse(answer.values, answer.figures, target, answer.sizes or own, near)
 
 
 def _also_a_mistake(key: Key, part: Part, truth: Truth, bases: list[Carried], answer: Numbers) -> bool:
     """Whether so few figures fit a known mistake as well."""
-    return any(_coarse(part, answer, wrong) for wrong, _ in mistakes(key, truth, bases[0])) if bases else False
+    return any(_coarse(part, answer, truth, wrong) for wrong, _ in mistakes(key, truth, bases[0])) if bases else False
 
 
 def _distinct(bases: list[Carried]) -> list[Carried]:
@@ -110,14 +129,17 @@ def _hint(part: Part, answer: Numbers, truth: Truth) -> str:
         if answer.values[0] * truth.values[0] < 0:
             return "Neither the sign nor the size fits."
         if abs(ratio - 1) < 0.05:
-            return "Close, but outside what rounding explains: carry four figures and round at the end."
+            return CLOSE
     if len(answer.values) > 1:
         right = [
             name
             for name, x, wanted in zip(part.components, answer.values, truth.values, strict=True)
             if abs(x - wanted) <= truth.tolerance * truth.scale
         ]
+        if len(right) == len(answer.values):
+            return CLOSE
         if right:
-            others = "others" if len(answer.values) - len(right) > 1 else "other"
-            return f"Component {' and '.join(right)} fits; look at the {others} again."
+            one, others = len(right) == 1, "others" if len(answer.values) - len(right) > 1 else "other"
+            fit = f"Component {right[0]} fits" if one else f"Components {', '.join(right[:-1])} and {right[-1]} fit"
+            return f"{fit}; look at the {others} again."
     return f"Read as {kind}{f' in {show(part.unit)}' if show(part.unit) else ''}; it does not follow from the numbers given."

@@ -24,12 +24,14 @@ def run_programs(key: Key, answers: Mapping[str, Plain]) -> dict[str, Shown]:
     }
     if not sources:
         return {}
-    shown = {}
     with Runner() as runner:
-        for part in problem.parts:
-            if (source := sources.get(part.id)) is None:
-                continue
-            cells = (Cell("usual", USUAL), Cell(part.id, source))
-            taken = runner.take(Job(cells, (), tuple(asks(key.solution, key.variant, part, b"", "")), (part.id,), pictures=False))
-            shown[part.id] = Shown(taken.calls, taken.figures, True)
-    return shown
+        return {part: ran(runner, key, part, source) for part, source in sources.items()}
+
+
+def ran(runner: Runner, key: Key, part: str, source: str) -> Shown:
+    """What one part's program does when run and called."""
+    problem = key.variant.problem
+    cells = (Cell("usual", USUAL), Cell(part, source))
+    calls = tuple(asks(key.solution, key.variant, problem.part(part), b"", ""))
+    taken = runner.take(Job(cells, (), calls, (part,), pictures=False))
+    return Shown(taken.calls, taken.figures, True)

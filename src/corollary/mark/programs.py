@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from typing import assert_never
 
 from corollary.derive.entries import Code, Plot
-from corollary.derive.said import Said
+from corollary.derive.programs.called import Called
+from corollary.derive.said import Remark, Said
 from corollary.derive.solution import Solution
 from corollary.kind.answer import Numbers, Unclear
 from corollary.kind.number import vector
@@ -56,9 +58,10 @@ def inputs_of(code: Code, variant: Variant, part: Part, secret: bytes, student: 
 
 
 def judge_code(solution: Solution, variant: Variant, part: Part, shown: Shown, secret: bytes, student: str) -> Verdict:
-    """Every call must return what the reference allows; the first that does not decides what is said."""
+    """Every call must have come back; then the solution's judge looks at all of them together."""
     code = code_of(solution, part)
     assert code is not None
+    called = []
     for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
         answered = shown.calls.get(f"{variant.problem.answer_name(part)}/{place}")
         if answered is None:
@@ -70,10 +73,8 @@ def judge_code(solution: Solution, variant: Variant, part: Part, shown: Shown, s
         returned = _numbers(answered.value, variant)
         if isinstance(returned, str):
             return Unread(f"{part.function} returns something that is no list of numbers: {returned}.")
-        said = code.judge(variant.si, inputs, returned)
-        if said is not None:
-            return Mistaken(said.sentence) if said.known else Wrong(said.sentence)
-    return Right()
+        called.append(Called(inputs, returned))
+    return _verdict(code.judge(variant.si, called))
 
 
 def judge_plot(solution: Solution, variant: Variant, part: Part, shown: Shown) -> Verdict:
@@ -83,14 +84,19 @@ def judge_plot(solution: Solution, variant: Variant, part: Part, shown: Shown) -
     axes = [each for figure in shown.figures for each in figure.axes]
     if not axes:
         return Unread("No figure was drawn.", blank=True)
-    said: Said | None = _said(plot.judge, variant, axes)
-    if said is None:
-        return Right()
-    return Mistaken(said.sentence) if said.known else Wrong(said.sentence)
+    return _verdict(plot.judge(variant.si, axes))
 
 
-def _said(judge: Callable, variant: Variant, axes: Sequence[object]) -> Said | None:
-    return judge(variant.si, axes)
+def _verdict(said: Said | Remark | None) -> Verdict:
+    match said:
+        case None:
+            return Right()
+        case Remark(sentence):
+            return Right(sentence)
+        case Said(sentence, known):
+            return Mistaken(sentence) if known else Wrong(sentence)
+        case _:
+            assert_never(said)
 
 
 def _argument(value: object) -> Argument:

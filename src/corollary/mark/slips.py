@@ -20,7 +20,7 @@ KMH = "A factor of 3.6 too {}: km/h and m/s have been mixed."
 FACTORS = (
     (2.0, "A factor of 2 too large."),
     (0.5, "A factor of 2 too small."),
-    *((10.0**n, TEN.format(10**n if n > 0 else f"1/{10**-n}")) for n in (1, -1, 2, -2, 3, -3, 4, -4, 6, -6)),
+    *((10.0**n, TEN.format(str(10**n) if n > 0 else f"1/{10**-n}")) for n in (1, -1, 2, -2, 3, -3, 4, -4, 6, -6)),
     (3.6, KMH.format("large")),
     (1 / 3.6, KMH.format("small")),
 )

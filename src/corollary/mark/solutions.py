@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from corollary.derive.kept import solution_of
 from corollary.derive.load import source
 from corollary.derive.solution import Solution
-from corollary.derive.solve import solve
 from corollary.derive.story import story
 from corollary.mark.deal import Dealt, deal
 from corollary.mark.key import Key, make_key
+from corollary.mark.neglect import neglects
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.problem.variant import Variant
@@ -22,9 +23,9 @@ class Solutions:
     known: dict[str, Solution] = field(default_factory=dict)
 
     def of(self, problem: Problem) -> Solution:
-        """Solved at the first call. Raises NotDerivable."""
+        """Solved at the first call, or recalled from an earlier command. Raises NotDerivable."""
         if problem.code not in self.known:
-            self.known[problem.code] = solve(self.bank, problem)
+            self.known[problem.code] = solution_of(self.bank, problem)
         return self.known[problem.code]
 
     def source(self, problem: Problem) -> bytes:
@@ -45,8 +46,9 @@ class Solutions:
 
     def told(self, key: Key) -> str:
         """The same, where the key is at hand."""
-        return story(key.solution, key.variant, key.values, key.choices)
+        left_out = [(each.most, each.share) for each in neglects(key)]
+        return story(key.solution, key.variant, key.values, key.choices, left_out)
 
     def __reduce__(self):
-        """Sent to another process it is solved again there: scenes are functions of a file, and do not travel."""
+        """Sent to another process it is found again there: programs are functions of a file, and do not travel."""
         return Solutions, (self.bank,)

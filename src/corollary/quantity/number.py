@@ -14,15 +14,19 @@ MOST_DIGITS = 40
 LARGEST_EXPONENT = 300
 
 # One character for another, so that a position in the plain text is a position in what was typed.
-FANCY = {"-": "−–—‐‑﹣－", "*": "·×∙⋅•∗", "/": "∕⁄÷", " ": "\u00a0\u2009\u202f\u2007\u200b\u2062\ufeff\t\n\r", "'": "’"}
+FANCY = {
+    "-": "−–—‐‑﹣", "*": "·×∙⋅•∗⨯✕✖‧・", "/": "∕⁄÷", "≈": "∼≃≅≒", "'": "’",
+    " ": "\u00a0\u2002\u2003\u2009\u200a\u202f\u2007\u200b\u2060\u2062\u3000\ufeff\t\n\r",
+}  # fmt: skip
 PLAIN = {ord(fancy): plain for plain, several in FANCY.items() for fancy in several}
+PLAIN |= {wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)}  # as typed on a keyboard for Chinese or Japanese
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 VULGAR = {"½": Fraction(1, 2), "⅓": Fraction(1, 3), "⅔": Fraction(2, 3), "¼": Fraction(1, 4), "¾": Fraction(3, 4)}
 
 SIGN = re.compile(r"\s*([+-]?)\s*")
 BODY = re.compile(r"(?:[0-9]{1,3}(?:[ '][0-9]{3})+(?![0-9])|[0-9]+)(?:[.,][0-9]+)*\.?|[.,][0-9]+")
 POWER = r"(?:(?:\^|\*\*)\s*(?:([+-]?[0-9]+)|[({]([+-]?[0-9]+)[)}])|([⁻⁺]?[⁰¹²³⁴-⁹]+))"
-TEN = re.compile(rf"[eE]([+-]?[0-9]+)(?![0-9.,])|\s*(?:\*|[xX](?=\s*10))\s*10\s*{POWER}")
+TEN = re.compile(rf"[eE]([+-]?[0-9]+)(?![0-9.,])|(?:\s*(?:\*|[xX](?=\s*10))\s*|\s+)10\s*{POWER}")
 BARE_TEN = re.compile(rf"10\s*{POWER}")
 BELOW = re.compile(r"\s*/\s*(?=[0-9.,])")
 
@@ -62,13 +66,13 @@ def scan_number(text: str) -> tuple[Written, int] | Trouble:
     start = SIGN.match(text)
     assert start is not None  # the pattern matches the empty string
     sign, at = (-1 if start[1] == "-" else 1), start.end()
-    found = _unsigned(text, at)
+    found = unsigned(text, at)
     if isinstance(found, Trouble):
         return found
     number, end = found
     below = BELOW.match(text, end)
     if below:
-        bottom = _unsigned(text, below.end())
+        bottom = unsigned(text, below.end())
         if isinstance(bottom, Trouble):
             return bottom
         divisor, end = bottom
@@ -80,7 +84,8 @@ def scan_number(text: str) -> tuple[Written, int] | Trouble:
     return Written(sign * number.value, number.figures, number.least), end
 
 
-def _unsigned(text: str, at: int) -> tuple[Written, int] | Trouble:
+def unsigned(text: str, at: int) -> tuple[Written, int] | Trouble:
+    """The number without a sign that stands at one place of a text (translated by PLAIN), and where it ends."""
     bare = BARE_TEN.match(text, at)
     if bare:
         power = _exponent(bare)

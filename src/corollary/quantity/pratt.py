@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import NoReturn
+from typing import Literal, NoReturn
 
 from corollary.quantity.degrees import degrees
 from corollary.quantity.exact import constant
@@ -14,6 +14,7 @@ from corollary.quantity.tokens import LARGEST_EXPONENT, Token
 from corollary.quantity.tree import Call, Name, Negative, Number, Power, Product, Quotient, Relation, Sum, Tree
 from corollary.quantity.trouble import Trouble, asked, refused
 
+Lean = Literal["ask", "near", "far"]  # what has two readings: ask, let `cos θ/M` and `a/b c` end near, or let them reach far
 DEEPEST = 40
 LARGEST_POWER = 64
 MOST_BITS = 4096
@@ -34,6 +35,7 @@ class _Line:
 
     tokens: list[Token]
     student: bool
+    lean: Lean = "ask"
     at: int = 0
     depth: int = 0
     bars: list[int] = field(default_factory=list)  # depth of brackets at each | still open
@@ -52,9 +54,9 @@ class _Line:
         return token
 
 
-def formula(tokens: list[Token], *, student: bool) -> Tree | Trouble:
+def formula(tokens: list[Token], *, student: bool, lean: Lean = "ask") -> Tree | Trouble:
     """The tree of a whole line. Students may leave out product signs and compare nothing; authors the other way round."""
-    line = _Line(tokens, student)
+    line = _Line(tokens, student, lean)
     try:
         tree = _formula(line, 0)
         if line.next.kind != "end":
@@ -119,7 +121,7 @@ def _formula(line: _Line, least: int) -> Tree:
             line.take()
             tree, grows = degrees(tree), None
         elif _follows(line) and least < TIMES:
-            tree, grows = _implicit(line, tree, grows), Product
+            tree, grows = _implicit(line, tree, grows)
         else:
             line.depth -= 1
             return tree
@@ -140,7 +142,7 @@ def _brackets(line: _Line) -> int:
     return sum(token.kind == "open" for token in opened) - sum(token.kind == "close" for token in opened)
 
 
-def _implicit(line: _Line, tree: Tree, grows: type | None) -> Tree:
+def _implicit(line: _Line, tree: Tree, grows: type | None) -> tuple[Tree, type]:
     token, before = line.next, line.tokens[line.at - 1]
     if not line.student:
         _refuse("a product sign is missing here", token.at, "write * for every product")
@@ -151,8 +153,11 @@ def _implicit(line: _Line, tree: Tree, grows: type | None) -> Tree:
     factor = _formula(line, TIMES)
     if grows is Quotient and isinstance(tree, Quotient) and not half:  # `1/2 m`, with its space, is one half of m
         below = Quotient(tree.top, _times(tree.bottom, factor, None))
-        _ask("it is not clear what stands below the slash", token.at, below, Product((tree, factor)))
-    return _times(tree, factor, grows)
+        if line.lean == "far":
+            return below, Quotient
+        if line.lean == "ask":
+            _ask("it is not clear what stands below the slash", token.at, below, Product((tree, factor)))
+    return _times(tree, factor, grows), Product
 
 
 def _power(base: Tree, exponent: Tree, token: Token) -> Tree:
@@ -263,7 +268,7 @@ def _arguments(line: _Line, function: str) -> tuple[Tree, ...]:
 
 def _bare_argument(line: _Line, function: str) -> Tree:
     """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
-    token = line.next
+    token, start = line.next, line.at
     if token.kind not in ("number", "name", "e") or ARGUMENTS[function] != 1:
         _refuse(f"{function} needs brackets", token.at, f"write {function}(…)")
     argument = _first(line, FACTOR)
@@ -274,6 +279,11 @@ def _bare_argument(line: _Line, function: str) -> Tree:
         argument = Product((argument, _first(line, FACTOR)))
     behind = line.next
     if behind.kind in ("number", "name", "e", "open") or (behind.kind == "sign" and behind.text in "/^"):
+        if line.lean == "near":
+            return argument
+        if line.lean == "far":
+            line.at = start
+            return _formula(line, ADD)
         shown = text(argument)
         more = {"/": "/…", "^": "^…"}.get(behind.text, "*…")
         choices = f"{function}({shown}{more})", f"{function}({shown}){more}"

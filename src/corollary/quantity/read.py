@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
+from corollary.quantity.components import length_and_angle, pieces_of, plain_answer
 from corollary.quantity.number import LONGEST, PLAIN, Written, decimal_text, scan_number
-from corollary.quantity.trouble import Trouble, asked, refused, sentence
+from corollary.quantity.tex import moved, without_tex
+from corollary.quantity.trouble import Trouble, refused, sentence
 from corollary.quantity.unit import PURE, Unit, called, read_unit, show
+from corollary.quantity.wording import SIDES, answer_in
+from corollary.quantity.worked import worked_out
 
-REPEATED_LEFT = re.compile(r"\s*[^\W\d][^\s=≈+*/^();,]{0,15}\s*[=≈]")
-DIRECTIONS = {"i": 0, "j": 1, "k": 2, "î": 0, "ĵ": 1, "k̂": 2, "x̂": 0, "ŷ": 1, "ẑ": 2}
-ALONG = re.compile(r"(?P<letter>k̂|x̂|ŷ|ẑ|[îĵijk])(?=\s*(?:[+\-)]|$))|(?P<last>k̂|x̂|ŷ|ẑ|[îĵijk])\s+(?=\D)")
-POLAR = re.compile(r"\s+at(?: an angle of)?\s+|\s*∠\s*", re.IGNORECASE)
+MOST_SIDES = 5
+UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
+METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
+TWICE = re.compile(r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,24 +43,79 @@ class Reading:
 
 
 def read_quantity(text: str, expected: Unit | None) -> Reading | Trouble:
-    """The number and unit a text stands for. Without `expected` every unit fits, and none is missing."""
+    """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits."""
     if len(text) > LONGEST:
         return refused(f"this is longer than {LONGEST} characters", LONGEST)
-    plain, skipped = _without_left(text.translate(PLAIN))
+    typed = without_tex(text)
+    plain, skipped = answer_in(typed.translate(PLAIN))
+    found = _number_and_unit(text, plain, expected)
+    if skipped and isinstance(found, Reading) and (other := _otherwise(typed.translate(PLAIN)[:skipped], found, expected)):
+        return refused(f"{other.shown} and {found.shown} are not the same", None, "write one number and a unit")
+    if (
+        isinstance(found, Trouble)
+        and found.status == "refused"
+        and not isinstance(worked := _worked(text, plain, expected), Trouble)
+    ):
+        return worked
+    if isinstance(found, Trouble) and (twice := _said_twice(plain, expected)) is not None:
+        return twice
+    return moved(_moved(found, skipped), text, typed) if isinstance(found, Trouble) else found
+
+
+def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | None:
+    """A side before the last that is a quantity of its own, and not the same: `9 N = 8.6 N`."""
+    sides = (_number_and_unit(side, side, expected) for side in SIDES.split(before)[-MOST_SIDES:])
+    given = (side for side in sides if isinstance(side, Reading) and side.unit is not None and last.unit is not None)
+    return next(
+        (side for side in given if side.fit == last.fit and not math.isclose(in_si(side), in_si(last), rel_tol=0.05)), None
+    )
+
+
+def _said_twice(plain: str, expected: Unit | None) -> Reading | None:
+    """`0.4 (40 %)`, `20 m/s (72 km/h)`: the first of the two, when both say the same."""
+    both = TWICE.fullmatch(plain)
+    if both is None:
+        return None
+    first, second = (_number_and_unit(each, each, expected) for each in both.groups())
+    if isinstance(first, Trouble) or isinstance(second, Trouble) or first.fit != "fits" or second.fit != "fits":
+        return None
+    return first if math.isclose(in_si(first), in_si(second), rel_tol=0.01) else None
+
+
+def _number_and_unit(text: str, plain: str, expected: Unit | None) -> Reading | Trouble:
     found = scan_number(plain)
     if isinstance(found, Trouble):
-        return _moved(found, skipped)
+        return found
     number, end = found
     rest = plain[end:].strip().rstrip(".")
     if not rest:
         return _reading(text, number, None, expected)
-    at = skipped + end + plain[end:].index(rest[0])
+    at = end + plain[end:].index(rest[0])
     if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
         return refused("one number is enough here", at, "work it out and write a number and a unit")
-    unit = read_unit(rest.lstrip("*").strip())
-    if isinstance(unit, Trouble):
-        return _moved(unit, at)
-    return _reading(text, number, unit, expected)
+    unit = _meant(rest.lstrip("*").strip(), expected)
+    return _moved(unit, at) if isinstance(unit, Trouble) else _reading(text, number, unit, expected)
+
+
+def _meant(text: str, expected: Unit | None) -> Unit | Trouble:
+    """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
+    unit = read_unit(text)
+    if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
+        return unit
+    twice = UNIT_TWICE.fullmatch(text)
+    meanings = (*unit.choices, METRES.sub("m s", text)) if isinstance(unit, Trouble) else twice.groups() if twice else ()
+    fitting = [each for each in map(read_unit, meanings) if isinstance(each, Unit) and each.dimension == expected.dimension]
+    if twice:
+        return fitting[0] if len(fitting) == 2 else unit
+    return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
+
+
+def _worked(text: str, plain: str, expected: Unit | None) -> Reading | Trouble:
+    found = worked_out(plain)
+    if isinstance(found, Trouble):
+        return found
+    number = Written(Fraction(f"{found.value:.15g}"), 0, 0)
+    return _reading(text, number, found.unit, expected, decimal_text(Fraction(f"{found.value:.6g}"), 0))
 
 
 def in_si(reading: Reading) -> float:
@@ -71,32 +131,49 @@ def describe(reading: Reading | Trouble) -> str:
     return f"read as {reading.shown}" + (f": {reading.why}" if reading.why else "")
 
 
-def read_quantities(text: str, expected: Unit | None, count: int) -> tuple[Reading, ...] | Trouble:
-    """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`."""
+def read_quantities(text: str, expected: Unit | None, count: int, names: Sequence[str] = ()) -> tuple[Reading, ...] | Trouble:
+    """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`.
+
+    With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
+    """
+    pieces = components_in(text, count, names)
+    match pieces:
+        case Trouble():
+            return pieces
+        case tuple():
+            return _polar(*pieces, expected)
+        case list():
+            found = []
+            for piece in pieces:
+                reading = read_quantity(piece, expected)
+                if isinstance(reading, Trouble):
+                    start = text.find(piece)
+                    return (
+                        _moved(reading, start) if start >= 0 else Trouble(reading.status, reading.why, None, reading.suggestion)
+                    )
+                found.append(reading)
+            return tuple(found)
+
+
+def components_in(text: str, count: int, names: Sequence[str] = ()) -> list[str] | tuple[str, str] | Trouble:
+    """The texts of the components, or those of a length and an angle."""
     if len(text) > LONGEST:
         return refused(f"this is longer than {LONGEST} characters", LONGEST)
-    plain, skipped = _without_left(text.translate(PLAIN))
-    if POLAR.search(plain):
-        return _polar(plain, expected) if count == 2 else refused("a length and an angle give a vector in a plane only")
-    pieces = _directed(plain, count) if ALONG.search(plain) else _listed(plain, skipped, count)
-    if isinstance(pieces, Trouble):
-        return pieces
-    found = []
-    for piece in pieces:
-        reading = read_quantity(piece, expected)
-        if isinstance(reading, Trouble):
-            start = plain.find(piece)
-            return _moved(reading, skipped + start) if start >= 0 else refused(reading.why, None, reading.suggestion)
-        found.append(reading)
-    return tuple(found)
+    typed = without_tex(text)
+    plain, skipped = plain_answer(typed.translate(PLAIN))
+    polar = length_and_angle(plain)
+    if isinstance(polar, tuple) and count != 2:
+        return refused("a length and an angle give a vector in a plane only")
+    pieces = pieces_of(plain, count, names) if polar is None else polar
+    return moved(_moved(pieces, skipped), text, typed) if isinstance(pieces, Trouble) else pieces
 
 
-def _reading(text: str, number: Written, unit: Unit | None, expected: Unit | None) -> Reading | Trouble:
+def _reading(text: str, number: Written, unit: Unit | None, expected: Unit | None, digits: str = "") -> Reading | Trouble:
     size = unit or expected or PURE
     ratio = number.value * size.factor
     if ratio and not Fraction(10) ** -305 < abs(ratio) < Fraction(10) ** 305:
         return refused("this quantity is too large or too small to be meant")
-    shown = f"{decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
+    shown = f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
     fit, why = "fits", ""
     plain = expected is None or (expected.dimension, expected.factor, expected.pi) == (PURE.dimension, 1, 0)  # as 1 and rad are
     if expected is not None and unit is None and number.value and not plain:  # 0 is 0 in every unit
@@ -111,63 +188,14 @@ def _space(unit: Unit | None) -> str:
     return "" if unit is None or unit.text == "deg" else " "
 
 
-def _without_left(plain: str) -> tuple[str, int]:
-    """The text after a repeated `p =`, and how much was left out."""
-    left = REPEATED_LEFT.match(plain)
-    return (plain[left.end() :], left.end()) if left else (plain, 0)
-
-
 def _moved(trouble: Trouble, by: int) -> Trouble:
     position = None if trouble.position is None else trouble.position + by
     return Trouble(trouble.status, trouble.why, position, trouble.suggestion, trouble.choices)
 
 
-def _unwrapped(plain: str) -> tuple[str, str] | None:
-    """What stands in the outer brackets, and the unit behind them; None without brackets."""
-    found = re.fullmatch(r"\s*[(\[](?P<inside>[^()\[\]]*)[)\]]\s*(?P<unit>[^0-9]?.*)", plain, re.DOTALL)
-    return (found["inside"], found["unit"].strip()) if found else None
-
-
-def _listed(plain: str, skipped: int, count: int) -> list[str] | Trouble:
-    inside, unit = _unwrapped(plain) or (plain, "")
-    tries = (";",) if ";" in inside else (r",\s+", ",", r"(?<=[0-9])\s+(?=[+\-]?[0-9])")
-    splits = [re.split(mark, inside) for mark in tries]
-    pieces = next((pieces for pieces in splits if len(pieces) == count), None)
-    if pieces is None and ";" not in inside and any(len(each) == 2 * count for each in splits):
-        return asked("the commas can part the components or be decimal commas", skipped, "(1.5; 2.5)", "(1,5; 2,5)")
-    if pieces is None:
-        return refused(f"{count} components are expected", skipped, "write them as (3; 4) m/s")
-    behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
-    if not unit and behind and not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", "")):
-        pieces[-1], unit = pieces[-1].strip().removesuffix(behind[1]), behind[1]  # `3; 4 m/s`: one unit for all
-    return [f"{piece.strip()} {unit}".strip() for piece in pieces]
-
-
-def _directed(plain: str, count: int) -> list[str] | Trouble:
-    """`3 i - 4 j` cut at its directions; a direction left out is 0."""
-    inside, unit = _unwrapped(plain) or (plain, "")
-    components: dict[int, str] = {}
-    at = 0
-    for found in ALONG.finditer(inside):
-        letter = found["letter"] or found["last"]
-        piece = re.sub(r"^\s*([+-]?)\s*", r"\1", inside[at : found.start()]).strip().rstrip("*").strip()
-        axis = DIRECTIONS[letter]
-        if axis in components or axis >= count:
-            return refused(f"{letter} does not belong here", None, "write one term for each direction, such as 3 i + 4 j")
-        components[axis] = piece + "1" if piece in ("", "+", "-") else piece
-        at = found.end()
-    unit = unit or inside[at:].strip()
-    units = [re.sub(r"^[+-]?[0-9.,e ]*", "", piece) for piece in components.values()] if not unit else [unit]
-    missing = f"0 {units[0]}".strip()
-    return [f"{components[axis]} {unit}".strip() if axis in components else missing for axis in range(count)]
-
-
-def _polar(plain: str, expected: Unit | None) -> tuple[Reading, ...] | Trouble:
+def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Reading, ...] | Trouble:
     """A length and the angle above the first axis. The components are doubles: a student's own digits are fewer."""
-    pieces = POLAR.split(plain)
-    if len(pieces) != 2:
-        return refused("a length and one angle are expected", None, "write for example 5 m/s at 30 deg")
-    length, angle = read_quantity(pieces[0], expected), read_quantity(pieces[1], None)
+    length, angle = read_quantity(its_length, expected), read_quantity(its_angle, None)
     if isinstance(length, Trouble):
         return length
     if isinstance(angle, Trouble):
@@ -182,7 +210,7 @@ def _polar(plain: str, expected: Unit | None) -> tuple[Reading, ...] | Trouble:
     found = []
     for share in shares:
         number = Written(length.value * Fraction(share), figures, min(figures, length.least))
-        part = _reading(plain, number, length.unit, expected)
+        part = _reading(its_length, number, length.unit, expected)
         if isinstance(part, Trouble):
             return part
         found.append(part)

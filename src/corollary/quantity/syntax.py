@@ -10,7 +10,8 @@ from corollary.quantity.degrees import in_degrees
 from corollary.quantity.function import SPELLINGS
 from corollary.quantity.letters import APART, RUN, Piece, letters, read_run
 from corollary.quantity.number import PLAIN
-from corollary.quantity.pratt import formula
+from corollary.quantity.pratt import Lean, formula
+from corollary.quantity.tex import moved, without_tex
 from corollary.quantity.tokens import LONGEST, MOST_TOKENS, tokens
 from corollary.quantity.tree import Tree
 from corollary.quantity.trouble import Trouble, refused, sentence
@@ -18,14 +19,19 @@ from corollary.quantity.trouble import Trouble, refused, sentence
 LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
 
 
-def parse(text: str, names: Iterable[str], *, degrees: bool = False, left: str | None = None) -> Tree | Trouble:
-    """A student's formula in the letters `names`.
+def parse(
+    text: str, names: Iterable[str], *, degrees: bool = False, left: str | None = None, lean: Lean = "ask"
+) -> Tree | Trouble:
+    """A student's formula in the letters `names`; `lean` says what becomes of places that have two readings.
 
     A left side (`p = m v`) may be repeated: any one letter, or only `left` when it is given. With `degrees`, a bare number
     inside sin, cos or tan is in degrees; letters stand for angles themselves.
     """
     if len(text) > LONGEST:
         return refused(f"this is longer than {LONGEST} characters", LONGEST)
+    if (plain := without_tex(text)) != text:
+        tree = parse(plain, names, degrees=degrees, left=left, lean=lean)
+        return moved(tree, text, plain) if isinstance(tree, Trouble) else tree
     found = LEFT.match(text.translate(PLAIN))
     start = 0
     if found:
@@ -38,7 +44,7 @@ def parse(text: str, names: Iterable[str], *, degrees: bool = False, left: str |
     read = tokens(line, partial(read_run, known=known))
     if isinstance(read, Trouble):
         return read
-    tree = formula(read, student=True)
+    tree = formula(read, student=True, lean=lean)
     return in_degrees(tree) if degrees and not isinstance(tree, Trouble) else tree
 
 

@@ -26,7 +26,7 @@ LONE: dict[str, tuple[Kind, str]] = {
     "°": ("degree", "°"), "º": ("degree", "°"), "√": ("function", "sqrt"), "|": ("bar", "|"), ",": ("comma", ","),
 }  # fmt: skip
 HINTS = {
-    "\\": "write it without LaTeX, such as m*v/dt", "{": "use round brackets", "}": "use round brackets",
+    "\\": "write it without TeX, such as m*v/dt", "{": "use round brackets", "}": "use round brackets",
     ";": "write one formula",
 }  # fmt: skip
 COMPARED = {"==": "=", "≤": "<=", "≥": ">=", "≠": "!="}

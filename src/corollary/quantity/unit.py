@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from corollary.quantity.number import PLAIN, RAISED
 from corollary.quantity.trouble import Trouble, asked, refused
+from corollary.quantity.unit_words import SPELLED, in_signs
 
 LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -65,14 +66,13 @@ UNITS = {
 }
 UNITS |= dict.fromkeys(("deg", "°", "º", "degree", "degrees"), Unit("deg", ONE, Fraction(1, 180), 1))
 UNITS |= {
-    word + plural: UNITS[symbol]
-    for symbol, words in {
-        "s": "sec second", "m": "meter metre", "kg": "kilogram", "g": "gram", "N": "newton", "J": "joule", "W": "watt",
-        "h": "hour", "min": "minute", "rad": "radian", "Pa": "pascal", "t": "tonne", "%": "percent",
-    }.items()
+    prefix + word + plural: UNITS[sign + symbol]
+    for symbol, words in SPELLED.items()
     for word in words.split()
-    for plural in ("", "s")
-}  # fmt: skip
+    for prefix, sign in (("", ""), ("milli", "m"), ("micro", "u"), ("centi", "c"), ("kilo", "k"), ("mega", "M"))
+    for plural in ("", "s", "n", "en")
+    if sign + symbol in UNITS and (plural != "en" or word[-1] != "e")
+}
 CALLED = {
     _dimension(*powers): words
     for powers, words in {
@@ -85,7 +85,7 @@ CALLED = {
 }  # fmt: skip
 
 MARK = re.compile(
-    r"\s*(?:(?P<symbol>[A-Za-zµμ]+|[°º%])(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
+    r"\s*(?:(?P<symbol>[A-Za-zµμèé]+|[°º%])(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
     r"|(?P<one>1(?![0-9.,]))|(?P<sign>\*|/|\(|\)))"
 )
 Factors = list[tuple[Unit, Fraction]]
@@ -95,7 +95,7 @@ def read_unit(text: str) -> Unit | Trouble:
     """The unit a student wrote; asks about `J/kg m` and `ms^-1`, refuses what is not in the table."""
     if len(text) > LONGEST_UNIT:
         return refused(f"a unit is not longer than {LONGEST_UNIT} characters", LONGEST_UNIT)
-    plain = text.translate(PLAIN)
+    plain = in_signs(text.translate(PLAIN))
     marks: list[re.Match[str]] = []
     at, end = 0, len(plain.rstrip())
     while at < end:
@@ -156,8 +156,8 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | Trouble:
         return refused(f"a unit to the power {power_text.strip('^*')} does not occur here", at)
     if symbol == "ms" and power < 0:
         return asked("ms can be milliseconds, or metres times seconds", at, f"m s^{power}", _written("1/ms", -power))
-    if symbol in UNITS:
-        return [(UNITS[symbol], power)]
+    if known := UNITS.get(symbol) or (UNITS.get(symbol.lower()) if len(symbol) > 3 else None):
+        return [(known, power)]
     splits = [[*((each, Fraction(1)) for each in before), (last, power)] for *before, last in _splits(symbol)]
     if len(splits) > 1:
         return asked(f"{symbol} can be read in several ways", at, *(_factors_text(split) for split in splits))

@@ -7,7 +7,18 @@ from corollary.quantity.syntax import parse
 from corollary.quantity.text import text
 from corollary.quantity.trouble import Trouble, sentence
 from corollary.quantity.unit import called
-from corollary.sheet.as_read import Asked, Heard
+from corollary.sheet.as_read import Asked, Heard, heard, heard_numbers, in_own_axes
+
+
+def heard_either(asked: Asked, sent: tuple) -> Heard:
+    """What an encoded answer is read as: a formula where that is asked for, else a number, or the formula for it."""
+    if asked.shape == "formula":
+        return heard_formula(asked, sent)
+    if not asked.letters or sent[0] not in ("text", "items"):
+        return heard(asked, sent)
+    number = in_own_axes(asked, sent, heard_numbers)
+    formula = number if number.ok else in_own_axes(asked, sent, heard_formula)
+    return formula if formula.ok else number
 
 
 def heard_formula(asked: Asked, sent: tuple) -> Heard:

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from types import FunctionType
 from typing import Literal
 
+from corollary.kind.direction import direction_of
+from corollary.kind.remark import axes_of
 from corollary.quantity.number import decimal_text
 from corollary.quantity.read import Reading, describe, read_quantities, read_quantity
 from corollary.quantity.trouble import Trouble, sentence
 from corollary.quantity.unit import Unit
 
+FUNCTIONS = "sqrt|sin|cos|tan|exp|ln|abs|pi"
 Shape = Literal["number", "formula", "letter", "function", "figure", "lines"]
 
 
@@ -22,7 +27,9 @@ class Asked:
     """What kind of thing answers a question.
 
     `unit` is None where any unit will do; `components` name the members of a list, in order; `words` are the letters of a
-    choice, or the names of a function's arguments; `letters` what a formula may be written in, each with its unit.
+    choice, or the names of a function's arguments; `letters` what a formula may be written in, each with its unit (none
+    where a formula will not do);
+    `directed` tells that an answer may name its own axes.
     """
 
     shape: Shape
@@ -30,6 +37,7 @@ class Asked:
     components: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
     letters: tuple[tuple[str, Unit], ...] = ()
+    directed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,10 +55,10 @@ def heard(asked: Asked, sent: tuple) -> Heard:
     if sent[0] == "refused":
         return Heard(False, f"cannot be read: it {sent[1]}")
     match asked.shape:
-        case "number" if asked.components:
-            return _components(asked, sent)
         case "number":
-            return _number(asked.unit, sent)
+            number = in_own_axes(asked, sent, heard_numbers)
+            unread = "cannot be read" in number.text and _like_formula(asked, sent)
+            return Heard(True, "no number with a unit; will be looked at as a formula when it is marked") if unread else number
         case "letter":
             return _letter(asked, sent)
         case "lines":
@@ -83,15 +91,50 @@ def _empty(function: FunctionType) -> bool:
     return (code.co_code, code.co_names, code.co_consts[first:]) == (stub.co_code, stub.co_names, stub.co_consts[first:])
 
 
-def _number(unit: Unit | None, sent: tuple) -> Heard:
-    reading = _reading(unit, sent)
+def in_own_axes(asked: Asked, sent: tuple, read: Callable[[Asked, tuple], Heard]) -> Heard:
+    """An answer that may say, in its text, which way its axes or it itself point; `read` reads what is beside that."""
+    if sent[0] != "text":
+        return read(asked, sent)
+    axes = axes_of(sent[1], asked.components)
+    if not (asked.directed and axes.said):
+        return _with_direction(asked, sent[1], read)
+    found = _with_direction(asked, axes.text, read)
+    return Heard(True, f"{found.text} with {'your ' if axes.said[0].lower() in 'xyz' else ''}{axes.said}") if found.ok else found
+
+
+def _with_direction(asked: Asked, text: str, read: Callable[[Asked, tuple], Heard]) -> Heard:
+    way = None if asked.components else direction_of(text, asked.directed)
+    found = read(asked, ("text", way.text if way else text))
+    if way is None or not found.ok:
+        return found
+    if way.sign is None:
+        unclear = f"; it is not clear which sign \u201c{way.said}\u201d gives: write the number with its sign"
+        return Heard(False, found.text + unclear)
+    return Heard(True, f"{found.text}, {way.said}")
+
+
+def _like_formula(asked: Asked, sent: tuple) -> bool:
+    """Whether every text is made of the problem's letters, numbers and functions: a rough look, for it promises nothing."""
+    texts = [item[1] for item in (sent[1] if sent[0] == "items" else [sent]) if item[0] == "text"]
+    letters = "|".join(sorted((re.escape(letter) for letter, _ in asked.letters), key=len, reverse=True))
+    return bool(texts and letters) and all(
+        re.search(letters, text) and not re.sub(rf"{FUNCTIONS}|{letters}|[0-9.,\s+*/^()-]", "", text)
+        for text in (axes_of(text, asked.components).text for text in texts)
+    )
+
+
+def heard_numbers(asked: Asked, sent: tuple) -> Heard:
+    """A number, or one for each component."""
+    if asked.components:
+        return _components(asked, sent)
+    reading = _reading(asked.unit, sent)
     return reading if isinstance(reading, Heard) else _said((reading,))
 
 
 def _components(asked: Asked, sent: tuple) -> Heard:
     names, count = f"[{', '.join(asked.components)}]", len(asked.components)
     if sent[0] == "text":
-        found = read_quantities(sent[1], asked.unit, count)
+        found = read_quantities(sent[1], asked.unit, count, asked.components)
         return Heard(False, f"cannot be read: {sentence(found)}") if isinstance(found, Trouble) else _said(found)
     if sent[0] != "items" or len(sent[1]) != count:
         have = f"a list of {len(sent[1])}" if sent[0] == "items" else "one number"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from corollary.kind.remark import has_axes
 from corollary.problem.part import Part
 from corollary.sheet.as_read import Shape
 from corollary.sheet.readers import readers
@@ -9,7 +10,7 @@ from corollary.sheet.sheet import Prompt, Sheet
 
 NUMBERS, FORMULAS = ("submission/child/encode", "sheet/as_read"), ("sheet/as_formula",)
 
-OPENING = '''\
+OPENING = """\
 # Run this cell first: it defines check("..."), which tells you how an answer of yours is read (number, unit, figures).
 # There is nothing to change here, and no answer is hidden in it: below stands only the code that reads what you write.
 
@@ -26,13 +27,13 @@ def corollary():
         module = sys.modules["corollary_check." + name] = ModuleType("corollary_check." + name)
         exec(compile(source, "<corollary_check." + name + ">", "exec"), module.__dict__)
         setattr(readers, name, module)
-'''
+"""
 
 CLOSING = '''\
-    def asked(shape, unit=None, components=(), words=(), letters=(), function=""):
+    def asked(shape, unit=None, components=(), words=(), letters=(), directed=False, function=""):
         to_unit = readers.unit.unit
         spelled = tuple((letter, to_unit(its_unit)) for letter, its_unit in letters)
-        return readers.as_read.Asked(shape, unit and to_unit(unit), components, words, spelled), function
+        return readers.as_read.Asked(shape, unit and to_unit(unit), components, words, spelled, directed), function
 
     ASKED = {
 __ASKED__
@@ -45,7 +46,7 @@ __ASKED__
         if what.shape == "figure":
             return readers.as_read.Heard(True, "the figure drawn above is what will be marked")
         sent = readers.encode.encode(globals().get(name))
-        return readers.as_formula.heard_formula(what, sent) if what.shape == "formula" else readers.as_read.heard(what, sent)
+        return readers.__WHERE__(what, sent)
 
     def check(*names):
         """Says how the answers with these names are read; all answers when no name is given."""
@@ -68,9 +69,10 @@ check = corollary()'''
 def check_source(sheet: Sheet) -> str:
     """The source of the cell for one sheet: it holds what is asked, and nothing of what is right."""
     asked = [prompt for prompt in sheet.prompts if prompt.part.kind != "explain"]
-    formulas = any(prompt.part.kind == "expression" for prompt in asked)
+    formulas = any(prompt.part.kind == "expression" for prompt in asked)  # else half the cell would be there for few
     sources = (f"    reader({name!r}, r'''{source}''')\n" for name, source in readers(*NUMBERS, *FORMULAS if formulas else ()))
-    return "\n".join([OPENING, *sources, CLOSING.replace("__ASKED__", "\n".join(map(_asked, asked)))])
+    closing = CLOSING.replace("__WHERE__", "as_formula.heard_either" if formulas else "as_read.heard")
+    return "\n".join([OPENING, *sources, closing.replace("__ASKED__", "\n".join(map(_asked, asked)))])
 
 
 def _asked(prompt: Prompt) -> str:
@@ -80,12 +82,14 @@ def _asked(prompt: Prompt) -> str:
         settings.append(f"unit={part.unit.text!r}")
     if part.components:
         settings.append(f"components={part.components!r}")
+    if part.kind in ("value", "vector") and has_axes(part.unit, part.components):
+        settings.append("directed=True")
     if part.options:
         settings.append(f"words={tuple(option.letter for option in part.options)!r}")
     if part.function:
         settings.append(f"words={arguments(part)!r}, function={part.function!r}")
-    if shape == "formula":
-        settings.append(f"letters={tuple((given.symbol, given.unit.text) for given in prompt.problem.givens)!r}")
+    if spelled := letters(prompt):
+        settings.append(f"letters={spelled!r}")
     return f"        {prompt.key!r}: asked({', '.join(settings)}),"
 
 
@@ -104,6 +108,13 @@ def shape_of(part: Part) -> Shape:
             return "figure"
         case "proof" | "explain":
             return "lines"
+
+
+def letters(prompt: Prompt) -> tuple[tuple[str, str], ...]:
+    """What a formula that answers the part may be written in, each letter with its unit; none where a formula will not do."""
+    if prompt.part.kind not in ("expression", "value", "vector"):
+        return ()
+    return tuple((given.symbol, given.unit.text) for given in prompt.problem.givens)
 
 
 def arguments(part: Part) -> tuple[str, ...]:

@@ -26,7 +26,10 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     for find in solution.finds:
         dimensions |= dict(zip(find.names, find.dimensions, strict=True))
     path = bank.solution(solution.problem)
-    for find in solution.finds:
+    for left in solution.neglected:
+        dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))
+        dimensions |= {value.name: value.dimension for value in left.supposing}
+    for find in (*solution.finds, *(left.bound for left in solution.neglected)):
         for law in (*find.laws, *(law for way in find.routes_shown for law in way.laws)):
             for relation in law.here:
                 if names(relation) - {"pi"} - dimensions.keys():

@@ -8,6 +8,7 @@ from corollary.mark.key import make_key
 from corollary.mark.verify.checked import Checked, Tally
 from corollary.mark.verify.figure import check_figure
 from corollary.mark.verify.laws import check_dimensions, check_laws
+from corollary.mark.verify.programs import check_programs
 from corollary.mark.verify.samples import check_printed, check_samples
 from corollary.mark.verify.walk import LEAST, walk
 from corollary.problem.bank import Bank
@@ -15,10 +16,14 @@ from corollary.problem.count import variants
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
 from corollary.quantity.ball import Undefined
+from corollary.submission.take import Runner
 
 
-def verify(bank: Bank, problem: Problem, count: int = LEAST) -> Checked:
-    """Everything that can be checked of a problem. Never raises for what an author did wrong; it is a complaint."""
+def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | None = None) -> Checked:
+    """Everything that can be checked of a problem; `runner` runs its programs, or one of their own does.
+
+    Never raises for what an author did wrong; it is a complaint.
+    """
     tally, share, reasons = Tally(), 0.0, {}
     number, exact = variants(problem)
     check_figure(problem, tally)
@@ -28,7 +33,9 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST) -> Checked:
         tally.count("mistakes", sum(len(find.mistakes) for find in solution.finds))
         check_laws(bank, solution, tally)
         check_dimensions(bank, solution, tally)
-        check_samples(make_key(solution, chapter(problem)), tally)
+        own = make_key(solution, chapter(problem))
+        check_samples(own, tally)
+        check_programs(bank, own, tally, runner)
         check_printed(bank, solution, tally)
         share, reasons = walk(bank, solution, tally, count)
     except NotDerivable as error:

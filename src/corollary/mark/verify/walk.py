@@ -11,6 +11,7 @@ from corollary.derive.solution import Solution
 from corollary.mark.deal import admitted, collisions
 from corollary.mark.judge import judge
 from corollary.mark.key import Key
+from corollary.mark.neglect import neglected_in, neglects
 from corollary.mark.verdict import Right, word
 from corollary.mark.verify.checked import Tally
 from corollary.problem.bank import Bank
@@ -38,6 +39,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
         met += 1
         tally.count("variants walked")
         check_right(key, tally)
+        check_neglected(bank, key, tally)
         if met <= SIMULATED:
             check_scenes(bank, key, tally)
         if met == count:
@@ -75,13 +77,23 @@ def check_right(key: Key, tally: Tally) -> None:
         tally.complain(f"{where}: {slip!r} cannot be told from the truth")
 
 
+def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
+    """What an answer leaves out changes it by less than it may be off."""
+    path = bank.solution(key.variant.problem)
+    for each in neglects(key):
+        allowed = key.truths[each.part].tolerance
+        tally.expect(each.left.asked or each.share <= allowed, "neglected effects", lambda each=each, allowed=allowed: (
+            f"{path.name}:{line_of(path, each.left.bound.because)}: part {each.part} of {key.variant.label} neglects {each.left.what}, "
+            f"which may change the answer by {each.share:.2%}, more than the {allowed:.2%} it may be off; narrow the ranges, or count it in"))  # fmt: skip
+
+
 def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects."""
     answers: dict[str, Seen] = {
         part: truth.values[0] if len(truth.values) == 1 else truth.values for part, truth in key.truths.items()
     }
     path = bank.solution(key.variant.problem)
-    for wanted in simulations(bank, key.variant, answers):
+    for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
         about = f"{path.name}:{line_of(path, 'def scene')}: scene {wanted.scene} on {key.variant.label}"
         try:
             found = run(wanted.scene, wanted.settings, tolerance=1e-12)

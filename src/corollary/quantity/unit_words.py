@@ -1,0 +1,28 @@
+"""Units in words and with other marks: `Newton seconds`, `meters per second`, `kg.m/s`, `N-s`, `kmph`."""
+
+from __future__ import annotations
+
+import re
+
+SPELLED = {
+    "s": "sec second seconde sekunde sekund", "m": "meter metre mètre", "g": "gram gramme gramm", "N": "newton", "J": "joule",
+    "W": "watt", "h": "hour hr heure stunde timme", "min": "minute", "rad": "radian", "Pa": "pascal", "t": "tonne", "%": "percent",
+    "deg": "degree degré grad grader", "eV": "electronvolt",
+}  # fmt: skip
+SPEEDS = {"kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s"}
+SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
+PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")
+JOINED = re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])")  # `N-s`, `kg.m/s`
+ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
+GROUP = re.compile(r"(?<![/^])\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not below a slash, and not raised
+
+
+def in_signs(plain: str) -> str:
+    """The unit with a sign for every word and mark; a place in it stays a place in what was typed, but for whole brackets."""
+    if whole := ALL.fullmatch(plain):
+        plain = whole[1] or whole[2] or ""
+    plain = SPEED.sub(lambda found: SPEEDS[found[0]], plain)
+    plain = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), plain))
+    for _ in range(3):
+        plain = GROUP.sub(r" \1 ", plain)
+    return plain

@@ -1,0 +1,84 @@
+"""What students write around an answer, and the answer between: `≈`, `ca.`, `Δp =`, `p = m v =`, quotation marks, `± 0.1 N`."""
+
+from __future__ import annotations
+
+import re
+
+QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
+ABOUT = (  # in English, and as German, French and Nordic students say
+    "about approx. approx approximately around roughly nearly circa cirka ca. ca c. etwa ungefähr rund env. environ omkring omtrent ungefär"
+)
+TALK = (
+    "the it its this that is was are be becomes equals answer ans. ans result value so thus hence therefore we get of in by to with momentum "
+    "velocity speed force impulse energy height angle distance work power change changes average mean total net kinetic final common"
+)
+WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
+LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
+NAME = r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d][^\s=≈~+*/^();,:]{0,15}|\|[^\W\d][^\s|=]{0,8}\|"
+LEADING = (
+    LABEL,
+    re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(])\s*", re.IGNORECASE),
+    re.compile(rf"(?:{NAME})\s*(?:[=≈](?!=)|[:~](?=\s*[-+0-9.,√(]))\s*"),
+)
+MINUS = re.compile(r"(?:minus|negative)\s+(?=[0-9.,])", re.IGNORECASE)
+ENDING = re.compile(r"[\s!;,]+$|(?<=[^0-9\s])\.$")
+SIDES = re.compile(r"[=≈]+\s*")
+NO_SIDE = re.compile(  # in `3 m/s with g = 9.8` what stands behind the last sign is not the answer
+    r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b", re.IGNORECASE
+)
+SPREAD = re.compile(r"\s*(?:±|\+/-|\+-)\s*[0-9.,]+(?:[eE][+-]?[0-9]+)?")
+GRAVITY = re.compile(
+    r"[\s,;]\s*\(?(?:(?:with|using|taking|for|if|when|where) )?g\s*[=≈]\s*(?:9[.,]8[0-9]?|10)\s*(?:m ?/ ?s ?(?:\^|\*\*)?[2²])?\s*\)?\s*$",
+    re.IGNORECASE,
+)
+
+
+def answer_in(plain: str) -> tuple[str, int]:
+    """The answer itself, and how many signs stood before it, in a text translated by PLAIN (of bounded length)."""
+    found = GRAVITY.search(plain)
+    text, before = (plain[: found.start()] if found and found.start() else plain), 0
+    while True:
+        shorter = ENDING.sub("", text)
+        if shorter != text and shorter:
+            text = shorter
+            continue
+        if len(text) > 2 and text[0] in QUOTES and text[-1] in QUOTES:
+            text, before = text[1:-1], before + 1
+            continue
+        skipped = _skipped(text)
+        if skipped == 0:
+            return _without_spread(text), before
+        text, before = text[skipped:], before + skipped
+
+
+def _skipped(text: str) -> int:
+    """How much of the text leads up to the answer; 0 when nothing does."""
+    blank = len(text) - len(text.lstrip())
+    if 0 < blank < len(text):
+        return blank
+    if found := MINUS.match(text):
+        return 0
+    for lead in LEADING:
+        if (found := lead.match(text)) and found.end() < len(text):
+            return found.end()
+    return _last_side(text)
+
+
+def _last_side(text: str) -> int:
+    """Where the last side of `p = m v = 8.6` begins; 0 when there is but one, or what stands before is more than a side."""
+    *_, last = [None, *SIDES.finditer(text)]
+    if last is None or last.end() == len(text):
+        return 0
+    sides = text[: last.start()]
+    return 0 if NO_SIDE.search(sides) or sides.count("(") != sides.count(")") else last.end()
+
+
+def _without_spread(text: str) -> str:
+    """A measured value without its uncertainty, blanks in its place: `8.6 ± 0.1 N`, `8.6 N ± 0.1 N`; a minus in words as a sign."""
+    if found := MINUS.match(text):
+        text = "-".rjust(found.end()) + text[found.end() :]
+    spread = SPREAD.search(text)
+    if spread is None:
+        return text
+    value, unit = text[: spread.start()], text[spread.end() :]
+    return value + " " * len(spread[0]) + unit if re.search(r"[0-9.]$", value) else value
