@@ -1,7 +1,7 @@
 """Grading measured against `nbgrader autograde`: the same notebooks, in the same run, in turns; and killed in between.
 
-python benchmarks/grading.py [--notebooks 30] [--rounds 3] [--json]      speed
-python benchmarks/grading.py --kill [--submissions 1000] [--kills 1]     a kill in between (killed.py)
+python benchmarks/grading.py [--notebooks 30] [--rounds 2] [--json]      speed; with --otter .../bin/otter also Otter's
+python benchmarks/grading.py --kill [--submissions 1000] [--kills 5]     kills in between (killed.py)
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from typing import Any
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import nbformat
+import otter as others
 from IPython.core.interactiveshell import InteractiveShell
 from killed import killed
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
@@ -128,20 +129,29 @@ def _number(value: Plain) -> float:
     return value.value
 
 
-def warm(shell: InteractiveShell, paper: Path, pictures: bool) -> float:
-    """The floor: seconds the cells take in a warm IPython without any walls, kernel or judge."""
+def warm(shell: InteractiveShell, paper: Path, pictures: bool) -> tuple[float, float]:
+    """The floor: seconds the cells take in a warm IPython without any walls, kernel or judge; by the clock, and on the processor."""
     sources = [cell.source for cell in nbformat.read(paper, as_version=4).cells if cell.cell_type == "code"]
     shell.reset(new_session=False)
-    start = time.perf_counter()
+    start, spent = time.perf_counter(), time.process_time()
     for source in sources:
         shell.run_cell(source, store_history=False, silent=True)
     if pictures:
         plt.gcf().savefig(io.BytesIO(), format="png", dpi=72)
     plt.close("all")
-    return time.perf_counter() - start
+    return time.perf_counter() - start, time.process_time() - spent
 
 
-def speed(folder: Path, count: int, rounds: int) -> dict[str, Any]:
+def processor(runner: Runner, paper: Path) -> float:
+    """Seconds on the processor that a child spends from its birth to the end of its cells, walls included."""
+    read = read_notebook(paper)
+    assert isinstance(read, Notebook)
+    cells = [Cell(cell.id, cell.source) for cell in read.node.cells if cell.cell_type == "code"]
+    cells.append(Cell("spent", "import time\nspent = time.process_time()"))
+    return _number(runner.take(Job(tuple(cells), ("spent",), pictures=False)).values["spent"])
+
+
+def speed(folder: Path, count: int, rounds: int, otter: Path | None) -> dict[str, Any]:
     """All ways in turns, round after round, over the same notebooks; medians of milliseconds per notebook.
 
     A command's start counts apart: nbgrader's from a run over one notebook, ours as the time until every runner is warm.
@@ -161,6 +171,10 @@ def speed(folder: Path, count: int, rounds: int) -> dict[str, Any]:
         one, all_of_them = autograde(folder / "plain", "s000"), autograde(folder / "plain", "s*")
         note("nbgrader autograde", count - 1, all_of_them - one)
         whole.setdefault("nbgrader autograde", []).append(all_of_them)
+        if otter is not None:
+            autograder = others.prepare(otter, Path(tempfile.mkdtemp(dir=folder)))
+            for paper in papers[:5]:
+                note("otter run", 1, others.grade(otter, autograder, paper))
         start = time.perf_counter()
         with ExitStack() as stack:
             runners = [Runner() for _ in range(cores())]
@@ -173,7 +187,12 @@ def speed(folder: Path, count: int, rounds: int) -> dict[str, Any]:
                 note(f"{len(runners)} runners, {label}", count, seconds)
                 whole.setdefault(f"{len(runners)} runners, {label}", []).append(started + seconds)
                 for paper in papers:  # one right after the other, so that the machine's mood is the same for all
-                    note(f"cells in a warm process, {label}", 1, warm(shell, paper, pictures))
+                    if not pictures:
+                        note("cells behind the walls, on the processor", 1, processor(runners[0], paper))
+                    seconds, spent = warm(shell, paper, pictures)  # meanwhile the next child gets ready, as it does while one is judged
+                    note(f"cells in a warm process, {label}", 1, seconds)
+                    if not pictures:
+                        note("cells in a warm process, on the processor", 1, spent)
                     seconds, walls = ours(runners[0], paper, folder / "ours", pictures)
                     note(f"1 runner, {label}", 1, seconds)
                     note(f"cells behind the walls, {label}", 1, walls)
@@ -192,7 +211,7 @@ def speed(folder: Path, count: int, rounds: int) -> dict[str, Any]:
         },
         "times the cells themselves": {
             label: round(medians[f"cells behind the walls, {label}"] / medians[f"cells in a warm process, {label}"], 2)
-            for label in ("data", "PNG")
+            for label in ("data", "PNG", "on the processor")
         },
     }  # fmt: skip
 
@@ -237,13 +256,14 @@ def main() -> None:
     options.add_argument("--rounds", type=int, default=2)
     options.add_argument("--kill", action="store_true")
     options.add_argument("--submissions", type=int, default=1000)
-    options.add_argument("--kills", type=int, default=1)
+    options.add_argument("--kills", type=int, default=5)
     options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--otter", type=Path, help="The program otter, of an environment of its own with ipykernel, numpy and matplotlib.")
     options.add_argument("--json", action="store_true")
     chosen = options.parse_args()
     folder = Path(tempfile.mkdtemp(prefix="grading-"))
     try:
-        kill, race = (folder, chosen.submissions, chosen.kills, chosen.seed), (folder, chosen.notebooks, chosen.rounds)
+        kill, race = (folder, chosen.submissions, chosen.kills, chosen.seed), (folder, chosen.notebooks, chosen.rounds, chosen.otter)
         found = killed(*kill) if chosen.kill else speed(*race)
     finally:
         shutil.rmtree(folder, ignore_errors=True)

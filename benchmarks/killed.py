@@ -59,37 +59,49 @@ def class_of(folder: Path, count: int, code: str = "X12.5") -> Path:
 
 
 def killed(folder: Path, count: int, kills: int, seed: int) -> dict[str, Any]:
-    """Marks the class once undisturbed, and once killed `kills` times (SIGKILL to the whole group) before it is let through."""
+    """Marks the class once undisturbed, and once killed `kills` times (SIGKILL to the whole group) before it is let through.
+
+    Each kill comes a random moment after a random number of submissions are marked.
+    """
     file = class_of(folder, count)
     calm, torn = folder / "course", folder / "torn"
     shutil.copytree(calm, torn)
-    seconds = _grade(file, calm, None)[0]
-    dice, moments, done_before = random.Random(seed), [], []
-    for _ in range(kills):
-        moments.append(dice.uniform(0.6, 0.95) * seconds)  # up to half of a short run goes into the start
-        _grade(file, torn, moments[-1])
-        done_before.append(len(list((torn / ".corollary" / "graded").rglob("*.json"))))
-    _, said = _grade(file, torn, None)
+    start = time.perf_counter()
+    with _grading(file, calm) as grading:
+        grading.communicate()
+    seconds = time.perf_counter() - start
+    dice, done_before = random.Random(seed), []
+    for enough in sorted(dice.sample(range(1, count), kills)):
+        with _grading(file, torn) as grading:
+            while grading.poll() is None and _marked(torn) < enough:
+                time.sleep(0.01)
+            time.sleep(dice.uniform(0.0, 0.5))
+            assert grading.poll() is None, "it was done before it could be killed"
+            os.killpg(grading.pid, signal.SIGKILL)
+            grading.communicate()
+        done_before.append(_marked(torn))
+    with _grading(file, torn) as grading:
+        said, _ = grading.communicate()
     entries = [entry["student"] for entry in history(open_course(torn), "small")]
     return {
         "submissions": count, "seconds undisturbed": round(seconds, 1), "per second": round(count / seconds, 2),
-        "killed after seconds": [round(moment, 1) for moment in moments], "marked by then": done_before,
-        "last run": said.strip().splitlines()[-1],
+        "marked when killed": done_before, "last run": said.strip().splitlines()[-1],
         "rows": len(_rows(calm)), "the same gradebook": _rows(calm) == _rows(torn),
-        "nothing twice": len(entries) == len(set(entries)) == count, "the same feedback": _pages(calm) == _pages(torn),
+        "the same records": _files(calm, ".corollary/graded", "*.json") == _files(torn, ".corollary/graded", "*.json"),
+        "the same notebooks": _files(calm, "autograded", "*.ipynb") == _files(torn, "autograded", "*.ipynb"),
+        "the same feedback": _files(calm, "feedback", "*.html") == _files(torn, "feedback", "*.html"),
+        "nothing twice": len(entries) == len(set(entries)) == count,
     }  # fmt: skip
 
 
-def _grade(file: Path, course: Path, until: float | None) -> tuple[float, str]:
-    start = time.perf_counter()
+def _grading(file: Path, course: Path) -> subprocess.Popen[str]:
     command = [str(Path(sys.executable).parent / "corollary"), "grade", str(file), "--course", str(course)]
-    grading = subprocess.Popen(command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    try:
-        said, _ = grading.communicate(timeout=until)
-    except subprocess.TimeoutExpired:
-        os.killpg(grading.pid, signal.SIGKILL)
-        said, _ = grading.communicate()
-    return time.perf_counter() - start, said
+    return subprocess.Popen(command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def _marked(course: Path) -> int:
+    place = course / ".corollary" / "graded" / "small"
+    return sum(name.endswith(".json") for name in os.listdir(place)) if place.is_dir() else 0
 
 
 def _rows(course: Path) -> list[tuple[Any, ...]]:
@@ -98,5 +110,5 @@ def _rows(course: Path) -> list[tuple[Any, ...]]:
         return [*book.execute(SCORES), *book.execute(COMMENTS)]
 
 
-def _pages(course: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(course)): path.read_bytes() for path in (course / "feedback").rglob("*.html")}
+def _files(course: Path, step: str, name: str) -> dict[str, bytes]:
+    return {str(path.relative_to(course)): path.read_bytes() for path in (course / step).rglob(name)}

@@ -21,6 +21,7 @@ from corollary.deliver.demo.stage import hand_in
 from corollary.deliver.generating import generate, variants_of
 from corollary.deliver.grading import grade_set, read_record
 from corollary.deliver.keeping import history
+from corollary.deliver.one_writer import one_writer
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
@@ -132,6 +133,30 @@ def test_how_a_mark_came_about_is_kept_either_way(
     again = grade_set(theirs, problem_set, solutions, Runner)
     assert again.graded == ()
     assert again.strangers == ("zoe",)
+
+
+def test_nbgrader_waits_its_turn_while_another_run_is_writing(courses: tuple[Course, Course, str]) -> None:
+    _, theirs, _ = courses
+    place = theirs.notebook("autograded", "chen", SET)
+    before, marks = place.read_bytes(), rows(theirs, GRADES)
+    with one_writer(theirs):
+        done = subprocess.run(
+            [str(BIN / "nbgrader"), "autograde", SET, "--student", "chen", "--force"],
+            cwd=theirs.folder, capture_output=True, text=True, timeout=300, check=False,
+        )  # fmt: skip
+    assert done.returncode == 1
+    assert "another run is grading in" in done.stdout + done.stderr
+    assert (place.read_bytes(), rows(theirs, GRADES)) == (before, marks)
+
+
+def test_a_marked_notebook_that_was_thrown_away_is_made_again(
+    courses: tuple[Course, Course, str], solutions: Solutions, problem_set: ProblemSet
+) -> None:
+    ours, _, _ = courses
+    place, marks = ours.notebook("autograded", "chen", SET), rows(ours, GRADES)
+    place.unlink()
+    assert grade_set(ours, problem_set, solutions, Runner).graded == ("chen",)
+    assert (place.exists(), rows(ours, GRADES)) == (True, marks)
 
 
 @pytest.mark.parametrize("words", [

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from corollary.deliver.course import Course, read_dealt, students, submissions, unclear, write_atomically
 from corollary.deliver.executing import Execute, here
 from corollary.deliver.keeping import fingerprint, keep, keep_sharing, kept_sharing, lateness, read_record, settle
-from corollary.deliver.nbgrader_book import NoNbgrader, gradebook, need_nbgrader
+from corollary.deliver.nbgrader_book import gradebook
 from corollary.deliver.order import Handed, Order, Returned
 from corollary.deliver.regrading import Change, changes
 from corollary.deliver.report import report
@@ -77,7 +78,7 @@ def grade_set(
         if student in strangers:
             continue
         mark_of = fingerprint(course, problem_set, solutions, student, path, dealt[student])
-        if not regrade and (kept := read_record(course, problem_set, student)) is not None and kept.get("fingerprint") == mark_of:
+        if not regrade and _done(course, problem_set, student, mark_of):
             skipped.append(student)
         else:
             todo[student] = mark_of
@@ -88,7 +89,7 @@ def grade_set(
     if todo:
         for problem in problem_set.problems:
             solutions.of(problem)  # once, before there are workers who would each do it
-        order = Order(problem_set, solutions, course.key, runner)
+        order = Order(problem_set, solutions, course.key, runner, has_nbgrader())
         with (execute or here(jobs, len(todo)))(order, handed) as marked, _gradebook(course) as book:
             for place, one in enumerate(marked, start=1):
                 if regrade or dry_run:
@@ -123,6 +124,13 @@ def grade_set(
     )
 
 
+def _done(course: Course, problem_set: ProblemSet, student: str, fingerprint: str) -> bool:
+    """Whether these marks are all written; nbgrader may have thrown its notebook away after they were."""
+    kept = read_record(course, problem_set, student)
+    there = not has_nbgrader() or course.notebook("autograded", student, problem_set.name).exists()
+    return there and kept is not None and kept.get("fingerprint") == fingerprint
+
+
 def _records(course: Course, problem_set: ProblemSet, of: Iterable[str]) -> dict[str, dict[str, Any]]:
     """What is kept of these students' marks, for those of whom anything is."""
     return {student: kept for student in of if (kept := read_record(course, problem_set, student)) is not None}
@@ -138,7 +146,7 @@ def _write(course: Course, problem_set: ProblemSet, solutions: Solutions, one: R
     if book is not None:
         from corollary.deliver.nbgrader_record import record_one
 
-        record_one(course, book, problem_set, one.marked, one.notebook.node if one.notebook else None)
+        record_one(course, book, problem_set, one.marked, one.notebook)
     keep(course, problem_set, solutions, one.marked, one.handed.fingerprint, one.page)
 
 
@@ -155,8 +163,4 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
 
 
 def has_nbgrader() -> bool:
-    try:
-        need_nbgrader()
-    except NoNbgrader:
-        return False
-    return True
+    return find_spec("nbgrader") is not None

@@ -21,6 +21,7 @@ from corollary.deliver.nbgrader_book import (
     programs_on_path,
 )
 from corollary.deliver.nbgrader_config import NotOurs, write_config
+from corollary.deliver.nbgrader_notebook import marked_notebook, notebook_text
 from corollary.deliver.nbgrader_record import record_one
 from corollary.mark.grade import Marked
 from corollary.problem.problem_set import ProblemSet
@@ -82,7 +83,8 @@ def record(
     """
     with gradebook(course) as book:
         for one in marked:
-            record_one(course, book, problem_set, one, notebooks.get(one.student.id))
+            text = notebook_text(marked_notebook(one, problem_set, notebooks.get(one.student.id)))
+            record_one(course, book, problem_set, one, text)
 
 
 def manual_scores(course: Course, set_name: str) -> dict[str, dict[str, float]]:

@@ -6,22 +6,29 @@ Every class here stands in the place of one of nbgrader's, and leaves assignment
 from __future__ import annotations
 
 import atexit
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
 
+import nbformat
 from nbconvert.exporters import NotebookExporter
 from nbconvert.exporters.exporter import ResourcesDict
 from nbformat import NotebookNode
 from nbgrader.api import Gradebook, MissingEntry
+from nbgrader.converters import Autograde
+from nbgrader.converters.base import NbGraderException
+from nbgrader.coursedir import CourseDirectory
 from nbgrader.preprocessors import AssignLatePenalties, Execute, OverwriteCells, SaveAutoGrades
 from traitlets import Integer
 
+from corollary.deliver.course import NotACourse, open_course
 from corollary.deliver.keeping import keep
-from corollary.deliver.nbgrader_notebook import marked_notebook, restored
+from corollary.deliver.nbgrader_notebook import restored
 from corollary.deliver.nbgrader_paper import Paper, paper_of
 from corollary.deliver.nbgrader_record import record_one
+from corollary.deliver.one_writer import BeingGraded, one_writer
 from corollary.deliver.order import Returned, mark_one
 from corollary.submission.take import Runner
 
@@ -31,6 +38,12 @@ Converted = tuple[NotebookNode, ResourcesDict]
 class OwnSheet(NotebookExporter):
     """Reads a submission as the student's own sheet, whatever became of its metadata, statements and checks; what cannot be
     opened at all is the blank sheet, and is marked as unreadable."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        run = self.parent
+        if isinstance(run, Autograde):  # which makes its exporter before all else, and has no hook around a whole run
+            run.convert_notebooks = partial(_alone, run, run.convert_notebooks)
 
     def from_file(self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any) -> tuple[Any, Any]:
         paper = _paper((resources or {}).get("nbgrader", {}))
@@ -62,7 +75,7 @@ class JudgedOutside(Execute):
             _flag(resources["nbgrader"])
             raise
         resources["corollary"] = paper, returned
-        return marked_notebook(returned.marked, paper.order.problem_set, paper.node), resources
+        return nbformat.reads(returned.notebook, as_version=4), resources
 
 
 class MarksKept(SaveAutoGrades):
@@ -75,7 +88,7 @@ class MarksKept(SaveAutoGrades):
         paper, given = judged
         course, order = paper.course, paper.order
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
-            record_one(course, book, order.problem_set, given.marked, paper.node, anew=True)
+            record_one(course, book, order.problem_set, given.marked, given.notebook, anew=True)
         keep(course, order.problem_set, order.solutions, given.marked, given.handed.fingerprint, given.page)
         return nb, resources
 
@@ -94,6 +107,19 @@ def _paper(about: Mapping[str, str]) -> Paper | None:
     except Exception:
         _flag(about)
         raise
+
+
+def _alone(run: Autograde, convert: Callable[[], None]) -> None:
+    """A whole run of nbgrader's, as the only writer in a course of ours; refused before it has touched anything."""
+    root = Path(cast(CourseDirectory, run.coursedir).root)
+    with ExitStack() as held:
+        if (root / ".corollary" / "key").is_file():
+            try:
+                held.enter_context(one_writer(open_course(root)))
+            except (BeingGraded, NotACourse) as error:
+                run.log.error(str(error))
+                raise NbGraderException(str(error)) from None
+        convert()
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Mapping
 
 from nbformat import NotebookNode
@@ -57,6 +58,11 @@ def restored(paper: Sheet, submitted: NotebookNode | None, runs: Iterable[CellRu
     if submitted is not None:
         _add_extras(nb, submitted, ran)
     return nb
+
+
+def notebook_text(nb: NotebookNode) -> str:
+    """The text of its file, not indented: nobody reads it but nbgrader, and indenting would take longer than all the rest."""
+    return json.dumps(nb, ensure_ascii=False) + "\n"
 
 
 def part_grades(marked: Marked) -> Iterator[tuple[str, PartGrade]]:

@@ -5,45 +5,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import nbformat
-from nbformat import NotebookNode
 
 from corollary.deliver.course import Course, handed_in, write_atomically
 from corollary.deliver.nbgrader_book import NotRegistered
-from corollary.deliver.nbgrader_notebook import answer_sources, marked_notebook, part_grades
+from corollary.deliver.nbgrader_notebook import answer_sources, part_grades
 from corollary.deliver.nbgrader_safe import safe_markdown
 from corollary.mark.grade import Marked, PartGrade
 from corollary.mark.verdict import Unread
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.found import answer_id
-from corollary.sheet.notebook import file_text
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
 
 
 def record_one(
-    course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, submitted: NotebookNode | None, *,
-    anew: bool = False,
-) -> None:  # fmt: skip
+    course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, notebook: str, *, anew: bool = False
+) -> None:
     """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again.
 
-    `anew`: what lies in `autograded/` is no earlier marking, so whatever a person gave is shown to them again.
+    `notebook` is the text of the marked notebook. `anew`: what lies in `autograded/` is no earlier marking, so whatever a
+    person gave is shown to them again.
     """
     name, student = problem_set.name, marked.student.id
-    now = marked_notebook(marked, problem_set, submitted)
-    before = None if anew else _read(course.notebook("autograded", student, name))
+    place = course.notebook("autograded", student, name)
     stamp, when = _timestamp(course, name, student)
     submission = _submission(book, name, marked)
     submission.timestamp = when
-    for notebook in submission.notebooks:
-        _write_scores(notebook, marked, now, before)
+    for each in submission.notebooks:
+        _write_scores(each, marked, partial(_same_answer, place, notebook) if not anew else lambda key: False)
     book.db.commit()
-    write_atomically(course.notebook("autograded", student, name), file_text(now))
+    write_atomically(place, notebook)
     for file, content in (("timestamp.txt", stamp), ("submission_secret.txt", _secret(course, name, student))):
         if content:
             write_atomically(course.place("autograded", student, name) / file, content)
@@ -80,13 +79,14 @@ def _assignment(book: Gradebook, name: str) -> Assignment:
         raise NotRegistered(f"the gradebook does not know {name}; make it with corollary generate {name}") from None
 
 
-def _write_scores(notebook: SubmittedNotebook, marked: Marked, now: NotebookNode, before: NotebookNode | None) -> None:
+def _write_scores(notebook: SubmittedNotebook, marked: Marked, same: Callable[[str], bool]) -> None:
+    """`same` says of a part whether its answer is the one a person may have given a score for."""
     parts = dict(part_grades(marked))
     answered = {answer_id(key, part.part): part for key, part in parts.items()}
     for grade in notebook.grades:
         part = parts.get(grade.name)
         grade.auto_score = None if part is None or part.waits else part.points
-        grade.needs_manual_grade = _needs_person(grade, part, marked, now, before)
+        grade.needs_manual_grade = _needs_person(grade, part, marked, same)
     for comment in notebook.comments:
         part = answered.get(comment.name)
         comment.auto_comment = safe_markdown(part.feedback) if part is not None and part.feedback else None
@@ -94,16 +94,14 @@ def _write_scores(notebook: SubmittedNotebook, marked: Marked, now: NotebookNode
     notebook.late_submission_penalty = late * sum(map(_score, notebook.grades)) if late > 0 else None
 
 
-def _needs_person(
-    grade: Grade, part: PartGrade | None, marked: Marked, now: NotebookNode, before: NotebookNode | None
-) -> bool:
+def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Callable[[str], bool]) -> bool:
     """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again.
 
     No answer from a notebook that came to grief is no points and a flag: the grief may be the machine's.
     """
     if grade.manual_score is None:
         return part is None or part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
-    return before is None or answer_sources(now, grade.name) != answer_sources(before, grade.name)
+    return not same(grade.name)
 
 
 def _score(grade: Grade) -> float:
@@ -111,11 +109,13 @@ def _score(grade: Grade) -> float:
     return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)
 
 
-def _read(path: Path) -> NotebookNode | None:
+def _same_answer(before: Path, now: str, key: str) -> bool:
+    """Whether the student wrote the same for a part in the marked notebook that lies there and in this one."""
     try:
-        return nbformat.read(path, as_version=4)
+        old = nbformat.read(before, as_version=4)
     except (OSError, ValueError, AttributeError, KeyError):  # no notebook yet, or one that somebody broke: as if there were none
-        return None
+        return False
+    return answer_sources(nbformat.reads(now, as_version=4), key) == answer_sources(old, key)
 
 
 def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime | None]:

@@ -7,8 +7,7 @@ from base64 import b64decode, b64encode
 from binascii import Error as NotBase64
 from collections.abc import Iterable, Mapping
 
-from nbformat import NotebookNode
-from nbformat.v4 import new_output
+from nbformat import NotebookNode, from_dict
 
 MOST_LETTERS = 20_000
 MOST_PICTURE = 4 << 20
@@ -44,19 +43,24 @@ def _output(output: Mapping[str, object]) -> NotebookNode | None:
     match output.get("output_type"):
         case "stream":
             name = "stderr" if output.get("name") == "stderr" else "stdout"
-            return new_output("stream", name=name, text=_short(_text(output.get("text"))))
+            return _made("stream", name=name, text=_short(_text(output.get("text"))))
         case "error":
             traceback = output.get("traceback")
             lines = [_short(str(line)) for line in traceback[:50]] if isinstance(traceback, (list, tuple)) else []
             name, value = (_short(str(output.get(key))) for key in ("ename", "evalue"))
-            return new_output("error", ename=name, evalue=value, traceback=lines)
+            return _made("error", ename=name, evalue=value, traceback=lines)
         case "display_data" | "execute_result":
             data = {mime: shown for mime, content in _pairs(output.get("data")) if (shown := _picture(mime, content))}
             if "text/plain" in dict(_pairs(output.get("data"))):
                 data["text/plain"] = _short(_text(dict(_pairs(output.get("data")))["text/plain"]))
-            return new_output("display_data", data=data) if data else None
+            return _made("display_data", data=data, metadata={}) if data else None
         case _:
             return None
+
+
+def _made(kind: str, **content: object) -> NotebookNode:
+    """Not by nbformat's new_output, which checks each against the schema: that takes longer than all the rest of a notebook."""
+    return NotebookNode(from_dict({"output_type": kind, **content}))
 
 
 def _pairs(kinds: object) -> Iterable[tuple[str, object]]:

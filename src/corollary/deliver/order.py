@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from corollary.deliver.feedback_page import feedback_page
 from corollary.deliver.generating import variants_of
+from corollary.deliver.nbgrader_notebook import marked_notebook, notebook_text
 from corollary.deliver.tamper import notes
 from corollary.mark.grade import Marked
 from corollary.mark.key import Key
@@ -23,12 +24,14 @@ from corollary.submission.take import Runner
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """What all submissions of one grading share. `secret` is the course's key, `runner` makes what runs their notebooks."""
+    """What all submissions of one grading share. `secret` is the course's key, `runner` makes what runs their notebooks, and
+    `notebooks` says whether the marked notebooks are wanted, which only nbgrader has a use for."""
 
     problem_set: ProblemSet
     solutions: Solutions
     secret: bytes
     runner: Callable[[], Runner]
+    notebooks: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,11 +47,12 @@ class Handed:
 
 @dataclass(frozen=True, slots=True)
 class Returned:
-    """A submission as marked, its notebook (None when it could not be opened), and the feedback page."""
+    """A submission as marked, without what is in the two texts and weighs most (its bytes, runs and pictures): the marked
+    notebook as it is to be written (empty when none is wanted), and the feedback page."""
 
     handed: Handed
     marked: Marked
-    notebook: Notebook | None
+    notebook: str
     page: str
 
 
@@ -62,7 +66,7 @@ def mark_one(order: Order, runner: Runner, handed: Handed) -> Returned:
         keys = {exercise.problem.code: order.solutions.key(exercise.variant) for exercise in paper.exercises}
         marked = mark(paper, keys, read, runner, order.secret, handed.late)
         marked = replace(marked, notes=notes(paper, opened.node) if opened is not None else ())
-        return Returned(handed, marked, opened, page_of(order, marked, keys))
+        return _returned(order, handed, marked, opened, page_of(order, marked, keys))
     except (CannotStart, WeakIsolation):
         raise
     except Exception as error:
@@ -73,7 +77,15 @@ def set_aside(order: Order, handed: Handed, why: str, opened: Notebook | None = 
     """A submission that could not be marked through no fault of its student: every part waits for a person."""
     paper = sheet(order.problem_set, handed.student, variants_of(order.problem_set, dict(handed.row)))
     marked = not_marked(paper, f"It could not be marked by the program ({why}).", handed.late)
-    return Returned(handed, marked, opened, feedback_page(marked, order.problem_set))
+    return _returned(order, handed, marked, opened, feedback_page(marked, order.problem_set))
+
+
+def _returned(order: Order, handed: Handed, marked: Marked, opened: Notebook | None, page: str) -> Returned:
+    """All that can be done side by side is done before the one who writes gets it."""
+    text = ""
+    if order.notebooks:
+        text = notebook_text(marked_notebook(marked, order.problem_set, opened.node if opened is not None else None))
+    return Returned(replace(handed, content=b""), replace(marked, runs=(), figures=()), text, page)
 
 
 def page_of(order: Order, marked: Marked, keys: Mapping[str, Key]) -> str:

@@ -12,7 +12,7 @@ import msgspec
 from corollary.submission.disk import bytes_in
 from corollary.submission.job import Job, Limits
 from corollary.submission.parent import Child, tell
-from corollary.submission.wire import Began, Broken, CallTold, CellTold, Done, Frames, Garbled, Trial
+from corollary.submission.wire import Began, Broken, CallTold, CellTold, Done, Frames, Garbled, PictureTold, Trial
 
 _GRACE = 1.0
 
@@ -24,6 +24,7 @@ class Told:
 
     cells: dict[int, CellTold] = field(default_factory=dict)
     calls: dict[int, CallTold] = field(default_factory=dict)
+    pictures: dict[int, PictureTold] = field(default_factory=dict)
     seconds: dict[int, float] = field(default_factory=dict)
     trial: dict[str, bool] = field(default_factory=dict)
     working_on: Began | None = None
@@ -47,10 +48,14 @@ def give(child: Child, job: Job, limits: Limits, trial: bool = False) -> None:
 
 
 def follow(child: Child, job: Job, limits: Limits, watch: Watch, told: Told) -> None:
-    """Reads frames into `told` until the child is done or at its end; interrupts what is too long, kills what does not stop."""
+    """Reads frames into `told` until the child is done or at its end; interrupts what is too long, kills what does not stop.
+
+    It is done when all answers are out; the pictures that may still follow can only be missing.
+    """
     frames = Frames(child.channel)
     last = time.monotonic() + limits.total_seconds
     deadline, interrupted, began = last, False, time.monotonic()
+    pictures = 0
     while True:
         try:
             frame = frames.read(min(deadline, last, time.monotonic() + watch.every))
@@ -91,11 +96,14 @@ def follow(child: Child, job: Job, limits: Limits, watch: Watch, told: Told) -> 
                 told.trial = held
             case Broken(why):
                 told.ended = f"its own process stumbled ({why})"
-            case Done():
+            case Done(pictures):
                 told.working_on, told.done = None, True
-                return
+            case PictureTold(index):
+                told.pictures[index] = frame
             case _:
                 assert_never(frame)
+        if told.done and len(told.pictures) >= pictures:
+            return
 
 
 @final

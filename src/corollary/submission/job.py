@@ -34,7 +34,8 @@ class Job:
     """One notebook's work: `names` are the variables to bring back.
 
     `figures` are ids of the cells whose figures matter; the figures of every cell come back anyway. With `pictures` each
-    figure is also drawn as PNG, which costs more than all the rest together.
+    is also drawn as PNG, which costs more than all the rest together; that is done last, when every answer is out, so a
+    figure that was changed after it was shown is drawn as it was in the end (its data are as shown), and says so.
     """
 
     cells: tuple[Cell, ...]

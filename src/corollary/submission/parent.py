@@ -18,7 +18,7 @@ from corollary.submission.job import Limits
 CHILD = Path(__file__).parent / "child"
 # In the order in which they import one another.
 _MODULES = ("libc", "walls", "landlock", "seccomp", "confine", "frames", "outputs", "encode", "clock", "figures", "backend",
-            "shell", "cells", "ready", "life", "warm")
+            "shell", "cells", "pages", "ready", "life", "warm")
 _PRELOAD = ("numpy", "matplotlib.pyplot", "sympy", "scipy.integrate", "scipy.optimize", "IPython.display")
 _PACKAGE = Path(__file__).parents[1]
 _READY_SECONDS = 120.0
@@ -40,7 +40,8 @@ class Parent:
     namespaces: bool
     user: int | None
     kilobytes: int
-    waiting: bool = False  # for the parent's word on how the last child ended
+    coming: socket.socket | None = None  # the channel of a child that was asked for and gets itself ready
+    owed: int = 0  # how many children's ends the parent has yet to tell, one word each
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,31 +87,42 @@ def start(limits: Limits, without: frozenset[str] = frozenset()) -> Parent:
 
 def stop(parent: Parent) -> None:
     """Ends it and removes its folder; a child still running dies with it."""
+    if parent.coming is not None:
+        parent.coming.close()
     parent.control.close()
     parent.process.kill()
     parent.process.wait()
     shutil.rmtree(parent.base, ignore_errors=True)
 
 
+def ask(parent: Parent) -> None:
+    """Asks for a child, which builds its walls while the one who asked does something else. Raises OSError."""
+    ours, theirs = socket.socketpair()
+    with theirs:
+        socket.send_fds(parent.control, [b"J"], [theirs.fileno()])
+    parent.coming, parent.owed = ours, parent.owed + 1
+
+
 def fork(parent: Parent, seconds: float = 20.0) -> Child:
     """A new child that waits for its job. Raises OSError when it does not come up (the parent is then beyond use)."""
-    if parent.waiting:
-        reap(parent)
     if not parent.namespaces:
+        if parent.owed:
+            reap(parent)  # they share a folder: the last one must be gone
         shutil.rmtree(parent.folder, ignore_errors=True)
         parent.folder.mkdir(mode=0o700)
         if parent.user is not None:
             os.chown(parent.folder, parent.user, parent.user)
-    ours, theirs = socket.socketpair()
+    if parent.coming is None:
+        ask(parent)
+    ours, parent.coming = parent.coming, None
+    assert ours is not None
     ours.settimeout(seconds)
-    with theirs:
-        socket.send_fds(parent.control, [b"J"], [theirs.fileno()])
-    parent.waiting = True
     introduction, handles, _, _ = socket.recv_fds(ours, 9, 1)
     if len(introduction) != 9:
         ours.close()
         raise OSError("the child died at birth")
     ours.settimeout(None)
+    _words(parent, 1)  # of those before it, lest they fill the channel
     return Child(ours, handles[0] if handles else None, int.from_bytes(introduction[1:], "big"))
 
 
@@ -136,8 +148,14 @@ def leave(child: Child) -> None:
 def reap(parent: Parent, seconds: float = 30.0) -> int:
     """How the last child ended: its exit status, or 128 and the signal's number. Raises OSError when the parent does not say."""
     parent.control.settimeout(seconds)
-    code = _receive(parent.control)["code"]
-    parent.waiting = False
+    return _words(parent, 0)
+
+
+def _words(parent: Parent, left: int) -> int:
+    code = 0
+    while parent.owed > left:
+        code = _receive(parent.control)["code"]
+        parent.owed -= 1
     return code
 
 

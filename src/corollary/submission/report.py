@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import signal
 from dataclasses import replace
 
@@ -14,6 +15,8 @@ from corollary.submission.job import Job
 from corollary.submission.taken import Answered, Axes, CellRun, Figure, Status
 from corollary.submission.wire import CallTold, Display, Error, Output, Result, Stream
 
+PNG = "image/png"
+CHANGED = " (changed after it was shown; this is how it was at the end)"
 _SIGNALS = {
     signal.SIGSEGV: "a crash in compiled code (segmentation fault; very deep recursion does this too)",
     signal.SIGABRT: "a crash in compiled code (abort)",
@@ -58,7 +61,7 @@ def cell_runs(job: Job, told: Told) -> tuple[CellRun, ...]:
     for index, cell in enumerate(job.cells):
         if index in told.cells:
             frame = told.cells[index]
-            outputs = tuple(_output(each) for each in frame.outputs)
+            outputs = tuple(_output(each, told) for each in frame.outputs)
             runs.append(CellRun(cell.id, frame.status, outputs, told.seconds[index], frame.error))
         elif index == broken:
             status: Status = "timeout" if told.late else "error"
@@ -69,10 +72,26 @@ def cell_runs(job: Job, told: Told) -> tuple[CellRun, ...]:
     return tuple(runs)
 
 
-def _output(output: Output) -> dict[str, object]:
+def _output(output: Output, told: Told) -> dict[str, object]:
     match output:
-        case Stream() | Display() | Result() | Error():
+        case Display(data) | Result(data):
+            return msgspec.to_builtins(output) | {"data": _with_picture(data, told)}
+        case Stream() | Error():
             return msgspec.to_builtins(output)
+
+
+def _with_picture(data: dict[str, str], told: Told) -> dict[str, str]:
+    """With the picture in the place that was kept for it, where one was drawn."""
+    word, _, place = data.get(PNG, "").partition(" ")
+    if word != "figure" or not place.isdecimal():
+        return data
+    rest = {mime: content for mime, content in data.items() if mime != PNG}
+    picture = told.pictures.get(int(place[:9]))
+    if picture is None or picture.png is None:
+        return rest
+    if picture.changed and "text/plain" in rest:
+        rest["text/plain"] += CHANGED
+    return rest | {PNG: base64.b64encode(picture.png).decode()}
 
 
 def answered(told_call: CallTold | None, trouble: str, told: Told, index: int) -> Answered:
@@ -87,10 +106,15 @@ def answered(told_call: CallTold | None, trouble: str, told: Told, index: int) -
 def figures_of(job: Job, told: Told) -> tuple[Figure, ...]:
     """All figures in the order of the cells that showed them."""
     return tuple(
-        Figure(job.cells[index].id, tuple(_axes(each) for each in figure.axes if each is not None), figure.png)
+        Figure(job.cells[index].id, tuple(_axes(each) for each in figure.axes if each is not None), _png(told, figure.picture))
         for index in sorted(told.cells)
         for figure in told.cells[index].figures
     )
+
+
+def _png(told: Told, place: int | None) -> bytes | None:
+    picture = told.pictures.get(place) if place is not None else None
+    return picture.png if picture is not None else None
 
 
 def _axes(told: Axes) -> Axes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from contextlib import suppress
 from types import TracebackType
 from typing import Self, final
 
@@ -11,7 +12,7 @@ from corollary.submission.conversation import Told, Watch, follow, give
 from corollary.submission.decode import plain
 from corollary.submission.isolation import UNKNOWN, WeakIsolation, isolation_of
 from corollary.submission.job import Ask, Cell, Job, Limits
-from corollary.submission.parent import Parent, fork, leave, reap, start, stop
+from corollary.submission.parent import Child, Parent, ask, fork, leave, reap, start, stop
 from corollary.submission.report import answered, cell_runs, figures_of, trouble_of
 from corollary.submission.taken import Answered, Axes, CellRun, Figure, Isolation, Line, Taken
 
@@ -75,26 +76,41 @@ class Runner:
             self._parent = None
 
     def _run(self, job: Job, trial: bool = False) -> tuple[Told, int | None]:
-        parent = self._parent or self._warm()
-        if not trial and parent.process.poll() is not None:
-            self._cool()
-            parent = self._warm()
-        watch = Watch() if parent.namespaces else Watch(0.25, str(parent.folder), self.limits.file_bytes)
         told = Told()
         try:
-            child = fork(parent)
+            parent, child = self._child()
+            watch = Watch() if parent.namespaces else Watch(0.25, str(parent.folder), self.limits.file_bytes)
             try:
                 give(child, job, self.limits, trial)
                 follow(child, job, self.limits, watch, told)
                 # How it ended matters only when it did not say that it was done; else the next job need not wait for it.
-                return told, None if told.done or told.ended else reap(parent)
+                code = None if told.done or told.ended else reap(parent)
             finally:
                 leave(child)
+            if parent.namespaces:  # else it would share the folder of the one that ends just now
+                with suppress(OSError):  # a parent that is gone is met at the next job
+                    ask(parent)
+            return told, code
         except OSError as error:
             # The machine's failing, or a notebook that got at the parent: start afresh for the next one.
             self._cool()
             told.ended = f"the process that runs notebooks failed ({error})"
             return told, None
+
+    def _child(self) -> tuple[Parent, Child]:
+        """A child that waits for its job. One that got ready early and died while it waited is no submission's fault."""
+        if self._parent is not None and self._parent.process.poll() is not None:
+            self._cool()
+        parent = self._parent or self._warm()
+        waited = parent.coming is not None
+        try:
+            return parent, fork(parent)
+        except OSError:
+            if not waited:
+                raise
+            self._cool()
+            parent = self._warm()
+            return parent, fork(parent)
 
     def _taken(self, job: Job, told: Told, code: int | None) -> Taken:
         trouble = trouble_of(job, told, code)

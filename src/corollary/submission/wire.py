@@ -23,7 +23,7 @@ _Index = Annotated[int, msgspec.Meta(ge=0, le=100_000)]
 
 class SentFigure(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     axes: Annotated[tuple[Axes | None, ...], msgspec.Meta(max_length=100)]
-    png: Annotated[bytes, msgspec.Meta(max_length=MOST_FRAME)] | None
+    picture: _Index | None
 
 
 class Stream(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="stream", tag_field="output_type"):
@@ -52,7 +52,7 @@ Output = Stream | Display | Result | Error
 
 
 class Began(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="began", tag_field="t"):
-    what: Literal["cell", "call"]
+    what: Literal["cell", "call", "picture"]
     index: _Index
 
 
@@ -73,7 +73,13 @@ class CallTold(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="cal
 
 
 class Done(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="done", tag_field="t"):
-    pass
+    pictures: _Index
+
+
+class PictureTold(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="picture", tag_field="t"):
+    index: _Index
+    png: Annotated[bytes, msgspec.Meta(max_length=MOST_FRAME)] | None
+    changed: bool
 
 
 class Trial(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="trial", tag_field="t"):
@@ -84,7 +90,7 @@ class Broken(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="broke
     why: _Words
 
 
-Frame = Began | CellTold | CallTold | Done | Trial | Broken
+Frame = Began | CellTold | CallTold | Done | PictureTold | Trial | Broken
 
 _decoder = msgspec.msgpack.Decoder(Frame)
 

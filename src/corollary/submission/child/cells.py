@@ -8,11 +8,12 @@ from . import backend
 from . import shell as shells
 from .clock import Clock
 from .encode import encode
-from .figures import describe
-from .frames import say
+from .figures import describe, draw
+from .frames import pack, say
 from .outputs import clean
 
-MOST_FIGURES = 20
+MOST_FIGURES = 20  # of one cell
+MOST_PICTURES = 40  # of one notebook: each figure is kept until it is drawn
 _MOST_CALL_OUTPUT = 10_000
 
 
@@ -26,26 +27,39 @@ class Desk:
         self.clock = Clock()
         self.told = {}
         self.figures = []
+        self.to_draw = []  # each figure, and what was told of it when it was shown
         self.printed = 0
 
 
 def work(shell, outputs, job):
     """Runs the job and says what came of it, frame by frame; every frame sent is safe from what happens later."""
-    desk = Desk(shell, outputs, job)
+    desk = _desk(shell, outputs, job)
     outputs.most_bytes = job["limits"]["output_bytes"]
     getpass.getpass = shells.refuse_input
-
-    def take(figure, show=True):
-        return _take_figure(desk, figure, show)
-
-    backend.shown.append(take)
     for index, source in enumerate(job["cells"]):
         say({"t": "began", "what": "cell", "index": index})
         say(*_run_cell(desk, index, source))
     for index, ask in enumerate(job["asks"]):
         say({"t": "began", "what": "call", "index": index})
         say(*_call(desk, index, ask))
-    say({"t": "done"})
+    say({"t": "done", "pictures": len(desk.to_draw)})
+    for index, (figure, told) in enumerate(desk.to_draw):
+        say({"t": "began", "what": "picture", "index": index})
+        say(*_draw(desk, index, figure, told))
+
+
+def rehearse(shell, outputs, sources):
+    """Runs cells that are nobody's, and keeps nothing of them."""
+    desk = _desk(shell, outputs, {"names": ["a", "b", "c", "d"], "pictures": False, "limits": {"cell_seconds": 1e3}})
+    for index, source in enumerate(sources):
+        pack(_run_cell(desk, index, source)[0])
+    backend.shown.clear()
+
+
+def _desk(shell, outputs, job):
+    desk = Desk(shell, outputs, job)
+    backend.shown.append(lambda figure, show=True: _take_figure(desk, figure, show))
+    return desk
 
 
 def _run_cell(desk, index, source):
@@ -72,8 +86,7 @@ def _run_cell(desk, index, source):
     status = "timeout" if desk.clock.rang else "error" if error else "ok"
     rich = {"t": "cell", "index": index, "status": status, "error": error, "outputs": desk.outputs.as_list(),
             "figures": desk.figures, "values": values}
-    plain_figures = [{**figure, "png": None} for figure in desk.figures]
-    poorer = {**rich, "outputs": [], "figures": plain_figures}
+    poorer = {**rich, "outputs": []}
     poorest = {**poorer, "figures": [], "error": "the cell's error cannot be told", "values": {}}
     return rich, (poorer, {**poorer, "figures": []}, poorest)
 
@@ -89,17 +102,35 @@ def _changed(desk):
 
 
 def _take_figure(desk, figure, show):
+    """Reads a figure that is shown; where pictures are wanted, gives the word that stands for its picture until it is drawn."""
     if len(desk.figures) >= MOST_FIGURES:
         return None
-    told = describe(figure, desk.job["pictures"])
-    desk.figures.append(told)
+    axes = describe(figure)
+    wanted = desk.job["pictures"] and len(desk.to_draw) < MOST_PICTURES
+    place = len(desk.to_draw) if wanted else None
+    desk.figures.append({"axes": axes, "picture": place})
     width, height = (int(inches * 100) for inches in figure.get_size_inches())
     shown = {"text/plain": f"<Figure size {width}x{height} with {len(figure.axes)} Axes>"}
-    if told["png"]:
-        shown["image/png"] = told["png"]
+    if wanted:
+        desk.to_draw.append((figure, axes))
+        shown["image/png"] = f"figure {place}"
     if show:
         desk.outputs.display(shown)
-    return told["png"]
+    return shown.get("image/png")
+
+
+def _draw(desk, index, figure, told):
+    """The picture, after all answers are out: whatever drawing comes to, they stand. A figure is drawn as it is by now."""
+    picture, changed = None, False
+    desk.clock.start(desk.job["limits"]["cell_seconds"])
+    try:
+        picture, changed = draw(figure), describe(figure) != told
+        desk.clock.stop()
+    except BaseException:  # its time was up, or the student's own class of figure has ended it: there is no picture then
+        picture = None
+    desk.clock.stop()
+    rich = {"t": "picture", "index": index, "png": picture, "changed": changed}
+    return rich, ({**rich, "png": None},)
 
 
 def _call(desk, index, ask):

@@ -14,10 +14,14 @@ MOST_PIXELS = 2_000_000
 _DPI = 72
 
 
-def describe(figure, picture):
-    """A figure as plain data; what cannot be read of it is left out, whatever the student did to it."""
-    return {"axes": [_attempt(_axes, each, figure) for each in list(figure.axes)[:MOST_AXES]],
-            "png": _attempt(_png, figure) if picture else None}
+def describe(figure):
+    """The axes of a figure as plain data; what cannot be read of it is left out, whatever the student did to it."""
+    return [_attempt(_axes, each, figure) for each in list(figure.axes)[:MOST_AXES]]
+
+
+def draw(figure):
+    """The figure as PNG; None when it cannot be drawn."""
+    return _attempt(_png, figure)
 
 
 def _attempt(read, *arguments):

@@ -7,7 +7,7 @@ import msgspec
 
 MOST_BYTES = 4 << 20
 _RESULTS = 3
-_pack = msgspec.msgpack.Encoder().encode
+pack = msgspec.msgpack.Encoder().encode
 _unpack = msgspec.msgpack.Decoder().decode
 _write = os.write
 _read = os.read
@@ -48,7 +48,7 @@ def say(frame, poorer=()):
     """
     for each in (frame, *poorer):
         try:
-            text = _pack(each)
+            text = pack(each)
         except (TypeError, ValueError, OverflowError, RecursionError):  # say, a string that is of the student's own class
             continue
         if len(text) <= MOST_BYTES:

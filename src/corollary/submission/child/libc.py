@@ -14,6 +14,8 @@ CLONE_NEWNET = 0x40000000
 MS_NOSUID, MS_NODEV, MS_BIND, MS_REC, MS_PRIVATE = 2, 4, 4096, 16384, 1 << 18
 MNT_DETACH = 2
 
+MADV_POPULATE_WRITE, MADV_COLLAPSE = 23, 25  # Linux 5.14 and 6.1
+
 PR_SET_PDEATHSIG, PR_SET_DUMPABLE, PR_SET_SECCOMP = 1, 4, 22
 PR_SET_CHILD_SUBREAPER, PR_SET_NO_NEW_PRIVS = 36, 38
 
@@ -60,6 +62,11 @@ def pivot_root(folder):
 
 def prctl(option, first=0, second=0):
     _checked(_libc.prctl(option, ctypes.c_ulong(first), ctypes.c_ulong(second), 0, 0), f"prctl {option}")
+
+
+def advise(address, count, advice):
+    """Tells the kernel what these bytes of memory are for; one that does not know the advice does nothing."""
+    _libc.madvise(ctypes.c_void_p(address), ctypes.c_size_t(count), advice)
 
 
 def drop_capabilities():

@@ -7,7 +7,7 @@ import resource
 import socket
 import sys
 
-from . import cells, confine, frames, libc, ready, walls
+from . import cells, confine, frames, libc, pages, ready, walls
 
 
 def live(parent, shell, outputs, results):
@@ -19,6 +19,7 @@ def live(parent, shell, outputs, results):
             owner = os.geteuid() if parent.user is None else parent.user
             walls.enter_own_namespaces(parent.limits["file_bytes"], owner, owner if parent.user is not None else os.getegid())
         _confine(parent, results, baseline)
+        pages.copy(parent.written)
         frames.introduce()
         job = frames.listen()
         _close_the_door(parent)

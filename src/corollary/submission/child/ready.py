@@ -33,6 +33,8 @@ class Parent:
         self.ruleset = None
         self.filter = None
         self.status = None
+        self.machine = None  # /proc, while getting ready
+        self.written = []  # runs of memory that every child writes to
 
 
 def choose_root(parent, opening):
@@ -45,7 +47,7 @@ def choose_root(parent, opening):
         enter = functools.partial(walls.enter_new_root, opening["base"], visible, opening["hidden"], own_users)
         why = _LEFT_OUT if "namespaces" in opening["without"] else _tried(functools.partial(_enter, enter, parent))
         if why is None:
-            parent.status = enter()
+            parent.status, parent.machine = enter()
             parent.namespaces, parent.folder = True, walls.FOLDER
             parent.missing.pop("namespaces", None)
             break
@@ -140,23 +142,33 @@ def _read_as(user, folders):
             raise OSError(f"{name} can be read by root only")
 
 
-def _tried(deed):
-    """Does it in a throw-away child; None when that went well, else why not."""
+def told(deed):
+    """What the deed gives, a text, when it is done in a throw-away child; None when it does not get so far."""
     theirs, ours = os.pipe()
     child = os.fork()
     if child == 0:
-        why = "it ended without a word"
+        try:
+            said = deed().encode()
+            while said:
+                said = said[os.write(ours, said):]
+        finally:
+            os._exit(0)
+    os.close(ours)
+    with open(theirs, encoding="utf-8") as file:
+        said = file.read()
+    os.waitpid(child, 0)
+    return said or None
+
+
+def _tried(deed):
+    """Does it in a throw-away child; None when that went well, else why not."""
+
+    def attempt():
         try:
             deed()
-            why = ""
         except BaseException as error:
-            why = str(error) or type(error).__name__
-        os.write(ours, b"." + why.encode())
-        os._exit(0)
-    os.close(ours)
-    said = os.read(theirs, 4096)
-    os.close(theirs)
-    os.waitpid(child, 0)
-    if not said:
-        return "the kernel ended the process that tried"
-    return said[1:].decode() or None
+            return "." + (str(error) or type(error).__name__)
+        return "."
+
+    said = told(attempt)
+    return "the kernel ended the process that tried" if said is None else said[1:] or None

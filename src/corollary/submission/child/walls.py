@@ -14,7 +14,7 @@ def enter_new_root(base, visible, hidden, own_users):
     """Leaves the machine's files: only the paths in `visible` remain, read-only, without those in `hidden`.
 
     It returns in a new process, the first of its own process namespace, so that nothing it starts outlives it; the old one
-    stands by. Gives a descriptor of its /proc/self/status, to which the new root has no path. `base` is an empty folder to
+    stands by. Gives descriptors of its /proc/self/status and /proc, to which the new root has no path. `base` is an empty folder to
     build in; with `own_users` the powers to do so come from a user namespace. Raises OSError where the kernel or the
     administrator does not allow it; the process may then be half-way, so try it in a throw-away child first.
     """
@@ -29,7 +29,7 @@ def enter_new_root(base, visible, hidden, own_users):
         os.closerange(3, 4096)
         os._exit(os.waitstatus_to_exitcode(os.waitpid(first, 0)[1]) & 0xFF)
     libc.prctl(libc.PR_SET_PDEATHSIG, signal.SIGKILL)
-    status = os.open("/proc/self/status", os.O_RDONLY)
+    about = os.open("/proc/self/status", os.O_RDONLY), os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
     libc.mount(None, "/", None, libc.MS_REC | libc.MS_PRIVATE)
     libc.mount("desk", base, "tmpfs", libc.MS_NOSUID, "size=1m,mode=755")
     for path in (*_DEVICES, *visible):
@@ -44,7 +44,7 @@ def enter_new_root(base, visible, hidden, own_users):
     # The warm parent writes a little while its libraries start; each notebook's disk is mounted over it.
     libc.mount("warm", base + FOLDER, "tmpfs", libc.MS_NOSUID | libc.MS_NODEV, "size=16m,mode=755")
     libc.pivot_root(base)
-    return status
+    return about
 
 
 def _show(base, path):

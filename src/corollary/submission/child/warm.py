@@ -9,14 +9,28 @@ import socket
 import sys
 import tempfile
 
-from . import libc, life, ready, walls
+from . import cells, libc, life, pages, ready, walls
 from . import outputs as shown
 from . import shell as shells
 
-_REHEARSAL = """import numpy as np, matplotlib.pyplot as plt
-plt.plot([0, 1], label="x"); plt.legend(); plt.xlabel("$x$"); plt.savefig(__import__("io").BytesIO()); plt.close("all")
-np.linspace(0, 1, 3) @ np.ones(3)
-1/0"""
+# What a notebook does most: done often enough in the parent that the interpreter has adapted to it before the fork.
+_REHEARSAL = (
+    """import numpy as np, matplotlib.pyplot as plt
+t = np.linspace(0, 1, 50)
+a = float(np.trapezoid(t ** 2, t)); b = [a, 2.0 * a]; c = np.array([1.0, a]); d = "8.6 kg m/s"
+print(f"{a:.3g}", b)
+c @ np.ones(2)""",
+    """def f(x, u, h):
+    return x + u * h, u - 9.81 * h
+for i in range(50): f(1.0, 2.0, 0.1)
+assert abs(a) < 10""",
+    """plt.plot([0, 1], [0.5, 2], label="x"); plt.plot(t, np.sin(t), "--", label="y"); plt.legend(); plt.grid(True)
+plt.xlabel("$x$"); plt.ylabel("F / N"); plt.title("title")
+plt.show()""",
+    "fig, ax = plt.subplots(); ax.plot(t, t); ax.set_xlabel('t')",
+)
+_TIMES = 10
+_ONCE = ("plt.plot(t, t, label='$x$'); plt.legend(); plt.savefig(__import__('io').BytesIO())", "1/0")
 
 
 def serve(control, opening):
@@ -37,9 +51,14 @@ def serve(control, opening):
     modules[opening["absent"]] = None  # so that importing it says plainly that it is not here
     if libc.on_linux():
         ready.prepare_walls(parent, opening)
-        libc.prctl(libc.PR_SET_DUMPABLE, 0)
     gc.collect()
     gc.freeze()
+    if parent.machine is not None:
+        with contextlib.suppress(OSError):  # then every child only takes a little longer
+            _settle(parent, shell, outputs)
+        os.close(parent.machine)
+    if libc.on_linux():
+        libc.prctl(libc.PR_SET_DUMPABLE, 0)
     _reply(control, {"missing": parent.missing, "namespaces": parent.namespaces, "user": parent.user,
                      "threads": ready.reading(parent, "Threads"), "kilobytes": ready.reading(parent, "VmRSS")})
     while True:
@@ -59,10 +78,28 @@ def _warm_shell(outputs, preload):
     ready.import_slow(preload)
     out, err = shells.streams(outputs)
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        shell.run_cell(_REHEARSAL, store_history=True)
+        for _ in range(_TIMES):
+            cells.rehearse(shell, outputs, _REHEARSAL)
+        cells.rehearse(shell, outputs, _ONCE)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the clock of the cells has set it
     shells.forget(shell)
     outputs.start()
     return shell
+
+
+def _settle(parent, shell, outputs):
+    """Large pages; and a throw-away child tells which of them every notebook writes to."""
+    maps = os.open("self/maps", os.O_RDONLY, dir_fd=parent.machine)
+    pages.join(maps)
+
+    def rehearse():
+        out, err = shells.streams(outputs)
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            cells.rehearse(shell, outputs, _REHEARSAL[:3])
+        return json.dumps(pages.written(maps, parent.machine))
+
+    parent.written = json.loads(ready.told(rehearse) or "[]")
+    os.close(maps)
 
 
 def _next(control):
