@@ -1,6 +1,7 @@
 # Two commands do everything: `make demo` and `make test`. Both build the virtual environment first when it is missing or stale.
 
 VENV ?= .venv
+EXTRAS ?= nbgrader,isolation,dask,dev
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
@@ -17,7 +18,7 @@ $(STAMP): pyproject.toml .ci/constraints.txt
 	@echo "setting up $(VENV) with $$($(PYTHON) --version); the first time this takes a minute or two"
 	@$(PYTHON) -m venv $(VENV)
 	@$(PIP) install --constraint .ci/constraints.txt hatchling editables
-	@$(PIP) install --constraint .ci/constraints.txt --no-build-isolation --editable ".[nbgrader,isolation,dask,dev]"
+	@$(PIP) install --constraint .ci/constraints.txt --no-build-isolation --editable ".[$(EXTRAS)]"
 	@touch $(STAMP)
 
 demo: $(STAMP)

@@ -1,8 +1,23 @@
-"""What holds for all tests: no test is timed, so none fails on a busy machine."""
+"""What holds for all tests: none is timed, so none fails on a busy machine; and none touches what a user keeps."""
 
 from __future__ import annotations
+
+import os
+import shutil
+import tempfile
 
 from hypothesis import settings
 
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
+
+
+def pytest_configure(config) -> None:
+    """One cache folder for all tests of a run; processes that run tests side by side have it from the first."""
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        config.stash_folder = os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(prefix="corollary-tests-")
+
+
+def pytest_unconfigure(config) -> None:
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        shutil.rmtree(config.stash_folder, ignore_errors=True)

@@ -2,13 +2,15 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.derive.author import derivation, mistake, neglected, step, supposed, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import after_elastic, in_the_limit, law, seen_from
 
 
 def derive(vA, vB):
     w_0, w_1, v_1 = unknowns("w_0 w_1 v_1")
+    eps = unknowns("epsilon")[0]
+    n, heavy = supposed("n", "10000", "the wall is at least so many times as heavy as the ball")
     m, M = sympy.symbols("m M", positive=True)
     return derivation(
         step(
@@ -35,10 +37,18 @@ def derive(vA, vB):
             ],
             check="A wall at rest gives -v; a wall that comes towards the ball sends it back faster.",
         ),
+        neglected(
+            "a", "that the wall, too, is pushed", eps, "The law of elastic collisions, for a wall n times as heavy as the ball, less the limit.",
+            law("Difference", "epsilon = v_n - v_1", source="(12.79)", epsilon=eps, v_n=after_elastic(A=(1, vA), B=(n, vB))[0], v_1=v_1), supposing=[heavy],
+        ),
     )  # fmt: skip
 
 
-def scene(vA, vB, answer):
-    """A ball against a sphere a thousand million times as heavy."""
-    settings = {"mA": 1.0, "mB": 1e9, "k": 1e9, "eta": 0.0, "dx": 0.08, "dy": 0.0, "vA": (vA, 0.0), "vB": (vB, 0.0)}
-    return [simulate("spheres", settings, neglected=1e-8, velocities=(answer["a"], 0.0, vB, 0.0))]
+def scene(vA, vB, answer, neglected):
+    """A ball against a sphere a thousand million times as heavy, and against one ten thousand times as heavy."""
+    hit = {"mA": 1.0, "k": 1e9, "eta": 0.0, "dx": 0.08, "dy": 0.0, "vA": (vA, 0.0), "vB": (vB, 0.0)}
+    after = (answer["a"], 0.0, vB, 0.0)
+    return [
+        simulate("spheres", hit | {"mB": 1e9}, neglected=1e-8, velocities=after),
+        simulate("spheres", hit | {"mB": 1e4}, neglected=1.5 * neglected["a"] / max(map(abs, after)), velocities=after),
+    ]

@@ -2,13 +2,15 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, printed, route, step, unknowns
+from corollary.derive.author import derivation, mistake, neglected, printed, route, step, supposed, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import change_of_kinetic_energy, falling, law, rope_height, sticking
 
 
 def derive(mA, mB, h, L, g):
     v_1, v_0, dK, q, theta = unknowns("v_1 v_0 dK q theta_max")
+    u, x, F, J = unknowns("u x F J")
+    tau, stopped = supposed("tau", "1 ms", "a bullet is stopped sooner")
     return derivation(
         step(
             v_1, "After the hit the rope does no work: the kinetic energy of block and bullet lifts them by h.",
@@ -65,10 +67,24 @@ def derive(mA, mB, h, L, g):
             ],
             check="For h = L the rope would be horizontal, θ = 90°.",
         ),
+        neglected(
+            "a", "the swing while the bullet is stopped", u,
+            "By then block and bullet have moved by at most x, and the rope, which carries their weight on a circle, pulls them back with at most F. "
+            "The momentum J that it takes from them was the bullet's too.",
+            law("Way", "x = v_1*tau", x=x, v_1=v_1, tau=tau),
+            law("Pull of the rope", "F = (m_A + m_B)*(g + v_1^2/L)*x/L", F=F, m_A=mA, m_B=mB, g=g, v_1=v_1, L=L, x=x),
+            law("Impulse", "J = F*tau", source="(12.20)", J=J, F=F, tau=tau),
+            law("Momentum", "J = m_A*u", source="(12.15)", J=J, m_A=mA, u=u), also=[x, F, J], supposing=[stopped],
+        ),
         printed("a", "245 m/s", "(12.93)"),
     )  # fmt: skip
 
 
-def scene(mA, mB, h, L, g, answer):
-    """The bullet of the speed found is braked inside the block."""
-    return [simulate("bullet_block", {"m": mA, "M": mB, "g": g, "v": answer["a"]}, velocities=(answer["c"], answer["c"]), energy_change=answer["b"])]
+def scene(mA, mB, h, L, g, answer, neglected):
+    """The bullet of the speed found is braked inside the block; and as slowly as supposed, in a block that hangs."""
+    shot = {"g": g, "v": answer["a"]}
+    return [
+        simulate("bullet_block", shot | {"m": mA, "M": mB}, velocities=(answer["c"], answer["c"]), energy_change=answer["b"]),
+        simulate("ballistic_pendulum", shot | {"mA": mA, "mB": mB, "L": L, "dt": 1e-3}, height=h, angle=answer["d"],
+                 neglected=2 * neglected["a"] / answer["a"]),
+    ]  # fmt: skip

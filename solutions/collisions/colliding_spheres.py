@@ -1,10 +1,13 @@
 """A model of two colliding spheres: a spring along the line of centres, and a brake on their relative motion."""
 
+import math
+
 import sympy
 
 from corollary.derive.author import choice, code, derivation, explain, mistake, plot, step, unknowns, vector
-from corollary.derive.programs_plane import judge_spheres, sphere_inputs
-from corollary.derive.programs_plane_plot import judge_spheres_plot
+from corollary.derive.programs.spheres import judge_spheres, sphere_inputs
+from corollary.derive.programs.spheres_plot import judge_spheres_plot
+from corollary.derive.simulation import simulate
 from corollary.law import distance, overlap, sphere_contact, within
 
 
@@ -56,6 +59,16 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
                    "negative while the spheres touch and move against each other. The spring only stores energy and gives it back. The larger η, the more is lost.",
         ),
     )  # fmt: skip
+
+
+def scene(R, mA, mB, dx, dy, ux, uy, k, eta, answer):
+    """The spheres move for a tenth of a microsecond: how much their momenta change in it is the force, but for its own change."""
+    u, r, t = math.hypot(ux, uy), math.hypot(dx, dy), 1e-7
+    deep, force, mu = 2 * R - r, math.hypot(*answer["a"]), mA * mB / (mA + mB)
+    # The spring grows and turns as the spheres move on, the brake changes with their relative velocity.
+    growth = (1.5 * k * deep**0.5 + k * deep**1.5 / r) * u + eta * force / mu
+    spheres = {"R": R, "mA": mA, "mB": mB, "dx": dx, "dy": dy, "vA": (0.0, 0.0), "vB": (ux, uy), "k": k, "q": 1.5, "eta": eta, "g": 0.0, "t": t}
+    return [simulate("touching_spheres", spheres, mean_force=answer["a"], neglected=growth * t / force)]
 
 
 EXAMPLE = '''

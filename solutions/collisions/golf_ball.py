@@ -4,13 +4,14 @@ import math
 
 import sympy
 
-from corollary.derive.author import derivation, explain, mistake, reject, step, unknowns
+from corollary.derive.author import derivation, explain, mistake, neglected, reject, step, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, restitution
 
 
 def derive(v, M, m, r):
     u_a, u_b, u_c, V_b, V_c = unknowns("u_a u_b u_c V_b V_c")
+    eps = unknowns("epsilon")[0]
     before, after_b, after_c = [(M, v), (m, 0)], [(M, V_b), (m, u_b)], [(M, V_c), (m, u_c)]
     return derivation(
         step(
@@ -49,6 +50,8 @@ def derive(v, M, m, r):
             ],
             check="r = 1 gives (b), r = 0 the common velocity Mv/(M + m).",
         ),
+        neglected("a", "the mass of the ball", eps, "Beside (b), where it counts, the limit is off by this.",
+                  law("Difference", "epsilon = u_a - u_b", epsilon=eps, u_a=u_a, u_b=u_b), asked=True),
         explain(
             "d",
             "Changes to an observer who moves with the club (or argues with the relative velocity).",

@@ -1,12 +1,21 @@
 """Pendulum and block: energy on the way down and up, momentum and energy in the collision."""
 
-from corollary.derive.author import derivation, mistake, reject, step, unknowns, vector
+import math
+
+from corollary.derive.author import derivation, mistake, neglected, reject, step, supposed, unknowns, vector
 from corollary.derive.simulation import simulate
 from corollary.law import conservation_of_momentum, elastic, falling, law
 
 
 def derive(m, M, L, g):
     v_0, h_1 = unknowns("v_0 h_1")
+    x, F, J, w, eps = unknowns("x F J w epsilon")
+    tau, touch = supposed("tau", "1 ms", "hard things touch no longer")
+    swing = (
+        law("Way", "x = v_0*tau", x=x, v_0=v_0, tau=tau),
+        law("Pull of the rope", "F = m*(g + v_0^2/L)*x/L", F=F, m=m, g=g, v_0=v_0, L=L, x=x),
+        law("Impulse", "J = F*tau", source="(12.20)", J=J, F=F, tau=tau),
+    )
     u = vector("u", "m M")
     before, after = [(m, v_0), (M, 0)], [(m, u[0]), (M, u[1])]
     return derivation(
@@ -44,9 +53,24 @@ def derive(m, M, L, g):
             ],
             check="It is less than L, and does not depend on g. With M = 2m it is a ninth of L.",
         ),
+        neglected(
+            "a", "the swing of the rope during the hit", w,
+            "The sphere moves by at most x while they touch, and the rope, which carries its weight on a circle, pulls it back with at most F. "
+            "The momentum J that it takes changes the sphere's velocity by at most J/m and the block's by at most 2J/m.",
+            *swing, law("Change of both velocities", "w = sqrt(1 + 2^2)*J/m", w=w, J=J, m=m), also=[x, F, J], supposing=[touch],
+        ),
+        neglected(
+            "b", "the swing of the rope during the hit", eps, "It changes the sphere's velocity by at most J/m, as in (a), and the height $u^2/2g$ with it.",
+            *swing, law("Change of the height", "epsilon = abs(u)*J/(m*g)", epsilon=eps, u=u[0], J=J, m=m, g=g), also=[x, F, J], supposing=[touch],
+        ),
     )  # fmt: skip
 
 
-def scene(m, M, L, g, answer):
-    """Sphere and block during the collision, from Newton's second law."""
-    return [simulate("cradle", {"N": 2, "masses": (m, M), "v0": answer["a0"]}, velocities=answer["a"])]
+def scene(m, M, L, g, answer, neglected):
+    """Sphere and block during the collision, from Newton's second law; and the whole way of the pendulum, with a touch that takes its time."""
+    whole = {"m": m, "M": M, "L": L, "g": g}
+    return [
+        simulate("cradle", {"N": 2, "masses": (m, M), "v0": answer["a0"]}, velocities=answer["a"]),
+        simulate("pendulum_block", whole, velocities=answer["a"], neglected=neglected["a"] / math.hypot(*answer["a"])),
+        simulate("pendulum_block", whole, height=answer["b"], neglected=neglected["b"] / answer["b"]),
+    ]

@@ -4,13 +4,15 @@ import math
 
 import sympy
 
-from corollary.derive.author import choice, derivation, mistake, route, step, unknown, unknowns
+from corollary.derive.author import choice, derivation, mistake, neglected, route, step, supposed, unknown, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import change_of_kinetic_energy, falling, law, restitution
 
 
 def derive(m, v0, r, h0, n, g):
     v_1, dK, w, u, h_1, q, h_n = unknowns("v_1 dK w u h_1 q h_n")
+    u_g, eps = unknowns("u_g epsilon")
+    tau, touch = supposed("tau", "0.2 ms", "a hard ball touches a hard floor no longer")
     kept = unknown("e_1"), unknown("e_0")
     return derivation(
         step(
@@ -76,16 +78,22 @@ def derive(m, v0, r, h0, n, g):
                 "d": "Only one value of r keeps all of the energy, and only one leaves the objects together; nothing happens at 1/2.",
             },
         ),
+        neglected(
+            "c", "gravity during the touch", eps, "It changes the velocity by at most $u_g$, and the height with it: $u^2/2g$ by $u\\,u_g/g$.",
+            law("Free fall", "u = g*tau", u=u_g, g=g, tau=tau),
+            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=u, u=u_g, g=g), also=[u_g], supposing=[touch],
+        ),
     )  # fmt: skip
 
 
-def scene(m, v0, r, h0, n, g, answer):
-    """A floor with just as much damping as r asks for, met at v0 without weight, and at the speed of the fall."""
-    k = 1e5 * m
-    loss = -math.log(r)
-    damped = {"m": m, "k": k, "q": 1, "g": 0.0, "R": 0.02, "y0": 0.02, "eta": 2 * math.sqrt(k * m) * loss / math.hypot(math.pi, loss)}
-    fall = math.sqrt(2 * g * h0)
+def scene(m, v0, r, h0, n, g, answer, neglected):
+    """A floor with just as much damping as r asks for, met at v0 without weight, and at the speed of the fall without it and with it."""
+    loss, touch = -math.log(r), 2e-4
+    k = m * (math.pi**2 + loss**2) / touch**2
+    damped = {"m": m, "k": k, "q": 1, "g": 0.0, "R": 0.02, "y0": 0.02, "eta": 2 * m * loss / touch}
+    fall, rise = math.sqrt(2 * g * h0), math.sqrt(2 * g * answer["c"])
     return [
         simulate("ball_on_floor", damped | {"v0": -v0}, rebound_speed=-answer["a"], energy_ratio=1 + answer["b"] / (m * v0 * v0 / 2)),
-        simulate("ball_on_floor", damped | {"v0": -fall}, rebound_speed=math.sqrt(2 * g * answer["c"])),
+        simulate("ball_on_floor", damped | {"v0": -fall}, rebound_speed=rise),
+        simulate("ball_on_floor", damped | {"v0": -fall, "g": g}, rebound_speed=rise, neglected=neglected["c"] / answer["c"] / 2),
     ]

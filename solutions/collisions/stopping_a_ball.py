@@ -2,13 +2,14 @@
 
 import sympy
 
-from corollary.derive.author import choice, derivation, explain, mistake, step, unknowns
+from corollary.derive.author import choice, derivation, explain, mistake, neglected, step, supposed, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import law, restitution
+from corollary.law import conservation_of_momentum, law, restitution
 
 
 def derive(v0):
-    (V,) = unknowns("V")
+    V, V_n, U, eps = unknowns("V V_n U epsilon")
+    n, heavy = supposed("n", "1000", "the floor is at least so many times as heavy as the ball")
     return derivation(
         step(
             V, "The collision is elastic: the velocity of the ball relative to the floor is only turned round (r = 1). The floor is so heavy that its velocity stays V; the ball's is -v₀ before and shall be 0 after.",
@@ -20,6 +21,11 @@ def derive(v0):
                 mistake("Seen from the floor the ball is turned round; a floor this fast would not leave it at rest.", law("Coefficient of restitution", "V = -2*v_0", V=V, v_0=v0)),
             ],
             check="Seen from this floor the ball comes at -v₀/2 and leaves at +v₀/2; seen from the ground it then has -v₀/2 + v₀/2 = 0.",
+        ),
+        neglected(
+            "b", "that the floor, too, is pushed", eps, "A floor n times as heavy as the ball moves at $V_n$ before the hit and at U after it.",
+            conservation_of_momentum(before=[(1, -v0), (n, V_n)], after=[(1, 0), (n, U)]), restitution(1, A=(-v0, 0), B=(V_n, U)),
+            law("Difference", "epsilon = V_n - V", epsilon=eps, V_n=V_n, V=V), also=[V_n, U], supposing=[heavy],
         ),
         choice(
             "a", "The floor must give way, downward, and more slowly than the ball comes: then the ball, turned round relative to the floor, is at rest relative to the ground.",
@@ -41,7 +47,11 @@ def derive(v0):
     )  # fmt: skip
 
 
-def scene(v0, answer):
-    """The ball against a sphere a thousand million times as heavy, with the velocity found."""
-    floor = {"mA": 1.0, "mB": 1e9, "k": 1e9, "eta": 0.0, "dx": -0.08, "dy": 0.0, "vA": (-v0, 0.0), "vB": (answer["b"], 0.0)}
-    return [simulate("spheres", floor, neglected=1e-8, velocities=(0.0, 0.0, answer["b"], 0.0))]
+def scene(v0, answer, neglected):
+    """The ball against a sphere a thousand million times as heavy, with the velocity found; and against one a thousand times as heavy."""
+    hit = {"mA": 1.0, "k": 1e9, "eta": 0.0, "dx": -0.08, "dy": 0.0, "vA": (-v0, 0.0)}
+    floor, bound = answer["b"], neglected["b"]
+    return [
+        simulate("spheres", hit | {"mB": 1e9, "vB": (floor, 0.0)}, neglected=1e-8, velocities=(0.0, 0.0, floor, 0.0)),
+        simulate("spheres", hit | {"mB": 1e3, "vB": (floor + bound, 0.0)}, neglected=2 * bound / abs(floor), velocities=(0.0, 0.0, floor, 0.0)),
+    ]

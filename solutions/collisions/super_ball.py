@@ -4,7 +4,7 @@ import math
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, reject, route, step, unknowns, vector
+from corollary.derive.author import derivation, mistake, neglected, reject, route, step, supposed, unknowns, vector
 from corollary.derive.simulation import simulate
 from corollary.law import after_elastic, conservation_of_momentum, elastic, falling, in_the_limit, law, restitution
 
@@ -13,6 +13,8 @@ def derive(mA, mB, h0, g):
     v_0, v_B1, v_A1, h_1, v_most, h_most = unknowns("v_0 v_B1 v_A1 h_1 v_most h_most")
     f, other = vector("f", "third equal triple heavy"), vector("a", "third equal triple heavy")
     lightness = (sympy.Integer(3), sympy.Integer(1), sympy.Rational(1, 3), sympy.Integer(0))
+    u, eps = unknowns("u epsilon")
+    tau, touch = supposed("tau", "1 ms", "small balls of hard rubber touch no longer")
     before, after = [(mA, v_0), (mB, -v_0)], [(mA, v_A1), (mB, v_B1)]
     return derivation(
         step(
@@ -91,15 +93,28 @@ def derive(mA, mB, h0, g):
             ],
             check="The heavier A is, the faster B goes up, but never faster than 3v₀.",
         ),
+        neglected(
+            "b", "gravity during both contacts", u, "While A touches the floor, B falls on for the time τ, which makes it a little faster after the hit; while the balls touch, both fall, which makes it slower. Each is at most gτ, and they work against each other.",
+            law("Free fall", "u = g*tau", u=u, g=g, tau=tau), supposing=[touch],
+        ),
+        neglected(
+            "d", "gravity during both contacts", eps, "It changes B's velocity by at most gτ, as in (b), and the height with it: $v^2/2g$ by $v\\,u/g$.",
+            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=v_B1, u=g * tau, g=g), supposing=[touch],
+        ),
     )  # fmt: skip
 
 
-def scene(mA, mB, h0, g, answer):
-    """A, on its way up, meets B on its way down, as two elastic spheres; and the fall again with its own weight."""
+def scene(mA, mB, h0, g, answer, neglected):
+    """A, on its way up, meets B on its way down, as two elastic spheres; the fall again with its own weight; and all of it in one go.
+
+    There the balls are weighed while they touch, as hard ones do for some tenths of a millisecond.
+    """
     fall = answer["a"]
     met = {"mA": mA, "mB": mB, "k": 1e9, "eta": 0.0, "dx": 0.08, "dy": 0.0, "vA": (fall, 0.0), "vB": (-fall, 0.0)}
+    dropped = {"mA": mA, "mB": mB, "h0": h0, "g": g, "q": 1.0, "k": 1e9, "weighed": 1}
     return [
         simulate("spheres", met, velocities=(answer["c"], 0.0, answer["b"], 0.0)),
         simulate("spheres", met | {"mA": 1e6 * mB}, neglected=1e-5, velocities=(fall, 0.0, math.sqrt(2 * g * answer["e"]), 0.0)),
         simulate("ball_on_floor", {"m": mA, "g": g, "R": 0.02, "y0": 0.02 + h0, "v0": 0.0}, rebound_speed=fall),
+        simulate("super_ball", dropped, heights=(answer["c"] ** 2 / (2 * g), answer["d"]), neglected=neglected["d"] / answer["d"]),
     ]

@@ -1,12 +1,16 @@
 """Toppling a book: a ball that comes back has changed its momentum more than one that stays."""
 
-from corollary.derive.author import choice, derivation, explain, mistake, reject, step, unknowns
+from corollary.derive.author import choice, derivation, explain, mistake, neglected, reject, step, supposed, unknowns
 from corollary.derive.simulation import simulate
 from corollary.law import conservation_of_momentum, elastic, elastic_on_hinge, hit_on_hinge, law, momentum, sticking
 
 
 def derive(m, M, v, h, I):
     u, V, V_s, J, J_s, rho, omega, u_h = unknowns("u V V_s J J_s rho omega u_h")
+    R, J_f = unknowns("R J_f")
+    tau, touch = supposed("tau", "1 ms", "hard things touch no longer")
+    mu, rough = supposed("mu", "0.5", "wood on paper or cloth slides more easily")
+    g, weight = supposed("g", "9.8 m/s^2", "on the ground")
     before, after = [(m, v), (M, 0)], [(m, u), (M, V)]
     return derivation(
         step(
@@ -66,6 +70,9 @@ def derive(m, M, v, h, I):
             ],
             check="For a book very hard to turn (large I) it is 2mvh/I: the ball is turned round as at a wall.",
         ),
+        neglected("d", "the friction of the table during the hit", J_f, "It is at most R while they touch.",
+                  law("Kinetic friction", "R = mu*M*g", R=R, mu=mu, M=M, g=g), law("Impulse", "J = R*tau", source="(12.20)", J=J_f, R=R, tau=tau),
+                  also=[R], supposing=[rough, weight, touch], asked=True),
     )  # fmt: skip
 
 

@@ -1,7 +1,7 @@
 """Two ions: a collision without touching, ruled by energy, angular momentum and the reduced mass."""
 
 from corollary.derive.author import code, derivation, mistake, step, unknown, unknowns, vector
-from corollary.derive.programs_plane import ion_inputs, judge_ions
+from corollary.derive.programs.ions import ion_inputs, judge_ions
 from corollary.derive.simulation import simulate
 from corollary.law import distance, ionic, law, reduced_mass
 

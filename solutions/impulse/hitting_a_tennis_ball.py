@@ -4,7 +4,7 @@ import math
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, printed, step, unknowns, vector
+from corollary.derive.author import derivation, mistake, neglected, printed, step, unknowns, vector
 from corollary.derive.simulation import simulate
 from corollary.law import change_of_momentum, direction, impulse_momentum, impulse_of_constant_force, law, mean_force
 
@@ -12,7 +12,7 @@ from corollary.law import change_of_momentum, direction, impulse_momentum, impul
 def derive(m, v0, v1, w, alpha, dt, g):
     dp, J, F, R = vector("dp"), vector("J"), vector("F"), vector("R")
     dp_l, J_l, F_l = vector("dp_l"), vector("J_l"), vector("F_l")
-    beta, W, J_g = unknowns("beta W J_g")
+    beta, W, J_g, W_r, W_l, eps = unknowns("beta W J_g W_r W_l epsilon")
     come, lob = (-v0, 0), (w * sympy.cos(alpha), w * sympy.sin(alpha))
     upright = (w * sympy.sin(alpha), w * sympy.cos(alpha))
     return derivation(
@@ -90,6 +90,12 @@ def derive(m, v0, v1, w, alpha, dt, g):
             ],
             check="As many times smaller than the impulse of the racket: it was right to neglect it.",
         ),
+        neglected("b2", "the weight of the ball", W_r, "Racket and weight together make the net force, so the force between ball and racket differs from the one found by the weight.",
+                  law("Weight", "W = m*g", source="(12.33)", W=W_r, m=m, g=g)),
+        neglected("c2", "the weight of the ball", W_l, "The force of the racket and the weight together make the net force that was found.",
+                  law("Weight", "W = m*g", source="(12.33)", W=W_l, m=m, g=g)),
+        neglected("c3", "the weight of the ball", eps, "A small force taken from a large one turns it most when it stands at right angles to what is left.",
+                  law("Angle", "epsilon = asin(W/sqrt(F_x^2 + F_y^2))", epsilon=eps, W=m * g, F_x=F_l[0], F_y=F_l[1])),
         printed("a", "2.28 kg m/s; 0 kg m/s", "(12.31)"),
         printed("b", "1140 N; 0 N", "(12.32)"),
         printed("d1", "0.56 N", "(12.33)"),
@@ -99,11 +105,12 @@ def derive(m, v0, v1, w, alpha, dt, g):
     )  # fmt: skip
 
 
-def scene(m, v0, v1, w, alpha, dt, g, answer):
-    """A push of the mean force found, over the time of contact, for each component."""
+def scene(m, v0, v1, w, alpha, dt, g, answer, neglected):
+    """A push of the mean force found, over the time of contact, for each component; and the lob with the weight besides."""
     push = {"m": m, "dt": dt}
     return [
         simulate("kick", {**push, "v0": -v0, "F": answer["b"][0]}, velocities=(v1,), impulse=answer["a"][0]),
         simulate("kick", {**push, "v0": -v0, "F": answer["c2"][0]}, velocities=(w * math.cos(alpha),), impulse=answer["c1"][0]),
         simulate("kick", {**push, "v0": 0.0, "F": answer["c2"][1]}, velocities=(w * math.sin(alpha),), impulse=answer["c1"][1]),
+        simulate("kick", {**push, "v0": 0.0, "F": answer["c2"][1] - m * g}, velocities=(w * math.sin(alpha),), neglected=neglected["c2"] / answer["c2"][1]),
     ]

@@ -1,6 +1,9 @@
 """External impulse during a collision: gravity has little time, and so it may often be left out."""
 
+import math
+
 from corollary.derive.author import choice, derivation, explain, mistake, step, unknowns
+from corollary.derive.simulation import simulate
 from corollary.law import external_impulse, impulse_of_constant_force, law, total_momentum
 
 
@@ -12,9 +15,8 @@ def derive(mA, mB, vAy, vBy, dt, g):
             law("Weight of both", "G = -m_A*g - m_B*g", source="(12.54)", G=G, m_A=mA, m_B=mB, g=g),
             mistakes=[
                 mistake("The y-axis points up and gravity down: the impulse of gravity is negative.", law("Weight of both", "G = m_A*g + m_B*g", G=G, m_A=mA, m_B=mB, g=g)),
-                mistake("You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.", law("Weight of both", "G "
-                                                                                                                                                                  "= "
-                                                                                                                                                                  "-(m_A + m_B)", G=G, m_A=mA, m_B=mB)),
+                mistake("You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.",
+                        law("Weight of both", "G = -(m_A + m_B)", G=G, m_A=mA, m_B=mB)),
                 mistake("Gravity acts on both objects.", law("Weight of both", "G = -m_A*g", G=G, m_A=mA, g=g)),
             ],
         ),
@@ -83,3 +85,20 @@ def derive(mA, mB, vAy, vBy, dt, g):
                    "good approximation from just before to just after the collision.",
         ),
     )  # fmt: skip
+
+
+def scene(mA, mB, vAy, vBy, dt, g, answer):
+    """Two elastic spheres that meet head-on in the air, with just the spring that holds them together for the time of the collision.
+
+    The problem does not give the velocities along x; here they come together at 2 m/s.
+    """
+    vA, vB, mu = (1.5, vAy), (-0.5, vBy), mA * mB / (mA + mB)
+    u = math.hypot(vA[0] - vB[0], vA[1] - vB[1])
+    # A half swing of the spring takes dt, and so the spheres sink into each other by u dt/pi; they are larger than that.
+    spheres = {"mA": mA, "mB": mB, "vA": vA, "vB": vB, "q": 1.0, "k": mu * (math.pi / dt) ** 2, "eta": 0.0, "R": u * dt}
+    apart, touching = ({"dx": way * (vA[0] - vB[0]) * dt, "dy": way * (vAy - vBy) * dt} for way in (3, 2))
+    total = mA * vA[0] + mB * vB[0], answer["c"]
+    return [
+        simulate("spheres", spheres | apart, duration=dt),
+        simulate("touching_spheres", spheres | touching | {"g": g, "t": dt}, momentum_change=(0.0, answer["a"]), momentum=total),
+    ]

@@ -5,8 +5,9 @@ import math
 import sympy
 
 from corollary.derive.author import choice, code, derivation, explain, mistake, plot, simulated, step, unknown, unknowns, vector
-from corollary.derive.programs_atom import catch_inputs, judge_catch, judge_orbit, orbit_inputs
-from corollary.derive.programs_atom_plot import judge_orbit_plot, judge_potential_plot
+from corollary.derive.programs.atom_plot import judge_orbit_plot, judge_potential_plot
+from corollary.derive.programs.catch import catch_inputs, judge_catch
+from corollary.derive.programs.orbit import judge_orbit, orbit_inputs
 from corollary.derive.simulation import simulate
 from corollary.law import (
     depth_of_well,

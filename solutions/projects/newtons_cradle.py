@@ -1,7 +1,21 @@
 """Newton's cradle: what the conservation laws fix, what they leave open, and what the contact decides."""
 
-from corollary.derive.author import code, derivation, example, explain, mistake, plot, simulated, step, unknowns, vector
-from corollary.derive.programs import cradle_inputs, judge_contact, judge_cradle, judge_velocity_plot
+from corollary.derive.author import (
+    code,
+    derivation,
+    example,
+    explain,
+    mistake,
+    neglected,
+    plot,
+    simulated,
+    step,
+    supposed,
+    unknowns,
+    vector,
+)
+from corollary.derive.programs.row import cradle_inputs, judge_contact, judge_cradle
+from corollary.derive.programs.row_plot import judge_velocity_plot
 from corollary.derive.simulation import simulate
 from corollary.law import (
     conservation_of_momentum,
@@ -19,6 +33,8 @@ from corollary.law import (
 
 def derive(m, h0, r, k, v0, g):
     u_0, V, h_1, h_in, mu, T, x = unknowns("u_0 V h_1 h_in mu T x")
+    t, x_a, a_p, eps = unknowns("t x_a a_p epsilon")
+    ell, thread = supposed("ell", "0.5 m", "the threads are at least so long, for the ball was lifted far")
     v, w = vector("v", "A B"), vector("w", "A B")
     f, s, e, n = vector("f", "A B C"), vector("s", "A B C"), vector("e", "A B C"), vector("n", "A B C")
     return derivation(
@@ -153,6 +169,14 @@ def derive(m, h0, r, k, v0, g):
                         *(law("Together", "v = v_0/3", v=e[i], v_0=v0) for i in range(3))),
             ],
             check="A bounces back a little, and B follows C slowly: not what the toy shows.",
+        ),
+        neglected(
+            "i", "the swing of the balls while they touch", eps,
+            "Three balls touch for less than 1.6 times T. The places of all three, which begin at 0, add up to $v_0t$ as long as their momentum is kept; on their threads they are pulled back "
+            "in proportion to that, on the average with half of what it is in the end.",
+            law("Time", "t = 8*T/5", t=t, T=T), law("Places together", "x = v_0*t", x=x_a, v_0=v0, t=t),
+            law("Pull of the threads", "a = g*x/ell/2", a=a_p, g=g, x=x_a, ell=ell),
+            law("Change of the velocities", "epsilon = a*t", epsilon=eps, a=a_p, t=t), also=[t, x_a, a_p], supposing=[thread],
         ),
         code("j", "The steeper the force (the larger q), the more the contacts come one after the other; k only sets the time.",
              inputs=lambda given, draw: [{}], judge=judge_contact, example=CONTACT),

@@ -177,6 +177,14 @@ def test_scene():
         (("show", "X12.5", "--format", "docx"), "docx"),
         (("show", "X12.5", "--variant", "999999999"), "999999999"),
         (("show", "X12.5", "--student", "a", "--variant", "1"), "one of them"),
+        (("show", "X12.5", "--course", "nowhere"), "--student"),
+        (("key", "X12.5", "--set", "m=1", "--cases", "nowhere.json"), "one of them"),
+        (("key", "X12.5", "--set", "=3"), "name=value"),
+        (("key", ""), "empty name"),
+        (("key", "X12.2", "--set", "v1=0", "--set", "m2=0"), "part c has no value for these numbers: division by zero"),
+        (("read", "v", "--names", "v", "--equals", "v", "--domain", "v=3..1"), "lower bound comes first"),
+        (("read", "v", "--names", "v", "--equals", "v", "--domain", "v=nan..1"), "lower bound comes first"),
+        (("grade", "momentum_1", "--course", "nowhere", "--require-isolation", "9"), "3"),
         (("scene", "nothing"), "nothing"),
         (("scene", "cradle", "--set", "N"), "name=number"),
         (("list", "--bank", "/nowhere"), "nowhere"),
@@ -190,6 +198,19 @@ def test_a_request_that_is_wrong_ends_with_2_and_a_sentence(words, said):
     assert out == ""
     assert said in err
     assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "verdict", "value"),
+    [
+        ("8,6 Ns", "kg m/s", "compatible", 8.6), ("5 s", "N", "wrong dimension", 5.0), ("5", "km", "wrong dimension", 5.0),
+        ("5", None, None, 5.0), ("0", "km", "compatible", 0.0), ("30°", "rad", "compatible", math.pi / 6),
+    ],
+)  # fmt: skip
+def test_read_gives_one_of_two_verdicts_on_quantities(text, unit, verdict, value):
+    found = json.loads(run("read", text, *(("--unit", unit) if unit else ()), "--json")[1])
+    assert (found["status"], found["verdict"]) == ("ok", verdict)
+    assert found["value"] == pytest.approx(value, rel=1e-15)
 
 
 @pytest.mark.parametrize("text", ["{", '{"a": 1}', "7"])

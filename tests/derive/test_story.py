@@ -9,6 +9,7 @@ import pytest
 from corollary.derive.solve import solve
 from corollary.derive.story import story
 from corollary.mark.key import make_key
+from corollary.mark.neglect import neglects
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import at, chapter
 
@@ -20,7 +21,7 @@ def told(code: str, index: int | None = None) -> str:
     solution = solve(BANK, problem)
     variant = chapter(problem) if index is None else at(problem, index)
     key = make_key(solution, variant)
-    return story(solution, variant, key.values, key.choices)
+    return story(solution, variant, key.values, key.choices, [(each.most, each.share) for each in neglects(key)])
 
 
 def test_law_letters_number_and_unit():

@@ -22,8 +22,8 @@ def from_options(problem: Problem, sets: list[str]) -> Variant:
     values: dict[str, Fraction] = {}
     for option in sets:
         name, mark, text = option.partition("=")
-        if not mark:
-            refuse(f"--set {option}: write it as name=value, such as m=0.43 or v=\"72 km/h\"")
+        if not mark or not name.strip():
+            refuse(f'--set {option}: write it as name=value, such as m=0.43 or v="72 km/h"')
         values[name.strip()] = _value(problem, name.strip(), text)
     return chosen(problem, values)
 
@@ -33,7 +33,7 @@ def from_case(problem: Problem, given: Mapping[str, Any]) -> Variant:
     values = {}
     for name, value in given.items():
         if isinstance(value, bool) or not isinstance(value, (int, Fraction, str)):
-            raise OutOfRange(f"{name}: {value!r} is no number")
+            raise OutOfRange(f"{name}: {json.dumps(value, default=str)} is no number")
         values[name] = _value(problem, name, value) if isinstance(value, str) else _in_own_unit(problem, name, Fraction(value))
     return chosen(problem, values)
 

@@ -13,10 +13,9 @@ from corollary.deliver.cluster import on_cluster
 from corollary.deliver.course import open_course
 from corollary.deliver.grading import Outcome, grade_set
 from corollary.deliver.one_writer import one_writer
+from corollary.deliver.origin import set_of
 from corollary.deliver.regrading import Change
 from corollary.mark.solutions import Solutions
-from corollary.problem.bank import open_bank
-from corollary.problem.problem_set import find_set
 from corollary.submission.take import Runner
 
 
@@ -32,8 +31,7 @@ def run(
     dry_run: bool = False,
 ) -> int:
     opened = open_course(course)
-    place = open_bank(bank)
-    problem_set = find_set(place, name)
+    place, problem_set = set_of(opened, name, bank)
     with one_writer(opened), countdown(f"grading {problem_set.name}") as tell:
         done = grade_set(
             opened, problem_set, Solutions(place), partial(Runner, require=require),

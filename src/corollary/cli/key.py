@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.failure import HOLDS, answer
+from corollary.cli.failure import HOLDS, answer, refuse
 from corollary.cli.given import from_case, from_options, read_cases
 from corollary.mark.key_record import key_record
 from corollary.mark.solutions import Solutions
@@ -17,6 +17,8 @@ from corollary.quantity.ball import Undefined
 def run(code: str, bank: Path | None, sets: list[str], cases: Path | None, json: bool) -> int:
     place, problem = home(bank, code)
     solutions = Solutions(place)
+    if cases is not None and sets:
+        refuse("--set and --cases both choose the numbers; give one of them")
     if cases is not None:
         solutions.of(problem)
         answer([_case(solutions, problem, case) for case in read_cases(cases)])

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from corollary.cli.failure import HOLDS, answer
 from corollary.problem.bank import load, open_bank
-from corollary.problem.count import variants
+from corollary.problem.count import variants, written
 from corollary.quantity.unit import canonical, show
 
 
@@ -37,17 +37,17 @@ def run(bank: Path | None, json: bool) -> int:
     from rich.table import Table
 
     table = Table(title=f"{len(problems)} problems, {sum(len(problem.parts) for problem in problems)} parts")
-    for heading, justify in (("code", "left"), ("title", "left"), ("givens", "left"), ("parts", "left"), ("variants", "right")):
-        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    for heading in ("code", "title", "givens", "parts"):
+        table.add_column(heading, no_wrap=heading == "code")
+    table.add_column("variants", justify="right", no_wrap=True)
     for problem in problems:
         givens = ", ".join(f"{given.symbol} [{show(given.unit) or '1'}]" for given in problem.givens)
-        number, exact = counted[problem.code]
         table.add_row(
             problem.code,
             problem.title,
             escape(givens),
             " ".join(part.id for part in problem.parts),
-            f"{'' if exact else '≈ '}{number:,}",
+            written(*counted[problem.code]),
         )
     Console().print(table)
     return HOLDS

@@ -23,6 +23,9 @@ Bank = Annotated[Path | None, typer.Option(help="A folder with problems/ and sol
 Json = Annotated[bool, typer.Option("--json", help="One JSON document on standard output.")]
 Code = Annotated[str, typer.Argument(help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")]
 Sets = Annotated[list[str] | None, typer.Option("--set", help='A given: m=0.43 (SI) or v="72 km/h"; may be repeated.')]
+Settings = Annotated[
+    list[str] | None, typer.Option("--set", help="A setting in SI: q=1.5, or masses=0.1,0.2,0.1; may be repeated.")
+]
 Course = Annotated[Path, typer.Option(help="The course folder.")]
 SetName = Annotated[str, typer.Argument(metavar="SET", help="A problem set of the bank, or a path to its .md file.")]
 
@@ -91,7 +94,7 @@ def read(
 @app.command()
 def scene(
     name: Annotated[str, typer.Argument(help="cradle, ball_on_floor, …")],
-    set: Sets = None, tolerance: Annotated[float, typer.Option(help="Relative to the scene's natural scale.")] = 1e-12, json: Json = False,
+    set: Settings = None, tolerance: Annotated[float, typer.Option(help="Relative to the scene's natural scale.")] = 1e-12, json: Json = False,
 ) -> None:  # fmt: skip
     """Runs a ready-made scene with the least model that answers, and says which and why."""
     _run("scene", name=name, sets=set or [], tolerance=tolerance, json=json)
@@ -119,12 +122,9 @@ def trade(
 
 @app.command()
 def generate(
-    set: SetName,
-    roster: Annotated[Path, typer.Option(help="A CSV file with the column id.")],
-    course: Course,
-    bank: Bank = None,
-    json: Json = False,
-) -> None:
+    set: SetName, roster: Annotated[Path, typer.Option(help="A CSV file with the column id.")], course: Course,
+    bank: Bank = None, json: Json = False,
+) -> None:  # fmt: skip
     """A problem set, different for each student, as an nbgrader course."""
     _run("generate", name=set, roster=roster, course=course, bank=bank, json=json)
 
@@ -134,7 +134,7 @@ def grade(
     set: SetName, course: Course, bank: Bank = None, json: Json = False,
     regrade: Annotated[bool, typer.Option("--regrade", help="Mark again what is marked, and show first who changes.")] = False,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Mark, show who changes, and write nothing.")] = False,
-    require_isolation: Annotated[int, typer.Option(help="Refuse to run notebooks below this isolation level (0 to 3).")] = 1,
+    require_isolation: Annotated[int, typer.Option(min=0, max=3, help="Refuse to run notebooks below this isolation level.")] = 1,
     jobs: Annotated[int | None, typer.Option(min=1, help="How many to mark side by side; as many as there are cores when left out.")] = None,
     executor: Annotated[str, typer.Option(metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead.")] = "",
 ) -> None:  # fmt: skip

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import sys
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
 T = TypeVar("T")
+WINDOW = 40  # the last so many steps tell the pace
 
 
 def steps(todo: Sequence[T], name: Callable[[T], str], what: str) -> Iterator[T]:
@@ -39,24 +41,50 @@ def _shown(what: str, total: int | None, done: int) -> Iterator[Callable[[str, i
         yield lambda name, left: None
         return
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.table import Column
 
+    console = Console(stderr=True)
     progress = Progress(
-        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"),
-        TimeRemainingColumn(), TextColumn("{task.fields[name]}"), console=Console(stderr=True), transient=True,
+        TextColumn("{task.description}"), BarColumn(bar_width=20), MofNCompleteColumn(), TextColumn("{task.fields[pace]}"),
+        TextColumn("{task.fields[name]}", table_column=Column(no_wrap=True, overflow="ellipsis")), console=console, transient=True,
     )  # fmt: skip
-    task = progress.add_task(what, total=total, name="", rate="", completed=done)
-    started, told = time.monotonic(), 0
+    task = progress.add_task(what, total=total, name="", pace="", completed=done)
+    told, moments = 0, deque[float](maxlen=WINDOW)
+    # The bar draws in a thread, and a process is best forked before it has any: until the first step, one line that stands still.
+    console.print(f"{what}: getting ready", end="\r", markup=False, highlight=False)
 
     def tell(name: str, left: int | None) -> None:
         nonlocal told
-        progress.start()  # with the first step only: the bar draws in a thread, and a process is best forked before it has any
+        progress.start()
         told += 1
-        progress.update(task, advance=1, name=name)
+        moments.append(time.monotonic())
         if left is not None:
-            progress.update(task, total=told + left, rate=f"{told / (time.monotonic() - started):.1f}/s")
+            progress.update(task, total=told + left)
+        elif total is not None:
+            left = total - told + 1
+        progress.update(task, advance=1, name=name, pace=pace(moments, left))
 
     try:
         yield tell
     finally:
         progress.stop()
+        if not told:
+            console.print(" " * min(len(what) + 15, console.width - 1), end="\r")
+
+
+def pace(moments: Sequence[float], left: int | None) -> str:
+    """Steps a second, counted from one step to another so that getting ready does not count, and how long those left will take."""
+    if len(moments) < 3 or left is None:
+        return ""
+    each = max((moments[-1] - moments[0]) / (len(moments) - 1), 1e-3)
+    rate = f"{1 / each:.1f}/s" if each < 1 else f"{60 / each:.0f}/min"
+    return f"{rate}, {spell(each * left)} left" if left else rate
+
+
+def spell(seconds: float) -> str:
+    """40 s, 3 min, 2 h 5 min: as fine as a guess deserves."""
+    if seconds < 90:
+        return f"{round(seconds)} s"
+    minutes = round(seconds / 60)
+    return f"{minutes} min" if minutes < 90 else f"{minutes // 60} h {minutes % 60} min"

@@ -7,15 +7,14 @@ from pathlib import Path
 from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.deliver.course import open_course
 from corollary.deliver.grading import report_of
+from corollary.deliver.origin import set_of
 from corollary.deliver.report import as_json, terminal
 from corollary.deliver.report_page import report_page
-from corollary.problem.bank import open_bank
-from corollary.problem.problem_set import find_set
 
 
 def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | None) -> int:
     opened = open_course(course)
-    problem_set = find_set(open_bank(bank), name)
+    _, problem_set = set_of(opened, name, bank)
     found = report_of(opened, problem_set)
     if not found.handed_in:
         refuse(

@@ -30,6 +30,8 @@ def run(
         refuse(f"--format {format} is not known; choose one of {', '.join(FORMATS)}")
     if student is not None and variant is not None:
         refuse("--student and --variant both choose the numbers; give one of them")
+    if course is not None and student is None:
+        refuse("--course holds many students' numbers; name one with --student")
     place, problem = home(bank, code)
     chosen = _variant(place, problem, student, course, variant)
     story = Solutions(place).story(chosen) if solution else None

@@ -73,7 +73,7 @@ def table(raced: Sequence[Raced], found: dict[str, Any]) -> str:
     text += ["Observed orders, with two standard errors; the step, in contact times, beyond which Euler-Cromer is off by 1 %", ""]
     text += [*_rows(_slopes(raced)), ""]
     if found["closed_forms"]:
-        text += ["Closed forms of ten problems (four when quick), many variants of each: speed against error", ""]
+        text += ["Closed forms of the bank (of four problems when quick), many variants of each: speed against error", ""]
         text += [*_rows(_closed(found["closed_forms"])), ""]
     return "\n".join([*text, *_left_out(raced)])
 

@@ -10,9 +10,11 @@ from typing import Any
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.mark.verify.checked import Checked
+from corollary.mark.verify.programs import unstarted
 from corollary.mark.verify.verify import verify
 from corollary.problem.bank import Bank, doubles, files, home, open_bank
 from corollary.problem.complaint import Malformed
+from corollary.problem.count import written
 from corollary.problem.problem import Problem
 from corollary.problem.read import read_problem
 
@@ -25,8 +27,9 @@ def run(codes: list[str], bank: Path | None, variants: int, json: bool, extremes
 
         return run_extremes(todo, broken, scenes=not codes, json=json)
     found: list[Checked] = []
-    for place, problem in steps(todo, lambda each: each[1].code, "verifying"):
-        found.append(verify(place, problem, variants))
+    with unstarted() as runner:
+        for place, problem in steps(todo, lambda each: each[1].code, "verifying"):
+            found.append(verify(place, problem, variants, runner))
     ok = not broken and all(each.ok for each in found)
     if json:
         answer(
@@ -66,15 +69,14 @@ def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    table = Table(title="Verified")
-    for heading in ("code", "variants", "walked", "redrawn", "laws", "mistakes", "simulations", "complaints"):
-        table.add_column(heading, justify="left" if heading == "code" else "right")
+    table = Table(title="Verified", box=None, padding=(0, 2, 0, 0), pad_edge=False)
+    for heading in ("code", "variants", "redrawn", "laws", "mistakes", "scenes", "programs", "complaints"):
+        table.add_column(heading, justify="left" if heading == "code" else "right", no_wrap=True)
     for each in found:
-        counts = each.checks
+        done = (str(each.checks.get(what, 0)) for what in ("laws put back", "mistakes", "simulations met", "programs run"))
         table.add_row(
-            each.code, f"{'' if each.exact_count else '≈ '}{each.variants:,}", str(counts.get("variants walked", 0)), f"{each.redrawn:.0%}",
-            str(counts.get("laws put back", 0)), str(counts.get("mistakes", 0)), str(counts.get("simulations met", 0)), str(len(each.complaints) or "none"),
-        )  # fmt: skip
+            each.code, written(each.variants, each.exact_count), f"{each.redrawn:.0%}", *done, str(len(each.complaints) or "none")
+        )
     console = Console()
     console.print(table)
     for sentence in (*broken, *(sentence for each in found for sentence in each.complaints)):

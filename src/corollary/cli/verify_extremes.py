@@ -9,8 +9,8 @@ from typing import Any
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.derive.failing import NotDerivable
+from corollary.derive.solve import solve
 from corollary.mark.plainly import finite
-from corollary.mark.solutions import Solutions
 from corollary.mark.verify.extremes import Pushed, push
 from corollary.mark.verify.scene_extremes import Met, extremes, play
 from corollary.problem.bank import Bank
@@ -19,10 +19,10 @@ from corollary.problem.problem import Problem
 
 def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, json: bool) -> int:
     """Each problem's closed forms and, when asked for, the scenes."""
-    start, known, pushed = time.perf_counter(), {}, []
+    start, pushed = time.perf_counter(), []
     for place, problem in steps(todo, lambda each: each[1].code, "pushing"):
         try:
-            pushed.append(push(known.setdefault(place, Solutions(place)).of(problem)))
+            pushed.append(push(solve(place, problem)))
         except NotDerivable as error:
             broken.append(str(error))
     met = [play(extreme) for extreme in steps(extremes(), lambda each: each.what, "playing")] if scenes else []

@@ -14,8 +14,8 @@ from corollary.derive.entries import (
     Entry,
     Example,
     Explain,
-    Finds,
     Mistake,
+    Neglected,
     Optimum,
     Plot,
     Printed,
@@ -24,10 +24,12 @@ from corollary.derive.entries import (
     Route,
     Simulated,
     Step,
+    Supposed,
 )
 from corollary.law.law import Law
 from corollary.law.put import as_expression
 
+Finds = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
 
 
@@ -111,7 +113,7 @@ def example(
 
 
 def code(part: str, because: str, *, inputs: Callable, judge: Callable, example: str) -> Code:
-    """A code part: `inputs(given, draw)` lists keyword arguments, `judge(given, inputs, returned)` says what is wrong, or None."""
+    """A code part: `inputs(given, draw)` lists keyword arguments, `judge(given, called)` says what is wrong with the calls, or None."""
     return Code(part, because, inputs, judge, example)
 
 
@@ -123,6 +125,20 @@ def plot(part: str, because: str, *, judge: Callable, example: str) -> Plot:
 def proof(part: str, because: str, *laws: Law, target: Law, lines: Sequence[str], mistakes: Sequence[Mistake] = ()) -> Proof:
     """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line."""
     return Proof(part, because, laws, target, tuple(lines), tuple(mistakes))
+
+
+def neglected(
+    part: str, what: str, bound: sympy.Symbol, because: str, *laws: Law, also: Sequence[sympy.Symbol] = (), supposing: Sequence[Supposed] = (),
+    asked: bool = False,
+) -> Neglected:  # fmt: skip
+    """What the answer of a part leaves out: `bound` is the most by which it can change the answer, found from laws like any find."""
+    return Neglected(what, step(bound, because, *laws, answers=part, also=also), tuple(supposing), asked)
+
+
+def supposed(name: str, text: str, why: str) -> tuple[sympy.Symbol, Supposed]:
+    """A positive value that is not given, for what is neglected: `tau, touch = supposed("tau", "1 ms", "hard things touch no longer")`."""
+    symbol = sympy.Symbol(name, positive=True)
+    return symbol, Supposed(symbol, text, why)
 
 
 def explain(part: str, *rubric: str, answer: str) -> Explain:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import sympy
-from sympy.logic.boolalg import Boolean
+if TYPE_CHECKING:  # what is solved already is used without any algebra, and sympy takes half a second to load
+    import sympy
+    from sympy.logic.boolalg import Boolean
 
-from corollary.derive.said import Said
-from corollary.law.law import Law
-
-Finds = sympy.Symbol | tuple[sympy.Symbol, ...]
+    from corollary.derive.said import Remark, Said
+    from corollary.law.law import Law
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,12 +110,12 @@ class Example:
 
 @dataclass(frozen=True, slots=True)
 class Code:
-    """A function the student writes: drawn inputs, the reference, the usual wrong programs; judged by what it returns."""
+    """A function the student writes: drawn inputs, and a judge of what it returned for all of them."""
 
     part: str
     because: str
     inputs: Callable[[Mapping[str, float], Callable[[float, float], float]], Sequence[Mapping[str, Any]]]
-    judge: Callable[..., Said | None]
+    judge: Callable[..., Said | Remark | None]
     example: str
 
 
@@ -160,8 +159,30 @@ class Printed:
     where: str
 
 
+@dataclass(frozen=True, slots=True)
+class Supposed:
+    """A value that the problem does not give, with its unit, and why it may be supposed."""
+
+    symbol: sympy.Symbol
+    text: str
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Neglected:
+    """Something that the answer of a part leaves out: `bound` finds, from laws, the most that this can change of it.
+
+    `asked`: the question itself wants it left out; then the bound is told, and may be large.
+    """
+
+    what: str
+    bound: Step
+    supposing: tuple[Supposed, ...]
+    asked: bool
+
+
 Found = Step | Optimum | Simulated
-Entry = Found | Choice | Example | Code | Plot | Proof | Explain | Printed
+Entry = Found | Choice | Example | Code | Plot | Proof | Explain | Printed | Neglected
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,3 +11,7 @@ class NotDerivable(Exception):
     def __init__(self, path: Path, line: int, sentence: str):
         self.path, self.line, self.sentence = path, line, sentence
         super().__init__(f"{path.name}:{line}: {sentence}" if line else f"{path.name}: {sentence}")
+
+    def __reduce__(self):
+        """So that it can be raised in one process and told in another."""
+        return NotDerivable, (self.path, self.line, self.sentence)

@@ -8,14 +8,16 @@ import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-
-import sympy
+from typing import TYPE_CHECKING
 
 from corollary.derive.entries import Derivation
 from corollary.derive.failing import NotDerivable
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.quantity.tree import Name, Number, Relation
+
+if TYPE_CHECKING:
+    import sympy
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +32,8 @@ class Loaded:
 
 def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
     """A given as a symbol; it is positive (or not negative, …) when a `require:` of the problem says so."""
+    import sympy  # only here: a solution kept from before is used without it
+
     known: dict[str, bool] = {}
     for condition in problem.conditions:
         match condition.relation:

@@ -14,6 +14,7 @@ from corollary.derive.entries import (
     Example,
     Explain,
     Found,
+    Neglected,
     Optimum,
     Plot,
     Printed,
@@ -44,7 +45,7 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str
             yield "a simulated find must answer a part, whose unit it takes; add answers=", words(entry)
         elif id:
             yield from ((sentence, words(entry)) for sentence in _unfit(problem, entry, id))
-    given = Counter((answered(entry), words_of_kind(entry)) for entry in derivation.entries if not isinstance(entry, Printed))
+    given = Counter((answered(entry), words_of_kind(entry)) for entry in derivation.entries if not isinstance(entry, Printed | Neglected))
     for part in problem.parts:
         for word in {WORDS[kind] for kind in part.kinds}:
             if not given[part.id, word]:
@@ -57,7 +58,9 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str
 def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
     part = problem.part(id)
     wanted = [WORDS[kind] for kind in part.kinds]
-    if not isinstance(entry, Printed) and words_of_kind(entry) not in wanted:
+    if isinstance(entry, Neglected) and part.kind not in {"value", "vector", "expression"}:
+        yield f"part {id} is .{part.kind}; only of a number can be said what is neglected in it"
+    elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
         yield f"part {id} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
     elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (len(part.components) or 1):
         asked = f"components {', '.join(part.components)}" if part.components else "one number"
@@ -74,6 +77,11 @@ def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str,
             )
 
 
+def unsolved(derivation: Derivation) -> tuple[Entry, ...]:
+    """The entries that are used as they stand: code, plot, explain, printed."""
+    return tuple(entry for entry in derivation.entries if not isinstance(entry, Found | Choice | Example | Proof | Neglected))
+
+
 def answered(entry: Entry) -> str:
     """The part an entry is for; "" for a find that nobody asks about."""
     match entry:
@@ -81,6 +89,8 @@ def answered(entry: Entry) -> str:
             return entry.answers
         case Choice() | Example() | Code() | Plot() | Proof() | Explain() | Printed():
             return entry.part
+        case Neglected():
+            return entry.bound.answers
         case _:
             assert_never(entry)
 
@@ -97,5 +107,7 @@ def words(entry: Entry) -> str:
             return entry.answer
         case Printed():
             return entry.text
+        case Neglected():
+            return entry.bound.because
         case _:
             return entry.because

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -23,6 +24,11 @@ class Point:
 
     values: dict[sympy.Symbol, sympy.Expr]
     balls: dict[str, Any]
+
+    def suppose(self, symbol: sympy.Symbol, ratio: Fraction) -> None:
+        """Adds a value that no given has."""
+        self.values[symbol] = sympy.Rational(ratio.numerator, ratio.denominator)
+        self.balls[symbol.name] = Exactly(ratio)
 
 
 def point(givens: Mapping[str, Exactly], symbols: list[sympy.Symbol]) -> Point:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy
 
 from corollary.derive.closed import NoTree, relation, tree
-from corollary.derive.entries import Rejected
+from corollary.derive.entries import Mistake, Rejected
 from corollary.derive.point import Point, at
 from corollary.law.law import Law, sides, symbols
 from corollary.law.put import put
@@ -152,3 +152,17 @@ def _list(things: Sequence | set | frozenset) -> str:
 
 def _count(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
+    """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
+    if not slip.laws:
+        raise NoRoot(f"mistake {slip.text!r} names no law; say which law was used wrongly")
+    if not slip.instead and len(laws) == 1:
+        return slip.laws
+    wanted = slip.instead or slip.laws[0].name
+    if sum(stated.name == wanted for stated in laws) != 1:
+        raise NoRoot(
+            f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}"
+        )
+    return tuple(new for stated in laws for new in (slip.laws if stated.name == wanted else (stated,)))

@@ -1,11 +1,16 @@
-"""A law made ready to be shown: the textbook's form, and the same form in the letters of the problem."""
+"""Laws and suppositions made ready to be shown: a law as the textbook has it and in the letters of the problem."""
 
 from __future__ import annotations
 
 from corollary.derive.closed import tree
-from corollary.derive.solution import LawShown
+from corollary.derive.entries import Supposed
+from corollary.derive.solution import LawShown, SupposedValue
 from corollary.law.law import Law, component
+from corollary.quantity.dimension import Dimension
+from corollary.quantity.read import read_quantity
 from corollary.quantity.tree import Relation, substitute
+from corollary.quantity.trouble import Trouble
+from corollary.quantity.unit import unit
 
 
 def shown(stated: Law) -> LawShown:
@@ -15,3 +20,15 @@ def shown(stated: Law) -> LawShown:
         meaning = {letter: tree(value) for letter, value in component(stated, index).items()}
         here.append(Relation("=", substitute(stated.textbook.left, meaning), substitute(stated.textbook.right, meaning)))
     return LawShown(stated.name, stated.source, stated.holds, stated.textbook, stated.vectors, tuple(here))
+
+
+def supposed_value(supposition: Supposed) -> SupposedValue:
+    """The value in SI. Raises ValueError where the text is no quantity."""
+    read = read_quantity(supposition.text, unit("1"))
+    if isinstance(read, Trouble):
+        raise ValueError(f"{supposition.symbol} is supposed to be {supposition.text!r}: {read.why}")
+    ratio, pi = read.si
+    if pi:
+        raise ValueError(f"{supposition.symbol} is supposed to be {supposition.text!r}; give angles in rad")
+    dimension = read.unit.dimension if read.unit else Dimension()
+    return SupposedValue(supposition.symbol.name, ratio, dimension, supposition.text, supposition.why)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -28,13 +29,19 @@ def simulate(scene: str, settings: Mapping[str, object], *, neglected: float = 0
     return Simulation(scene, settings, expect, neglected)
 
 
-def simulations(bank: Bank, variant: Variant, answers: Mapping[str, Seen]) -> list[Simulation]:
-    """What a solution wants simulated for a variant; none where it has no scene function. Raises NotDerivable."""
+def simulations(
+    bank: Bank, variant: Variant, answers: Mapping[str, Seen], neglected: Mapping[str, float] | None = None
+) -> list[Simulation]:  # fmt: skip
+    """What a solution wants simulated for a variant; none where it has no scene function. Raises NotDerivable.
+
+    A scene function that takes `neglected` gets for each part the most that what it neglects can change of its answer (in SI).
+    """
     loaded = load(bank, variant.problem)
     if loaded.scene is None:
         return []
     try:
-        wanted = list(loaded.scene(**variant.si, answer=answers))
+        bounds = {"neglected": neglected or {}} if "neglected" in inspect.signature(loaded.scene).parameters else {}
+        wanted = list(loaded.scene(**variant.si, answer=answers, **bounds))
     except Exception as error:
         line = line_in(error, loaded.path) or loaded.scene.__code__.co_firstlineno
         raise NotDerivable(loaded.path, line, f"scene fails: {type(error).__name__}: {error}") from error

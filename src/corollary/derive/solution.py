@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 
 from corollary.derive.entries import Entry
 from corollary.problem.problem import Problem
@@ -108,8 +109,29 @@ class ProofTruth:
 
 
 @dataclass(frozen=True, slots=True)
+class SupposedValue:
+    """A value the problem does not give: in SI, and as the author wrote it."""
+
+    name: str
+    ratio: Fraction
+    dimension: Dimension
+    text: str
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """What an answer neglects, and how to find the most it can change; `bound` answers the part whose answer it is about."""
+
+    what: str
+    bound: Find
+    supposing: tuple[SupposedValue, ...]
+    asked: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Solution:
-    """All that is true of a problem. `entries` keeps code, plot and explain parts, which need no solving."""
+    """All that is true of a problem. `entries` are those that need no solving: code, plot, explain, printed."""
 
     problem: Problem
     finds: tuple[Find, ...]
@@ -117,7 +139,7 @@ class Solution:
     examples: Mapping[str, ExampleTruth]
     proofs: Mapping[str, ProofTruth]
     entries: tuple[Entry, ...]
-    scene: object
+    neglected: tuple[LeftOut, ...] = ()
 
     def answer(self, part: str) -> Find | None:
         """The find that answers a part."""

@@ -15,6 +15,7 @@ from corollary.derive.entries import (
     Explain,
     Found,
     Mistake,
+    Neglected,
     Optimum,
     Plot,
     Printed,
@@ -25,15 +26,16 @@ from corollary.derive.entries import (
 from corollary.derive.failing import NotDerivable
 from corollary.derive.load import Loaded, line_of, load, symbol_of
 from corollary.derive.optimum import best
-from corollary.derive.parts import answered, misfits, words
+from corollary.derive.parts import answered, misfits, unsolved, words
 from corollary.derive.point import Point, at, learn, point
-from corollary.derive.roots import NoRoot, Root, pick, roots, simplest
-from corollary.derive.shown import shown
+from corollary.derive.roots import NoRoot, Root, exchanged, pick, roots, simplest
+from corollary.derive.shown import shown, supposed_value
 from corollary.derive.solution import (
     ChoiceTruth,
     ExampleTruth,
     Find,
     Formulas,
+    LeftOut,
     Measured,
     ProofTruth,
     RouteShown,
@@ -61,15 +63,16 @@ def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
     solver.solution()
     proven, left = 0, []
     for entry in solver.loaded.derivation.entries:
-        if isinstance(entry, Step):
-            for stated in (*entry.laws, *(law for way in entry.routes for law in way.laws)):
+        found = entry.bound if isinstance(entry, Neglected) else entry
+        if isinstance(found, Step):
+            for stated in (*found.laws, *(law for way in found.routes for law in way.laws)):
                 for one, other in sides(stated):
                     residual = put(put(one - other, solver.closed), solver.aside)
                     if sympy.simplify(sympy.expand(residual)) == 0:
                         proven += 1
                     elif not residual.free_symbols & solver.measured:
                         sentence = f"{stated.name} does not hold for the answers: {one} = {other}"
-                        left.append(str(solver.failing(sentence, entry.because)))
+                        left.append(str(solver.failing(sentence, found.because)))
     return proven, left
 
 
@@ -95,7 +98,7 @@ class _Solver:
     def solution(self) -> Solution:
         for sentence, about in misfits(self.problem, self.loaded.derivation):
             raise self.failing(sentence, about)
-        finds, choices, examples, proofs = [], {}, {}, {}
+        finds, choices, examples, proofs, later = [], {}, {}, {}, []
         for entry in self.loaded.derivation.entries:
             try:
                 match entry:
@@ -107,6 +110,8 @@ class _Solver:
                         examples[entry.part] = self.example(entry)
                     case Proof():
                         proofs[entry.part] = self.proof(entry)
+                    case Neglected():
+                        later.append(entry)
                     case Code() | Plot() | Explain() | Printed():
                         continue
                     case _:
@@ -115,7 +120,20 @@ class _Solver:
                 part = answered(entry)
                 about = ", ".join(map(str, entry.finds)) if not part and isinstance(entry, Found) else f"part {part}"
                 raise self.failing(f"{about}: {error}", words(entry)) from error
-        return Solution(self.problem, tuple(finds), choices, examples, proofs, self.loaded.derivation.entries, self.loaded.scene)
+        left = tuple(map(self.left_out, later))  # after all finds, so that none can lean on what is only supposed
+        return Solution(self.problem, tuple(finds), choices, examples, proofs, unsolved(self.loaded.derivation), left)
+
+    def left_out(self, entry: Neglected) -> LeftOut:
+        try:
+            values = tuple(map(supposed_value, entry.supposing))
+            for supposition, value in zip(entry.supposing, values, strict=True):
+                self.closed[supposition.symbol] = supposition.symbol
+                self.dimensions[value.name] = value.dimension
+                for each in self.points:
+                    each.suppose(supposition.symbol, value.ratio)
+            return LeftOut(entry.what, self.find(entry.bound), values, entry.asked)
+        except ValueError as error:
+            raise self.failing(f"what part {entry.bound.answers} neglects: {error}", entry.bound.because) from error
 
     def failing(self, sentence: str, about: str = "") -> NotDerivable:
         return NotDerivable(self.loaded.path, self.line(about), sentence)
@@ -280,17 +298,3 @@ class _Solver:
             if part and dimension != part.unit.dimension:
                 raise ValueError(f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}")
         return result
-
-
-def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
-    """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
-    if not slip.laws:
-        raise NoRoot(f"mistake {slip.text!r} names no law; say which law was used wrongly")
-    if not slip.instead and len(laws) == 1:
-        return slip.laws
-    wanted = slip.instead or slip.laws[0].name
-    if sum(stated.name == wanted for stated in laws) != 1:
-        raise NoRoot(
-            f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}"
-        )
-    return tuple(new for stated in laws for new in (slip.laws if stated.name == wanted else (stated,)))

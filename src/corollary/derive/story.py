@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from corollary.derive.entries import Code, Explain
-from corollary.derive.solution import Find, Formulas, LawShown, Measured, Solution
+from corollary.derive.solution import Find, Formulas, LawShown, LeftOut, Measured, Solution
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant, number
 from corollary.quantity.ball import certified
@@ -24,8 +25,14 @@ FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})
 COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
 
 
-def story(solution: Solution, variant: Variant, values: Sequence[tuple[float, ...]], letters: Mapping[str, str]) -> str:
-    """The whole solution; `values` are the finds in SI, in the solution's order, `letters` the right option of each choice."""
+def story(
+    solution: Solution, variant: Variant, values: Sequence[tuple[float, ...]], letters: Mapping[str, str],
+    left_out: Sequence[tuple[float, float]],
+) -> str:  # fmt: skip
+    """The whole solution; `values` are the finds in SI, in the solution's order, `letters` the right option of each choice.
+
+    `left_out` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
+    """
     problem = solution.problem
     known = _given_numbers(variant)
     lines: list[str] = []
@@ -34,6 +41,9 @@ def story(solution: Solution, variant: Variant, values: Sequence[tuple[float, ..
         lines += [_heading(part) if part else f"**First find {_names(find)}.**", "", *_find(find, numbers, part, known), ""]
         for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
             known[name] = _quantity(value, si_unit(dimension), in_formula=True)
+        for left, (most, share) in zip(solution.neglected, left_out, strict=True):
+            if part and left.bound.answers == part.id:
+                lines += [*_left_out(left, most, share, part, known), ""]
     for part in problem.parts:
         lines += _other(solution, part, letters, variant)
     return "\n".join(lines).strip() + "\n"
@@ -57,6 +67,24 @@ def _find(find: Find, numbers: tuple[float, ...], part: Part | None, known: Mapp
     if find.check:
         lines += ["", f"*Check:* {find.check}"]
     return lines
+
+
+def _left_out(left: LeftOut, most: float, share: float, part: Part, known: Mapping[str, str]) -> list[str]:
+    """What the answer neglects, by which laws it is bounded, and how little of the answer that is."""
+    find = left.bound
+    texts = {value.name: r"\,".join(_roman(word) for word in value.text.split(" ", 1)) for value in left.supposing}
+    supposed = "; ".join(f"${letter(value.name)} = {texts[value.name]}$: {value.why}" for value in left.supposing)
+    lines = [f"*Neglected:* {left.what}. {find.because}" + (f" (Supposed: {supposed}.)" if supposed else ""), ""]
+    for stated in find.laws:
+        lines += [_law(stated), ""]
+    lines += _result(replace(find, closed=None), (most,), part, {**known, **{name: f"({text})" for name, text in texts.items()}})
+    size = f"{decimal_text(100 * share, 2)} % of the answer" if share else "nothing at all"
+    return [*lines, f"At most {size}{', left out since the question asks for it.' if left.asked else ': it may be neglected.'}"]
+
+
+def _roman(word: str) -> str:
+    """A unit upright; a number as it is."""
+    return rf"\mathrm{{{word}}}" if word[0].isalpha() else word
 
 
 def _law(stated: LawShown) -> str:

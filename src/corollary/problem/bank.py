@@ -108,7 +108,7 @@ def find(bank: Bank, code: str) -> Problem:
     for path in files(bank):
         if _code_at_a_glance(path).lower() == code.lower():
             return read_problem(path)
-    raise Unknown(f"no problem is called {code}; `corollary list` shows the codes")
+    raise Unknown(f"no problem is called {code or 'by an empty name'}; `corollary list` shows the codes")
 
 
 def _code_at_a_glance(path: Path) -> str:

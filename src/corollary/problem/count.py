@@ -2,41 +2,45 @@
 
 from __future__ import annotations
 
-from itertools import product
+import hashlib
+from collections.abc import Iterable
 from math import prod
 
-from corollary.problem.draw import digest
+import numpy as np
+
 from corollary.problem.given import Given
 from corollary.problem.problem import Condition, Problem
-from corollary.problem.variant import at, first_broken, size
-from corollary.quantity.ball import Exactly, Undefined, holds
+from corollary.problem.rounded import Letter, kept
+from corollary.quantity.exact import Exactly
 from corollary.quantity.tree import names
 
-SMALL = 4_000
+MOST = 300_000  # numbers worked out for one condition
+MOST_TOGETHER = 6_000_000  # points of a grid held in memory, a byte each
+SAMPLED = 4_000
 
 
 def variants(problem: Problem) -> tuple[int, bool]:
     """The number of grid points that keep every condition, and whether it is exact.
 
-    Givens that share no condition only multiply; those that do are counted point by point when they are few,
-    else the whole is estimated from a fixed sample of 2000 points.
+    Givens that share no condition only multiply. Those that do are counted point by point, or, when they are too many,
+    estimated from a fixed sample of 4000 points (then to three figures, for it tells no more).
     """
-    total = 1
+    total, exact = 1, True
     for group in _groups(problem):
-        together = prod(given.grid.count for given in group)
-        if together > SMALL:
-            return _estimated(problem)
-        symbols = [given.symbol for given in group]
-        conditions = [each for each in problem.conditions if names(each.relation) & set(symbols)]
-        choices = (
-            [Exactly(given.grid[i] * given.unit.factor, given.unit.pi) for i in range(given.grid.count)] for given in group
-        )
-        total *= (
-            sum(_keeps(conditions, dict(zip(symbols, values, strict=True))) for values in product(*choices))
-            if conditions
-            else together
-        )
-    return total, True
+        symbols = {given.symbol for given in group}
+        conditions = [each for each in problem.conditions if names(each.relation) & symbols]
+        if not conditions:
+            total *= prod(given.grid.count for given in group)
+        elif _few(group, conditions):
+            total *= _counted(group, conditions)
+        else:
+            total, exact = total * _estimated(problem.code, group, conditions), False
+    return (total, True) if exact else (_three_figures(total), False)
+
+
+def written(number: int, exact: bool) -> str:
+    """A count for a table: `1,150,968`, or `≈ 5.43e+18` where it is estimated."""
+    return f"{number:,}" if exact else f"≈ {number:,}" if number < 10**9 else f"≈ {number:.3g}"
 
 
 def _groups(problem: Problem) -> list[list[Given]]:
@@ -49,14 +53,51 @@ def _groups(problem: Problem) -> list[list[Given]]:
     return groups
 
 
-def _estimated(problem: Problem) -> tuple[int, bool]:
-    total, tries = size(problem), 2000
-    kept = sum(first_broken(at(problem, digest(b"count", problem.code, str(n)) % total)) is None for n in range(tries))
-    return total * kept // tries, kept == tries
+def _few(group: list[Given], conditions: list[Condition]) -> bool:
+    def points(tied: Iterable[str]) -> int:
+        return prod(given.grid.count for given in group if given.symbol in tied)
+
+    return points(given.symbol for given in group) <= MOST_TOGETHER and all(
+        points(names(each.relation)) <= MOST for each in conditions
+    )
 
 
-def _keeps(conditions: list[Condition], exact: dict[str, Exactly]) -> bool:
-    try:
-        return all(holds(condition.relation, exact) for condition in conditions)
-    except Undefined:
-        return False
+def _counted(group: list[Given], conditions: list[Condition]) -> int:
+    """Each given has an axis of its own, so that a condition is worked out only for the givens it names."""
+    letters = {}
+    for given in group:
+        axis = [-1 if other is given else 1 for other in group]
+        letters[given.symbol] = Letter(_numbers(given, range(given.grid.count)), np.arange(given.grid.count).reshape(axis))
+    return int(_kept_by_all(conditions, letters, [given.grid.count for given in group]).sum())
+
+
+def _estimated(code: str, group: list[Given], conditions: list[Condition]) -> int:
+    letters = {}
+    for given in group:
+        places = _spread(f"{code} {given.symbol}", given.grid.count)
+        few = given.grid.count <= SAMPLED
+        numbers = _numbers(given, range(given.grid.count) if few else places)
+        letters[given.symbol] = Letter(numbers, np.array(places) if few else np.arange(SAMPLED))
+    kept_of_sample = int(_kept_by_all(conditions, letters, [SAMPLED]).sum())
+    return prod(given.grid.count for given in group) * kept_of_sample // SAMPLED
+
+
+def _kept_by_all(conditions: list[Condition], letters: dict[str, Letter], shape: list[int]) -> np.ndarray:
+    result = np.ones(shape, dtype=bool)
+    for condition in conditions:
+        result &= kept(condition.relation, letters)
+    return result
+
+
+def _spread(name: str, count: int) -> list[int]:
+    """Places in a grid, the same every time."""
+    stream = hashlib.shake_256(name.encode()).digest(8 * SAMPLED)
+    return [int.from_bytes(stream[at : at + 8], "big") * count >> 64 for at in range(0, len(stream), 8)]
+
+
+def _numbers(given: Given, places: Iterable[int]) -> list[Exactly]:
+    return [Exactly(given.grid[place] * given.unit.factor, given.unit.pi) for place in places]
+
+
+def _three_figures(number: int) -> int:
+    return round(number, 3 - len(str(number)))

@@ -7,8 +7,13 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from corollary.derive.programs_floor import ARGUMENTS, bounce_inputs, judge_bounce, judge_bounce_plot, reference
+from corollary.derive.programs.called import Called
+from corollary.derive.programs.floor import ARGUMENTS, bounce_inputs, judge_bounce, reference
+from corollary.derive.programs.floor_plot import judge_bounce_plot
+from corollary.derive.said import Remark, Said
 from corollary.submission.taken import Axes, Line
+
+from .conftest import RIGHT, bounce, forward_euler
 
 OWN = {"m": 0.1, "k": 1e6, "R": 0.02, "y0": 0.021, "v0": -2.8, "g": 9.8}
 
@@ -31,14 +36,13 @@ def stepped(m, k, R, y0, v0, g, dt, *, euler=False, weight=1.0, power=1.5):
     return np.array(rows)
 
 
-def returned(rows, R, dt):
-    left = len(rows) - 30
-    return [rows[left, 2], rows[:, 3].max(), np.sum(rows[:, 1] < R) * dt]
+def judged(seed, program):
+    return judge_bounce({}, [Called(inputs, tuple(program(inputs))) for inputs in drawn(seed)])
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_reference_is_what_an_adaptive_method_finds(seed):
-    for inputs in drawn(seed):
+    for inputs in drawn(seed)[::2]:
         numbers = {name: inputs[name] for name in ARGUMENTS}
         truth = reference(**numbers)
         m, k, R, y0, v0, g = numbers.values()
@@ -56,37 +60,59 @@ def test_the_reference_is_what_an_adaptive_method_finds(seed):
         assert run.y_events[0][0][1] == pytest.approx(truth.velocity, rel=1e-8)
 
 
-@pytest.mark.parametrize("seed", range(10))
-def test_the_books_method_is_right_and_so_is_an_exact_one(seed):
-    for inputs in drawn(seed):
-        assert judge_bounce({}, inputs, returned(stepped(**inputs), inputs["R"], inputs["dt"])) is None
+@pytest.mark.parametrize("step", RIGHT)
+@pytest.mark.parametrize("interpolated", [False, True])
+@pytest.mark.parametrize("seed", range(2))
+def test_right_programs_are_right_by_any_method_and_however_they_read_crossings(step, interpolated, seed):
+    assert judged(seed, lambda inputs: bounce(inputs, step, interpolated)) is None
+
+
+def test_a_program_that_does_not_step_with_dt_is_right_and_told():
+    def exact(inputs):
         truth = reference(**{name: inputs[name] for name in ARGUMENTS})
-        assert judge_bounce({}, inputs, [truth.velocity, truth.force, truth.duration]) is None
+        return truth.velocity, truth.force, truth.duration
+
+    assert isinstance(judged(3, exact), Remark)
+    said = judged(3, lambda inputs: (1.1 * exact(inputs)[0], *exact(inputs)[1:]))
+    assert isinstance(said, Said)
+    assert "steps of its own" in said.sentence
 
 
 @pytest.mark.parametrize(
-    ("wrong", "word"), [({"euler": True}, "Euler"), ({"weight": 0.0}, "ravity"), ({"power": 1.0}, "spring")],
+    ("wrong", "word"), [({"step": forward_euler}, "Euler"), ({"weight": 0.0}, "ravity"), ({"power": 1.0}, "spring")],
 )  # fmt: skip
 @pytest.mark.parametrize("seed", range(5))
 def test_the_usual_wrong_programs_are_named(wrong, word, seed):
-    said = [judge_bounce({}, inputs, returned(stepped(**inputs, **wrong), inputs["R"], inputs["dt"])) for inputs in drawn(seed)]
-    first = next(each for each in said if each is not None)
-    assert first.known
-    assert word in first.sentence
+    said = judged(seed, lambda inputs: bounce(inputs, **wrong))
+    assert isinstance(said, Said)
+    assert said.known
+    assert word in said.sentence
 
 
 def test_the_force_of_the_floor_is_not_the_net_force():
-    inputs = drawn(0)[2]
-    v, force, duration = returned(stepped(**inputs), inputs["R"], inputs["dt"])
-    said = judge_bounce({}, inputs, [v, force + inputs["m"] * inputs["g"], duration])
-    assert said is not None
+    def program(inputs):
+        v, force, duration = bounce(inputs)
+        return v, force + inputs["m"] * inputs["g"], duration
+
+    said = judged(0, program)
+    assert isinstance(said, Said)
     assert "weight" in said.sentence
+
+
+def test_a_contact_not_waited_for_with_the_shorter_step_is_told():
+    def program(inputs):
+        """Right with the longer step; with the shorter one it runs out of steps on the way down."""
+        return bounce(inputs) if inputs in drawn(0)[::2] else (0.3, 0.0, 0.0)
+
+    said = judged(0, program)
+    assert isinstance(said, Said)
+    assert "fixed number of steps" in said.sentence
 
 
 @pytest.mark.parametrize("answer", [[], [1.0], [2.8, 249.0], [-2.8, 0.0, 0.0], [0.0, 0.0, 0.0], [math.nan] * 3, [math.inf] * 3])
 def test_nonsense_is_refused_with_a_sentence(answer):
-    said = judge_bounce({}, drawn(1)[0], answer)
-    assert said is not None
+    said = judged(1, lambda inputs: answer)
+    assert isinstance(said, Said)
     assert said.sentence.endswith(".")
 
 

@@ -7,7 +7,8 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from corollary.derive.programs_plane import sphere_force, stepped
+from corollary.derive.programs.spheres import sphere_force
+from corollary.derive.programs.two_bodies import stepped
 from corollary.derive.said import Said
 
 TIME, STEP = 0.10, 1e-4

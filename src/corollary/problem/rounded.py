@@ -1,0 +1,123 @@
+"""Conditions at many points at once: decided in doubles where rounding cannot matter, exactly where it can."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+
+from corollary.quantity.arithmetic import Arithmetic, NotAvailable, ready
+from corollary.quantity.ball import Exactly, Undefined, holds
+from corollary.quantity.tree import Negative, Relation, Sum, names
+
+ULP = 2.0**-52  # twice what one rounding may do
+SLACK = 4 * ULP  # what a function of the library may be off
+LEAST = 2.0**-1022  # below, a double has fewer figures
+
+
+@dataclass(frozen=True, slots=True)
+class Rounded:
+    """Doubles, each with a bound on how far it may be off; NaN or an infinite bound where that cannot be said."""
+
+    value: np.ndarray
+    off: np.ndarray
+
+    @classmethod
+    def of(cls, number: Fraction | int) -> Rounded:
+        value = np.asarray(float(number))
+        return cls(value, abs(value) * ULP)
+
+    def __neg__(self) -> Rounded:
+        return Rounded(-self.value, self.off)
+
+    def __add__(self, other: Rounded) -> Rounded:
+        return _off(self.value + other.value, self.off + other.off)
+
+    def __mul__(self, other: Rounded) -> Rounded:
+        crossed = abs(self.value) * other.off + abs(other.value) * self.off + self.off * other.off
+        return _off(self.value * other.value, crossed)
+
+    def __truediv__(self, other: Rounded) -> Rounded:
+        value, left = self.value / other.value, abs(other.value) - other.off
+        return _off(value, np.where(left > 0, (self.off + abs(value) * other.off) / left, np.inf))
+
+    def __pow__(self, whole: int) -> Rounded:
+        result = Rounded.of(1)
+        for _ in range(abs(whole)):
+            result = result * self
+        return result if whole >= 0 else Rounded.of(1) / result
+
+
+def _off(value: np.ndarray, off: np.ndarray) -> Rounded:
+    return Rounded(value, off * (1 + SLACK) + abs(value) * ULP + LEAST)
+
+
+def _sqrt(x: Rounded) -> Rounded:
+    value = np.sqrt(x.value)
+    return _off(value, np.where(x.value > x.off, value - np.sqrt(x.value - x.off), np.inf) + SLACK * value)
+
+
+def _power(x: Rounded, p: Rounded) -> Rounded:
+    value, low = np.power(x.value, p.value), x.value - x.off
+    grown = abs(p.value) * x.off / low + abs(np.log(low)) * p.off
+    return _off(value, np.where(low > 0, value * np.expm1(grown), np.inf) + SLACK * value)
+
+
+ROUNDED = Arithmetic(
+    "doubles with a bound", Rounded.of, Rounded.of(Fraction(np.pi)),
+    {
+        "sqrt": _sqrt, "power": _power, "abs": lambda x: Rounded(abs(x.value), x.off),
+        "sin": lambda x: _off(np.sin(x.value), x.off + SLACK), "cos": lambda x: _off(np.cos(x.value), x.off + SLACK),
+        "min": lambda x, y: Rounded(np.minimum(x.value, y.value), np.maximum(x.off, y.off)),
+        "max": lambda x, y: Rounded(np.maximum(x.value, y.value), np.maximum(x.off, y.off)),
+    },
+)  # fmt: skip
+SIGNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "=": lambda gap: gap == 0, "!=": lambda gap: gap != 0,
+    "<": lambda gap: gap < 0, "<=": lambda gap: gap <= 0, ">": lambda gap: gap > 0, ">=": lambda gap: gap >= 0,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """A given at many points: its exact numbers, and which of them each point has. Letters are broadcast together."""
+
+    numbers: Sequence[Exactly]
+    at: np.ndarray
+
+
+def kept(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
+    """Where a condition holds; it does not where a side has no value."""
+    tied = {name: letters[name] for name in sorted(names(relation) & letters.keys())}
+    places = np.broadcast_arrays(*(letter.at for letter in tied.values()))
+    with np.errstate(all="ignore"):
+        gap = _gap(relation, tied)
+        holding = np.broadcast_to(SIGNS[relation.sign](gap.value), places[0].shape).copy()
+        doubtful = np.broadcast_to(~(abs(gap.value) > gap.off), places[0].shape)
+    for point in zip(*np.nonzero(doubtful), strict=True):
+        exact = {name: letter.numbers[int(at[point])] for (name, letter), at in zip(tied.items(), places, strict=True)}
+        holding[point] = _holds(relation, exact)
+    return holding
+
+
+def _gap(relation: Relation, letters: Mapping[str, Letter]) -> Rounded:
+    """Left side less right side; of no worth where doubles cannot say."""
+    try:
+        numbers = {name: _doubles(letter) for name, letter in letters.items()}
+        return ready(Sum((relation.left, Negative(relation.right))), ROUNDED)(numbers)
+    except (NotAvailable, OverflowError):
+        return Rounded(np.asarray(np.nan), np.asarray(np.inf))
+
+
+def _doubles(letter: Letter) -> Rounded:
+    ratios = np.array([float(number.ratio) for number in letter.numbers])[letter.at]
+    return Rounded(ratios, abs(ratios) * ULP) * ROUNDED.pi ** letter.numbers[0].pi
+
+
+def _holds(relation: Relation, values: Mapping[str, Exactly]) -> bool:
+    try:
+        return bool(holds(relation, values))
+    except Undefined:
+        return False

@@ -1,0 +1,33 @@
+"""The bar's words: how fast it goes and how long it will take; and nothing at all where nobody looks."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.cli.progress import countdown, pace, spell
+
+
+@pytest.mark.parametrize(
+    ("moments", "left", "said"),
+    [
+        ([10.0, 10.5], 8, ""),  # one step apart says too little
+        ([10.0, 10.5, 11.0], 8, "2.0/s, 4 s left"),
+        ([100.0, 102.0, 104.0], 100, "30/min, 3 min left"),
+        ([100.0, 102.0, 104.0], 0, "30/min"),
+        ([5.0, 5.0, 5.0], 3, "1000.0/s, 0 s left"),
+        ([1.0, 2.0, 3.0], None, ""),
+    ],
+)
+def test_the_pace_is_counted_from_step_to_step(moments: list[float], left: int | None, said: str) -> None:
+    assert pace(moments, left) == said
+
+
+def test_times_are_spelled_as_finely_as_a_guess_deserves() -> None:
+    assert [spell(each) for each in (0.2, 89, 91, 3600, 7500)] == ["0 s", "89 s", "2 min", "60 min", "2 h 5 min"]
+
+
+def test_nothing_is_shown_to_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    with countdown("grading") as tell:
+        for left in (2, 1, 0):
+            tell("ada", left)
+    assert capsys.readouterr() == ("", "")
