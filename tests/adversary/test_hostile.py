@@ -36,15 +36,18 @@ def test_a_loop_that_swallows_interrupts_is_killed(run: Run) -> None:
     source = "import time\nwhile True:\n    try: time.sleep(100)\n    except BaseException: pass"
     began = time.monotonic()
     taken = run("a = 1.5", source, "b = 2.5")
-    assert time.monotonic() - began < 5
-    assert statuses(taken) == ["ok", "timeout", "not run"]
+    assert time.monotonic() - began < 10
+    assert statuses(taken) == ["ok", "timeout", "ok"]
     assert taken.values["a"] == Real(1.5)
+    assert taken.values["b"] == Real(2.5)
     assert "cell 2" in taken.trouble
 
 
 def test_ignoring_signals_does_not_buy_time(run: Run) -> None:
     source = "import signal\nfor n in (2, 15): signal.signal(n, signal.SIG_IGN)\nwhile True: pass"
-    assert statuses(run(source, "b = 1")) == ["timeout", "not run"]
+    began = time.monotonic()
+    assert statuses(run(source, "b = 1")) == ["timeout", "ok"]
+    assert time.monotonic() - began < 10
 
 
 def test_a_sleep_inside_compiled_code_is_interrupted_or_killed(run: Run) -> None:
@@ -134,15 +137,29 @@ def test_a_thread_left_behind_ends_with_the_notebook(run: Run) -> None:
         ),
     ],
 )
-def test_a_crash_keeps_what_was_answered_before(run: Run, source: str, words: str) -> None:
+def test_a_crash_costs_its_own_cell_alone(run: Run, source: str, words: str) -> None:
     taken = run("a = 8.6", source, "b = 2.5", asks=(Ask("k", "f", ()),))
-    assert taken.values["a"] == Real(8.6)
+    assert taken.values == {"a": Real(8.6), "b": Real(2.5)}
+    assert statuses(taken) == ["ok", "error", "ok"]
     if taken.trouble:
         assert words in taken.trouble
-        assert statuses(taken) == ["ok", "error", "not run"]
-        assert taken.calls["k"].trouble.startswith("it was not called")
-    else:
-        assert statuses(taken) == ["ok", "error", "ok"]
+        assert taken.trouble.endswith("The rest was run again without it.")
+
+
+def test_a_function_that_ends_the_process_costs_its_own_calls_alone(run: Run) -> None:
+    source = "import os\ndef f(): os._exit(0)\ndef g(): return 2.5"
+    taken = run("a = 8.6", source, asks=(Ask("f/0", "f", ()), Ask("g/0", "g", ()), Ask("f/1", "f", ())))
+    assert taken.values["a"] == Real(8.6)
+    assert taken.calls["g/0"].value == Real(2.5)
+    assert taken.calls["f/0"].trouble
+    assert taken.calls["f/1"].trouble
+
+
+def test_a_notebook_that_dies_everywhere_is_run_again_a_few_times_only(run: Run) -> None:
+    taken = run("a = 8.6", *["import os; os._exit(0)"] * 8, "b = 2.5")
+    assert taken.values["a"] == Real(8.6)
+    assert statuses(taken) == ["ok", "error", "error", "error", "error", "not run", "not run", "not run", "not run", "not run"]
+    assert taken.trouble.count("The rest was run again without it.") == 3
 
 
 def test_killing_the_parent_harms_nobody(run: Run) -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import threading
+import time
 from contextlib import suppress
 from types import TracebackType
 from typing import Self, final
 
 from corollary.quantity.plain import Nothing, Plain
+from corollary.submission.again import MOST, rest_of, together
 from corollary.submission.conversation import Told, Watch, follow, give
 from corollary.submission.decode import plain
 from corollary.submission.isolation import UNKNOWN, WeakIsolation, isolation_of
@@ -53,10 +55,24 @@ class Runner:
         return self._parent.kilobytes if self._parent else 0
 
     def take(self, job: Job) -> Taken:
-        """Runs the job; whatever it does, the result says so and the next one runs. Raises CannotStart only."""
+        """Runs the job; whatever it does, the result says so and the next one runs. Raises CannotStart only.
+
+        Where its process dies, the job is run again without the cell or the function that it died in.
+        """
         with self._lock:
+            began = time.monotonic()
             told, code = self._run(job)
-            return self._taken(job, told, code)
+            if not (told.done or told.working_on):  # it died before anything of the notebook ran: not the notebook's doing
+                told, code = self._run(job)
+            taken = self._taken(job, told, code)
+            rest: Job | None = job
+            for _ in range(MOST):
+                rest = rest_of(rest, told)
+                if rest is None or time.monotonic() - began > self.limits.total_seconds:
+                    break
+                told, code = self._run(rest)
+                taken = together(job, taken, rest, self._taken(rest, told, code))
+            return taken
 
     def _warm(self) -> Parent:
         if self._parent is None:

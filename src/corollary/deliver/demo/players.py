@@ -133,12 +133,10 @@ def endless(sheet: Sheet, keys: Keys) -> Hand:
 
 
 def crash(sheet: Sheet, keys: Keys) -> Hand:
-    """The process ends itself in exercise 12.10: what was answered before counts, what comes after was never reached."""
+    """The process ends itself in exercise 12.10: that answer is lost, and none of those around it."""
     sources = right_sources(sheet, keys)
     sources["X12_10_a_answer"] = "import os\nos._exit(3)"
-    order = [prompt for prompt in sheet.prompts if prompt.part.kind != "explain"]
-    first = next(place for place, prompt in enumerate(order) if prompt.key == "X12_10_a")
-    return Hand(sources, {prompt.key: "unread" for prompt in order[first:]})
+    return Hand(sources, {"X12_10_a": "unread"})
 
 
 def forged(sheet: Sheet, keys: Keys) -> Hand:
