@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
 
-from corollary.submission.notebook import MOST_BYTES, Notebook, Unreadable, code_cells, notebook_of, read_notebook
+from corollary.submission.file import MOST_BYTES, Unreadable
+from corollary.submission.notebook import Notebook, code_cells, notebook_of, read_notebook
 
 
 def code(source: str = "a = 1", **more: object) -> dict:

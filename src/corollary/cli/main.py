@@ -20,6 +20,7 @@ app = typer.Typer(
 )  # fmt: skip
 
 Bank = Annotated[Path | None, typer.Option(help="A folder with problems/ and solutions/; the chapter's bank when left out.")]
+DealtBank = Annotated[Path | None, typer.Option("--bank", help="A folder with problems/ and solutions/; the bank the set was dealt from when left out.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON document on standard output.")]
 Code = Annotated[str, typer.Argument(help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")]
 Sets = Annotated[list[str] | None, typer.Option("--set", help='A given: m=0.43 (SI) or v="72 km/h"; may be repeated.')]
@@ -131,7 +132,7 @@ def generate(
 
 @app.command()
 def grade(
-    set: SetName, course: Course, bank: Bank = None, json: Json = False,
+    set: SetName, course: Course, bank: DealtBank = None, json: Json = False,
     regrade: Annotated[bool, typer.Option("--regrade", help="Mark again what is marked, and show first who changes.")] = False,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Mark, show who changes, and write nothing.")] = False,
     require_isolation: Annotated[int, typer.Option(min=0, max=3, help="Refuse to run notebooks below this isolation level.")] = 1,
@@ -155,7 +156,7 @@ def grade(
 
 @app.command()
 def report(
-    set: SetName, course: Course, bank: Bank = None, json: Json = False,
+    set: SetName, course: Course, bank: DealtBank = None, json: Json = False,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the page here too.")] = None,
 ) -> None:  # fmt: skip
     """What an instructor reads: marks, each part, misconceptions met, what waits for a person."""

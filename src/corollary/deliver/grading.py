@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 from corollary.deliver.course import Course, read_dealt, students, submissions, unclear, write_atomically
 from corollary.deliver.executing import Execute, here
-from corollary.deliver.keeping import fingerprint, keep, keep_sharing, kept_sharing, lateness, read_record, settle
+from corollary.deliver.keeping import fingerprint, keep, keep_sharing, lateness, read_record, settle
 from corollary.deliver.nbgrader_book import gradebook
 from corollary.deliver.order import Handed, Order, Returned
 from corollary.deliver.regrading import Change, changes
-from corollary.deliver.report import report
+from corollary.deliver.report_kept import report_of
 from corollary.deliver.report_page import report_page
 from corollary.deliver.sharing import sharing
-from corollary.deliver.tally import HandedIn, Report, Row
+from corollary.deliver.tally import Report
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
-from corollary.submission.notebook import bytes_of
+from corollary.submission.file import bytes_of
 from corollary.submission.take import Runner
 
 if TYPE_CHECKING:
@@ -148,18 +148,6 @@ def _write(course: Course, problem_set: ProblemSet, solutions: Solutions, one: R
 
         record_one(course, book, problem_set, one.marked, one.notebook)
     keep(course, problem_set, solutions, one.marked, one.handed.fingerprint, one.page)
-
-
-def report_of(course: Course, problem_set: ProblemSet) -> Report:
-    """The report from the records kept beside the course."""
-    order = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
-    roster = [student.id for student in students(course)]
-    kept = [entry for student in roster if (entry := read_record(course, problem_set, student)) is not None]
-    all_rows = [Row(**each) for entry in kept for each in entry["rows"]]
-    all_rows.sort(key=lambda each: order.index((each.problem, each.part)) if (each.problem, each.part) in order else len(order))
-    return report(
-        [HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster, shared=kept_sharing(course, problem_set)
-    )
 
 
 def has_nbgrader() -> bool:

@@ -21,7 +21,7 @@ from corollary.mark.grade import Marked
 from corollary.mark.record import marked_record
 from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
-from corollary.submission.notebook import content_of
+from corollary.submission.file import content_of
 
 Record = dict[str, Any]
 

@@ -19,7 +19,8 @@ from corollary.mark.solutions import Solutions
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.sheet import Sheet, sheet
-from corollary.submission.notebook import Notebook, bytes_of, notebook_of
+from corollary.submission.file import bytes_of
+from corollary.submission.notebook import Notebook, notebook_of
 from corollary.submission.take import Runner
 
 

@@ -16,8 +16,9 @@ from corollary.mark.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.sheet.sheet import sheet
+from corollary.submission.file import Unreadable
 from corollary.submission.isolation import WeakIsolation
-from corollary.submission.notebook import Notebook, Unreadable, notebook_of
+from corollary.submission.notebook import Notebook, notebook_of
 from corollary.submission.parent import CannotStart
 from corollary.submission.take import Runner
 

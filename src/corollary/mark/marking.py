@@ -16,8 +16,9 @@ from corollary.quantity.plain import Nothing, Plain, Text
 from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
 from corollary.sheet.notebook import notebook as handed_out
 from corollary.sheet.sheet import Prompt, Sheet
+from corollary.submission.file import Unreadable
 from corollary.submission.job import Cell, Job
-from corollary.submission.notebook import Notebook, Unreadable
+from corollary.submission.notebook import Notebook
 from corollary.submission.take import Runner
 from corollary.submission.taken import CellRun, Taken
 

@@ -9,6 +9,7 @@ from typing import assert_never
 from corollary.scene.force.contact import Contact
 from corollary.scene.force.well import Well
 from corollary.scene.kept import energy, impulses, momentum
+from corollary.scene.method.contact_span import contact_span
 from corollary.scene.method.newton import Record, integrate
 from corollary.scene.method.pulls import contact_force, kinetic, masses_at, overlap, pairs, place, start_of, velocity
 from corollary.scene.observe import Observable
@@ -22,10 +23,16 @@ GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 def measured(scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()) -> Played:
     """Integrate twice, a finer run after a coarser; the difference is the error of the coarser. `times` (s) are a trajectory's."""
-    coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, max(tolerance / 30.0, 1e-14))
+    allowed = max(tolerance / 30.0, 1e-14)
+    coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, allowed)
     rough = {o.value: _look(scene, coarse, o, times) for o in observe}
     observed = {o.value: _look(scene, fine, o, times) for o in observe}
-    errors = {name: max(_apart(rough[name], observed[name]), fine.dropped) for name in observed}
+    # Two runs that took nearly the same steps agree better than either is right: some steps' allowed error is the least that is stated.
+    errors = {name: max(_apart(rough[name], observed[name]), fine.dropped, 3.0 * allowed) for name in observed}
+    span = contact_span(scene, fine) if Observable.DURATION in observe else None
+    if span is not None:
+        duration = Observable.DURATION.value
+        errors[duration] = max(errors[duration], min(span.doubt / span.lasts, 1.0) if span.lasts else 1.0)
     spent = coarse.evaluations + fine.evaluations
     return Played(observed, errors, "integration", why, spent, _outcome(scene, fine))
 
@@ -35,8 +42,7 @@ def _outcome(scene: Scene, record: Record) -> Outcome:
         return "sticks"
     if scene.until is not None:
         return "escaped" if _left_every_well(scene, record.state) else "bound"
-    touched = any(overlap(scene, leg.before, a, b)[0] > 0.0 for leg in record.legs for a, b in pairs(scene))
-    return "released" if touched else "missed"
+    return "released" if contact_span(scene, record) else "missed"
 
 
 def _left_every_well(scene: Scene, state: Sequence[float]) -> bool:
@@ -67,8 +73,8 @@ def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]
         case Observable.PEAK_FORCE:
             return _peak_force(scene, record)
         case Observable.DURATION:
-            touched = [leg for leg in record.legs if any(overlap(scene, leg.before, a, b)[0] > 0.0 for a, b in pairs(scene))]
-            return touched[-1].time + touched[-1].h - touched[0].time if touched else 0.0
+            span = contact_span(scene, record)
+            return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
             turns = _turns(scene, record)
             return tuple(sorted({min(turns, key=lambda t: t[1])[1], max(turns, key=lambda t: t[1])[1]})) if turns else ()

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import stat
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,9 +10,9 @@ from typing import Any
 
 import nbformat
 
+from corollary.submission.file import MOST_BYTES, Unreadable, bytes_of
 from corollary.submission.job import Cell
 
-MOST_BYTES = 20 << 20
 MOST_CELLS = 2_000
 DEEPEST = 60
 
@@ -27,40 +25,10 @@ class Notebook:
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Unreadable:
-    """A file that is no notebook; `why` is a sentence for the student."""
-
-    why: str
-
-
 def read_notebook(path: str | Path) -> Notebook | Unreadable:
     """The notebook in a file; never raises, whatever the file or its bytes."""
     content = bytes_of(path)
     return notebook_of(content) if isinstance(content, bytes) else content
-
-
-def content_of(path: str | Path) -> bytes:
-    """The bytes of a file that was handed in, or the words on why there are none; never raises, never waits."""
-    content = bytes_of(path)
-    return content if isinstance(content, bytes) else content.why.encode()
-
-
-def bytes_of(path: str | Path) -> bytes | Unreadable:
-    """What is in a file that was handed in; never raises, never waits."""
-    try:
-        # A named pipe would wait for ever, and a link leads where the student could not go.
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-    except (OSError, ValueError) as error:
-        return Unreadable(f"The file cannot be opened: {error.strerror if isinstance(error, OSError) else error}.")
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-        os.close(descriptor)
-        return Unreadable("This is not a file.")
-    with open(descriptor, "rb") as file:
-        try:
-            return file.read(MOST_BYTES + 1)
-        except OSError as error:
-            return Unreadable(f"The file cannot be read: {error.strerror}.")
 
 
 def notebook_of(content: bytes) -> Notebook | Unreadable:

@@ -153,8 +153,10 @@ def _grazes(scene: Scene, leg: Leg, after: Sequence[float]) -> bool:
     if not any(isinstance(force, Contact) for force in scene.forces):
         return False
     for a, b in pairs(scene):
-        clear = overlap(scene, leg.before, a, b)[0] < 0.0 and overlap(scene, after, a, b)[0] < 0.0
-        if clear and (_will_meet(scene, leg.before, a, b, leg.h) or _will_meet(scene, after, a, b, -leg.h)):
+        (depth, growing), left = overlap(scene, leg.before, a, b), overlap(scene, after, a, b)[0]
+        if depth == 0.0 and growing > 0.0 > left:  # the whole contact would be leapt over
+            return True
+        if depth < 0.0 and left < 0.0 and (_will_meet(scene, leg.before, a, b, leg.h) or _will_meet(scene, after, a, b, -leg.h)):
             return True
     return False
 
