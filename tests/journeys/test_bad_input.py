@@ -398,7 +398,8 @@ def test_a_command_line_that_is_wrong(run, line):
     said = run(*line.split())
     assert said.status == 2
     assert said.out == ""
-    assert "Error" in said.err
+    assert said.err.startswith("corollary: ")
+    assert said.err.count("\n") == 1
     assert "Traceback" not in said.err
 
 

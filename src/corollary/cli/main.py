@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+import typer.exceptions
 
 from corollary import __version__
 from corollary.cli.failure import FAILS, REFUSED, expected, say
@@ -202,8 +203,22 @@ def _run(module: str, **options: object) -> None:
 
 
 def main() -> None:
-    """The entry point."""
-    app()
+    """The entry point; a request that cannot be understood is answered in one sentence."""
+    try:
+        status = app(standalone_mode=False)
+    except typer.exceptions.TyperException as error:
+        status, said = REFUSED, error.format_message()
+        if said.startswith("Usage:"):  # nothing was asked for
+            say(said)
+        else:
+            say(f"corollary: {said[0].lower()}{said[1:].rstrip('.')}; `{_asked()} --help` says how")
+    sys.exit(status or 0)
+
+
+def _asked() -> str:
+    """The command that was meant, as far as it is one."""
+    known = {command.name or getattr(command.callback, "__name__", "") for command in app.registered_commands}
+    return " ".join(["corollary", *(name for name in sys.argv[1:2] if name in known)])
 
 
 def _unforeseen(error: Exception) -> int:
