@@ -1,17 +1,19 @@
 """One contact of two spheres: steps against quadrature, the chapter's edge between release and sticking, invariants."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from corollary.scene.force.contact import Contact
+from corollary.scene.force.contact import Contact, stored
+from corollary.scene.method import single_contact
 from corollary.scene.method.single_contact import follow
 from corollary.scene.model.beta import contact_time, largest_overlap
 from corollary.scene.model.glance import glance
-from corollary.scene.model.pair import NEAREST, Pair, after_parting, deepest, meet
-from corollary.scene.run import BadSetting
+from corollary.scene.model.pair import NEAREST, Pair, Touching, after_parting, deepest, meet
+from corollary.scene.run import BadSetting, GuardFailed
 
 
 def chapter(eta=0.0, across=0.018, k=2e4, q=1.5):
@@ -94,6 +96,57 @@ def test_the_meeting_point_is_on_the_line_of_flight_at_the_reach(away, turn):
     assert math.hypot(*place) == pytest.approx(0.04, rel=1e-10)
     assert math.remainder(math.atan2(place[1], place[0]) - met.angle, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
     assert met.inward**2 + (met.spin / 0.04) ** 2 == pytest.approx(1.0, rel=1e-12)
+
+
+@given(
+    st.one_of(st.floats(-300.0, -3.0), st.floats(-20.0, -3.0)), st.sampled_from([1.0, 1.5, 3.0]), st.sampled_from([0.0, 0.018, 0.0399])
+)
+@example(-15.0, 1.5, 0.0)
+@settings(max_examples=40, deadline=None)
+def test_a_start_that_overlaps_by_a_rounding_is_the_touch(exponent, q, across):
+    """Head on, energy gives the speed and the depth; the time to cross the overlap that is there already is missing."""
+    pair = chapter(across=across, q=q, k=as_hard_as_the_chapters(q))
+    met = meet(pair)
+    touch = glance(pair, met)
+    share = 10.0**exponent
+    overlap = share * touch.overlap
+    found = follow(pair, replace(met, overlap=overlap), 1e-13)
+    moved = math.dist(after_parting(pair, met, found), after_parting(pair, met, touch))
+    assert moved <= 2.0 * (share + share ** (q + 1.0)) + 1e-11
+    if across == 0.0:
+        gained = 1.0 + share ** (q + 1.0)
+        assert found.outward == pytest.approx(math.sqrt(gained), rel=1e-12)
+        assert found.overlap == pytest.approx(touch.overlap * gained ** (1.0 / (q + 1.0)), rel=1e-12)
+        whole = touch.duration * gained ** (1.0 / (q + 1.0) - 0.5)
+        assert found.duration == pytest.approx(whole - overlap * (1.0 - 0.5 * share ** (q + 1.0) * (q + 1.0) / (q + 2.0)), rel=1e-11)
+
+
+@given(st.floats(-200.0, -3.0), st.sampled_from([1.0, 1.5, 3.0]), st.sampled_from([(0.0, 1.0), (-1.0, 0.0), (-1.0, 1.0), (-1e-9, 1.0)]))
+@settings(max_examples=30, deadline=None)
+def test_an_overlap_that_does_not_grow_ends_at_once(exponent, q, way):
+    pair = chapter(q=q, k=as_hard_as_the_chapters(q))
+    met = Touching(0.0, 10.0**exponent * 0.04, way[0], way[1] * 0.04, 0.0)
+    found = follow(pair, met, 1e-12)
+    across = found.spin / pair.reach
+    kept = 0.5 * math.hypot(*way) ** 2 + stored(pair.contact, met.overlap) / pair.mass
+    # What is inside the reach turns faster: its spin is counted there.
+    kept += 0.5 * (way[1] * 0.04) ** 2 * (1.0 / (0.04 - met.overlap) ** 2 - 1.0 / 0.04**2)
+    assert not found.sticks
+    assert found.overlap == pytest.approx(met.overlap, rel=1e-15)
+    assert 0.5 * (found.outward**2 + across**2) == pytest.approx(kept, rel=1e-11)
+
+
+def test_a_contact_that_does_not_end_is_not_blamed_on_damping_where_there_is_none(monkeypatch):
+    monkeypatch.setattr(single_contact, "MOST_STEPS", 3)
+    for eta, remedy in ((0.0, "Start the spheres apart, or faster"), (1.0, "Choose less damping")):
+        pair = chapter(eta=eta)
+        with pytest.raises(GuardFailed, match=remedy):
+            follow(pair, meet(pair), 1e-12)
+
+
+def test_two_at_rest_whose_overlap_moves_nothing_do_not_meet():
+    assert meet(Pair(1.0, 1.0, (0.9e-200, 0.0), (0.0, 0.0), 1e-200, Contact(1.0))) is not None
+    assert meet(Pair(1.0, 1.0, (0.9e-300, 0.0), (0.0, 0.0), 1e-300, Contact(1.0))) is None
 
 
 def test_spheres_that_pass_or_part_never_meet():

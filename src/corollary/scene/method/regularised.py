@@ -65,6 +65,9 @@ def _follow(way: Course) -> Passage:
     most = MOST_STEPS if len(line.masses) < LONG else MOST_STEPS_OF_A_LONG_ROW
     for _ in range(most):
         _settle(line, motion)
+        # Before the sleepers: a contact that its damping holds for ever soon has too little in it to be seen.
+        if way.damped and stays(line, motion.state, motion.touching, way.tolerance):
+            return _arrived(way, motion, crests, "sticks")
         if asleep(line, motion.state, motion.touching, way.noise):
             _let_go(line, motion, way.noise)
             meeting = first_touch(line, motion.state, way.noise, bounced=motion.began is not None)
@@ -75,8 +78,6 @@ def _follow(way: Course) -> Passage:
             motion.clock, motion.landing, motion.lasted = TIME, False, FIRST_STRIDE
         if motion.began is None:
             motion.began = motion.state[0]
-        if way.damped and stays(line, motion.state, motion.touching, way.tolerance):
-            return _arrived(way, motion, crests, "sticks")
         _advance(way, motion, crests)
     raise GuardFailed(f"The collision did not end within {most} steps. Make the masses less unequal or the balls fewer.")
 

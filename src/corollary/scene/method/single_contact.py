@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from corollary.scene.force.contact import smoothing_power, stored
+from corollary.scene.force.contact import smoothing_power
 from corollary.scene.method.crest import top_between
 from corollary.scene.method.dop853 import DOP853
 from corollary.scene.method.runge_kutta import Slope, doubt, step
-from corollary.scene.model.pair import Pair, Parting, Touching, deepest, hold_apart
+from corollary.scene.model.pair import Pair, Parting, Touching, deepest, hold_apart, loaded_speed
 from corollary.scene.model.sticking import never_faster
 from corollary.scene.run import GuardFailed
 
@@ -76,11 +76,21 @@ class Groups:
 
 
 def groups_of(pair: Pair, met: Touching) -> tuple[Groups, float, float]:
-    """The pure numbers of a contact, and its units of depth (the true largest overlap, about) and speed."""
+    """The pure numbers of a contact, and its units of depth (the true largest overlap, about) and speed.
+
+    A start that overlaps and goes on inward is measured by how deep it will be, not by how deep it is: what rounding made overlap
+    goes in a million times as far.
+    """
     mass, contact = pair.mass, pair.contact
     if met.overlap > 0.0:
-        speed = math.sqrt(met.inward**2 + (met.spin / pair.reach) ** 2 + 2.0 * stored(contact, met.overlap) / mass)
-        depth = met.overlap
+        loaded = loaded_speed(pair, met.overlap)
+        if met.inward > 0.0:
+            speed = math.hypot(met.inward, loaded)
+            depth = max(met.overlap, deepest(pair, replace(met, overlap=0.0, inward=speed)))
+        else:
+            depth = met.overlap
+            flung = met.spin / pair.reach * math.sqrt(2.0 * depth / pair.reach)
+            speed = math.hypot(met.inward, flung, loaded)
     else:
         speed, depth = met.inward, deepest(pair, met)
     if contact.eta > 0.0:
@@ -134,7 +144,8 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
             top_force, spent = max(top_force, groups.force(top)), spent + cost
         state, ended = new, trial.lands
         h *= min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0
-    raise GuardFailed(f"The contact did not end within {MOST_STEPS} steps. Choose less damping.")
+    remedy = "Choose less damping." if groups.drag > 0.0 else "Start the spheres apart, or faster."
+    raise GuardFailed(f"The contact did not end within {MOST_STEPS} steps. {remedy}")
 
 
 @dataclass(frozen=True, slots=True)

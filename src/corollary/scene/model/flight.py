@@ -29,14 +29,16 @@ def fall_of(line: Line, contact: int) -> float:
 def asleep(line: Line, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
     """Whether no contact pushes or is about to: all are open, or touch without closing and with too little stored to matter.
 
-    `noise` is the speed that cannot be told from none.
+    `noise` is the speed that cannot be told from none; where a dashpot brings it about, closing has to end first: it decides
+    whether the contact opens at all.
     """
     count = len(line.masses)
     for j, on in enumerate(touching):
         if not on:
             continue
         closing, fall = state[count + j] - state[count + j + 1], fall_of(line, j)
-        if closing > noise or (fall > 0.0 and closing >= 0.0):
+        damped = line.contacts[j].eta > 0.0 and state[1 + j] > 0.0
+        if closing > (0.0 if damped else noise) or (fall > 0.0 and closing >= 0.0):
             return False
         faint = 0.5 * reduced_mass(line.masses[j], line.masses[j + 1]) * noise**2
         if stored(line.contacts[j], state[1 + j]) > (0.0 if fall > 0.0 else faint):

@@ -62,10 +62,15 @@ class Parting:
 
 
 def meet(pair: Pair) -> Touching | None:
-    """The beginning of the contact, found without a step: the root of a quadratic; none when they pass each other."""
+    """The beginning of the contact, found without a step: the root of a quadratic; none when they pass each other.
+
+    None, too, for two at rest with so little overlap that no double holds the speed it gives them.
+    """
     (x, y), (u, v) = pair.apart, pair.relative
     spin, radial, distance = x * v - y * u, x * u + y * v, math.hypot(x, y)
     if distance < pair.reach:
+        if radial == 0.0 and spin == 0.0 and loaded_speed(pair, pair.reach - distance) == 0.0:
+            return None
         return Touching(math.atan2(y, x), pair.reach - distance, -radial / distance, spin, 0.0)
     speed = math.hypot(u, v)
     # (D - b)(D + b) and not D^2 - b^2: a grazing hit keeps its digits.
@@ -78,6 +83,12 @@ def meet(pair: Pair) -> Touching | None:
     along, across = -root / speed, -spin / speed
     angle = math.atan2(along * v + across * u, along * u - across * v)
     return Touching(angle, 0.0, root / pair.reach, spin, after)
+
+
+def loaded_speed(pair: Pair, overlap: float) -> float:
+    """The speed (m/s) at which the contact throws two at rest apart; by a root of the energy, whose square may leave the doubles."""
+    power = pair.contact.q + 1.0
+    return math.sqrt(2.0 * pair.contact.k / power / pair.mass) * overlap ** (0.5 * power)
 
 
 def after_parting(pair: Pair, met: Touching, parted: Parting) -> Vector:
