@@ -5,9 +5,10 @@ import math
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from corollary.scene import collision
 from corollary.scene.force.contact import Contact
 from corollary.scene.line import Line, energy
 from corollary.scene.method.regularised import collide
@@ -159,3 +160,29 @@ def test_an_overdamped_spring_sticks(c):
 def test_nothing_moves_nothing_happens():
     assert collide(Line((1.0, 1.0), (0.0, 0.0), (0.1,), (Contact(1.0),)), 1e-12).outcome == "missed"
     assert collide(Line((1.0, 1.0), (0.0, 1.0), (0.0,), (Contact(1.0),)), 1e-12).outcome == "missed"
+
+
+@given(
+    st.sampled_from([1.0, 1.25, 1.5, 2.0, 3.0]),
+    st.one_of(st.floats(-3.0, 9.0), st.floats(-0.6, 0.3)),
+    st.sampled_from([0.0, 9.8]),
+    st.sampled_from([1e-3, 0.1, 3.0]),
+    st.sampled_from([1e-6, 1e-8, 1e-10, 1e-12]),
+)
+@example(1.25, 5.1845, 9.8, 0.25, 1e-6)  # a step past the top, where the clock of the contact would run back
+@example(2.0, 6.0, 0.0, 0.1, 1e-10)  # too faint to be seen before its damping has decided
+@settings(max_examples=60, deadline=None)
+def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight, speed, tolerance):
+    """Energy falls with damping, and without a jump: a little more of it never gives a rebound far from the first."""
+    k, m = 1e6 * 0.001 ** (1.5 - q), 0.1
+    critical = 2.0 * math.sqrt(k * m * beta.largest_overlap(m, k, q, speed) ** (q - 1.0))
+
+    def kept(more):
+        eta = critical * 10.0**thickness * more
+        line = Line((math.inf, m), (0.0, -speed), (0.0,), (Contact(k, q, eta),), weight=weight)
+        found = collision.collide(line, tolerance)
+        assert found.passage.outcome in ("released", "sticks")
+        return (found.passage.velocities[1] / speed) ** 2, found.errors["velocities"]
+
+    (less, error), (more, _) = kept(1.001), kept(1.0)
+    assert -10.0 * (error + tolerance) <= more - less <= 0.01 + 10.0 * (error + tolerance)

@@ -161,6 +161,10 @@ def _accepted(way: Course, motion: Motion, base: Sequence[float]) -> tuple[Trial
                 stride = 0.1 * motion.lasted
             continue
         speeds = closing_speeds(way.line, trial.after)
+        own = trial.clock.contact
+        if own is not None and speeds[own] * base[own] < 0.0:  # its clock stood still on the way: beyond, time would run back
+            stride = 0.2 * trial.h
+            continue
         crossing = first_crossing(way, state, base, trial, speeds, touching)
         if count < 60 and crossing is None and grazes(way, state, base, trial, speeds, touching):
             stride = 0.5 * trial.h
