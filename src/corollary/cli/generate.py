@@ -31,7 +31,8 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
             "students": {id: {"sheet": str(path), "variants": made.dealt[id]} for id, path in made.sheets.items()},
         })  # fmt: skip
         return HOLDS
-    print(f"{problem_set.title}: {len(made.sheets)} notebooks in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/")
+    count = len(made.sheets)
+    print(f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/")
     print(f"Each student has numbers of their own; {sum(made.passed_over.values())} draws were passed over.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"

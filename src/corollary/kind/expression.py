@@ -12,7 +12,7 @@ from corollary.kind.kind import Kind, Sample
 from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
+from corollary.quantity.plain import Exact, Items, Nothing, Plain, Real, Refused, Text
 from corollary.quantity.read import Reading, read_quantity
 from corollary.quantity.trouble import Trouble, sentence
 from corollary.quantity.unit import show
@@ -36,7 +36,8 @@ class Expression(Kind):
             case Refused(why, shown):
                 return Unclear(why, shown)
             case _:
-                return Unclear(WANTED, "no text")
+                number = isinstance(given, (Real, Exact))
+                return Unclear(f"this is a number; {WANTED}" if number else WANTED, "a number" if number else "no text")
         trees = []
         for text in texts:
             tree = formula(text, problem)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from corollary.scene.line import Line, Passage, natural_units, reduced_mass
+from corollary.scene.line import Line, Passage, energy, natural_units, reduced_mass
 from corollary.scene.method import regularised
 from corollary.scene.model.beta import contact_time, largest_overlap
 from corollary.scene.run import BadSetting, GuardFailed, Model
@@ -64,7 +64,16 @@ def _swinging(line: Line) -> Collided:
     # A light body between heavier ones is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much of its speed.
     caught = max((min(a, c) / b for a, b, c in zip(line.masses, line.masses[1:], line.masses[2:], strict=False)), default=1.0)
     errors["velocities"] *= max(1.0, caught) ** 1.5
+    errors["velocities"] = max(errors["velocities"], _energy_lost(line, passage))
     return Collided(passage, errors, "piecewise exact", "springs: from one opening to the next the motion is a sum of swings", 0)
+
+
+def _energy_lost(line: Line, passage: Passage) -> float:
+    """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
+    before = energy(line, [-gap for gap in line.gaps], line.velocities)
+    after = energy(line, [0.0] * len(line.gaps), passage.velocities)
+    masses = [m for m in line.masses if not math.isinf(m)]
+    return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 
 
 def _two_bodies(line: Line) -> Collided:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 
 from corollary.scene.collision import CLOSED, Collided, collide
 from corollary.scene.force.contact import Contact
 from corollary.scene.force.weight import Weight
 from corollary.scene.line import Line, reduced_mass
+from corollary.scene.model.beta import largest_overlap
+from corollary.scene.model.pair import hold_apart
 from corollary.scene.observe import Observable
 from corollary.scene.ready.scenery import Played
 from corollary.scene.run import Observed
@@ -29,9 +31,20 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
         return None
     two = len(line.masses) == 2 and line.gaps[0] >= 0.0
     if two and set(observe) <= BEFORE_AND_AFTER and line.weight == 0.0 and line.contacts[0].eta == 0.0:
+        if line.velocities[0] > line.velocities[1]:
+            closing = line.velocities[0] - line.velocities[1]
+            _keep_apart(scene, (largest_overlap(reduced_mass(*line.masses), line.contacts[0].k, line.contacts[0].q, closing),))
         return _conserved(line, observe)
     found = collide_two(line, tolerance) if len(line.masses) == 2 else collide(line, tolerance)
+    _keep_apart(scene, found.passage.overlaps)
     return _collided(line, found, observe)
+
+
+def _keep_apart(scene: Scene, overlaps: Sequence[float]) -> None:
+    """Raises BadSetting when neighbours are so soft that they pass through each other; points without a radius keep their order."""
+    for overlap, (a, b) in zip(overlaps, pairwise(scene.bodies), strict=True):
+        if a.radius + b.radius > 0.0:
+            hold_apart(overlap, a.radius + b.radius)
 
 
 def as_line(scene: Scene) -> Line | None:

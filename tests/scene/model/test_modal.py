@@ -61,8 +61,8 @@ def test_a_wall_is_a_body_that_does_not_move():
 def test_momentum_energy_and_order_are_kept(line):
     try:
         found = collide(line)
-    except GuardFailed:  # refused by name, which only very unequal masses may be
-        assert max(line.masses) / min(line.masses) > 1e3
+    except GuardFailed:  # refused by name, which only the most unequal masses may be
+        assert max(line.masses) / min(line.masses) > 1e5
         return
     momentum = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
     after = [m * v for m, v in zip(line.masses, found.velocities, strict=True)]

@@ -11,6 +11,7 @@ from corollary.scene.method.dop853 import DOP853
 from corollary.scene.method.pulls import kinetic, law_of_motion, overlap, pairs, potential, seen_from, start_of, velocity
 from corollary.scene.method.runge_kutta import Slope, doubt, step
 from corollary.scene.method.switches import Switch, switches_of
+from corollary.scene.model.pair import hold_apart
 from corollary.scene.run import BadSetting, GuardFailed
 from corollary.scene.scene import Scene
 
@@ -98,6 +99,7 @@ def integrate(scene: Scene, tolerance: float) -> Record:
             if not doubt(DOP853, slopes, leg.h, [tolerance * s for s in scale]) <= 1.0:
                 h = 0.5 * leg.h
                 continue
+        _keep_apart(scene, leg.before, after)
         if leg.h > 0.0:
             record.legs.append(leg)
         record.time, record.state = leg.time + leg.h, after
@@ -159,6 +161,19 @@ def _grazes(scene: Scene, leg: Leg, after: Sequence[float]) -> bool:
         if depth < 0.0 and left < 0.0 and (_will_meet(scene, leg.before, a, b, leg.h) or _will_meet(scene, after, a, b, -leg.h)):
             return True
     return False
+
+
+def _keep_apart(scene: Scene, before: Sequence[float], after: Sequence[float]) -> None:
+    """Raises BadSetting when two bodies that touch are so soft that their centres all but meet, or have met within a step."""
+    if not any(isinstance(force, Contact) for force in scene.forces):
+        return
+    for a, b in pairs(scene):
+        depth = overlap(scene, after, a, b)[0]
+        if depth > 0.0:
+            (was, _), (now, _) = seen_from(scene, before, a, b), seen_from(scene, after, a, b)
+            reach = scene.bodies[a].radius + scene.bodies[b].radius
+            met = sum(x * y for x, y in zip(was, now, strict=True)) <= 0.0
+            hold_apart(reach if met else depth, reach)
 
 
 def _first_switch(switches: list[Switch], leg: Leg, after: list[float], record: Record) -> tuple[float, Switch | None]:

@@ -205,7 +205,10 @@ def _arrived(line: Line, overlaps: Array, rates: Array, largest: Array, duration
         momentum = math.fsum(m * (v - b) for m, v, b in zip(line.masses, line.velocities, behind, strict=True))
         first = momentum / math.fsum(line.masses)
     velocities = tuple(float(first + b) for b in behind)
-    allowed = max(LEAST_ALLOWED, ALLOWED_EACH * len(velocities) * openings)
+    masses = [m for m in line.masses if not math.isinf(m)]
+    # Rounding counts as the square root of the mass ratio: so unequal are the modes.
+    unequal = max(1.0, 0.01 * math.sqrt(max(masses) / min(masses)))
+    allowed = max(LEAST_ALLOWED, ALLOWED_EACH * len(velocities) * openings) * unequal
     guard(line, energy(line, [0.0] * len(rates), velocities), velocities, allowed)
     outcome: Outcome = "released" if openings else "missed"
     forces = tuple(c.k * float(d) for c, d in zip(line.contacts, largest, strict=True))
