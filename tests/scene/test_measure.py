@@ -11,6 +11,8 @@ from corollary.scene.force.contact import Contact
 from corollary.scene.measure import measured
 from corollary.scene.model.beta import contact_time
 from corollary.scene.observe import Observable
+from corollary.scene.plan import play
+from corollary.scene.run import BadSetting
 from corollary.scene.scene import Scene
 
 MASS, HARD = 0.06, {1.0: 1.4e3, 1.5: 2e4, 3.0: 1.6e11}
@@ -76,3 +78,17 @@ def test_a_miss_lasts_no_time():
     apart = Scene((Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.1, 0.05), (0.0, 0.0), 0.02)), (Contact(2e4),))
     found = measured(apart, {Observable.DURATION}, 1e-10, "asked")
     assert (found.outcome, found.observed["duration"]) == ("missed", 0.0)
+
+
+@pytest.mark.parametrize("until", [None, 0.2])
+@pytest.mark.parametrize("asked", [Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP])
+@pytest.mark.parametrize("others", [0, 1])
+def test_balls_so_soft_that_they_pass_through_each_other_are_refused_by_every_model(until, asked, others):
+    more = tuple(Body(0.1, (0.1 + 0.05 * i,), (0.0,), 0.02) for i in range(others))
+    for k, refused in ((2e4, False), (3.0, True)):
+        scene = Scene((Body(0.1, (0.0,), (1.0,), 0.02), Body(0.1, (0.05,), (0.0,), 0.02), *more), (Contact(k),), until=until)
+        if refused:
+            with pytest.raises(BadSetting, match="pass through each other"):
+                play(scene, {asked})
+        else:
+            assert play(scene, {asked}).outcome in ("released", "bound")

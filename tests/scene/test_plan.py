@@ -26,7 +26,7 @@ HARD = Contact(1e4, 1.5)
 
 
 def row(*masses, contact=HARD, speed=1.0):
-    bodies = tuple(Body(m, (0.02 * i,), (speed if i == 0 else 0.0,), 0.01) for i, m in enumerate(masses))
+    bodies = tuple(Body(m, (0.1 * i,), (speed if i == 0 else 0.0,), 0.05) for i, m in enumerate(masses))
     return Scene(bodies, (contact,))
 
 

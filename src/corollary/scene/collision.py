@@ -61,8 +61,10 @@ def _swinging(line: Line) -> Collided:
     # Every opening or closing hands its rounding on to what follows.
     sure = dict.fromkeys(("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1))
     errors = sure | {"duration": 10.0 * sure["velocities"]}
-    # A light body between heavier ones is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much of its speed.
-    caught = max((min(a, c) / b for a, b, c in zip(line.masses, line.masses[1:], line.masses[2:], strict=False)), default=1.0)
+    # A light body between heavier ones, near or far, is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much
+    # of its speed.
+    sides = ((max(line.masses[:i]), m, max(line.masses[i + 1 :])) for i, m in enumerate(line.masses[1:-1], start=1))
+    caught = max((min(left, right) / m for left, m, right in sides), default=1.0)
     errors["velocities"] *= max(1.0, caught) ** 1.5
     errors["velocities"] = max(errors["velocities"], _energy_lost(line, passage))
     return Collided(passage, errors, "piecewise exact", "springs: from one opening to the next the motion is a sum of swings", 0)

@@ -29,3 +29,12 @@ def test_its_way_is_the_integral_of_its_velocity():
     found = run("growing_drop", {"g": 0.0, "R": 1.3, "t": 4.0}).observed
     assert found["velocities"][0] == pytest.approx(2.0 * 6.0 / 7.2, rel=1e-13)
     assert found["way"] == pytest.approx(12.0 / 1.3 * math.log(1.0 + 1.3 * 4.0 / 2.0), rel=1e-12)
+
+
+@pytest.mark.parametrize("t", [1e3, 1e6, 1e9, 1e12])
+def test_a_drop_that_falls_for_ages_is_known_to_a_part_of_what_it_has_become(t):
+    """It ends far faster than it began: half as fast as in free fall, and the start is soon forgotten."""
+    found = run("growing_drop", {"t": t})
+    momentum = 2.0 * 6.0 + 9.8 * (2.0 * t + 0.5 * 0.4 * t * t)
+    assert found.observed["velocities"][0] == pytest.approx(momentum / (2.0 + 0.4 * t), rel=1e-12 + found.error)
+    assert found.evaluations < 10_000

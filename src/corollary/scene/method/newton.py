@@ -70,6 +70,8 @@ def integrate(scene: Scene, tolerance: float) -> Record:
         raise BadSetting(f"{scene.name}: forces other than contacts never end; say until when to watch, until=…")
     record = Record(state=start_of(scene))
     scale = _scales(scene, record.state)
+    # What touches is to be resolved as finely as at the start, however far it has come by then.
+    touching = any(isinstance(force, Contact) for force in scene.forces)
     energy = _energy(scene, record)
     h = _first_step(scene, record.state)
     fastest = max(scale[len(scale) // 2 :])
@@ -103,6 +105,7 @@ def integrate(scene: Scene, tolerance: float) -> Record:
         if leg.h > 0.0:
             record.legs.append(leg)
         record.time, record.state = leg.time + leg.h, after
+        scale = scale if touching else _grown(scale, after)
         if switch is not None and switch.turn is not None and _turn(scene, switch, record, fastest):
             return record
         h = leg.h * (min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0) if switch is None else max(leg.h, 0.1 * h)
@@ -117,6 +120,13 @@ def _scales(scene: Scene, state: Sequence[float]) -> list[float]:
     slope = law_of_motion(scene, state)(0.0, state)
     fast = max(fast, math.sqrt(long * max(map(abs, slope[count:])))) or 1.0
     return [long] * count + [fast] * count
+
+
+def _grown(scale: list[float], state: Sequence[float]) -> list[float]:
+    """The sizes, with the places and velocities met since: a motion that grows is known to a part of what it has become."""
+    half = len(scale) // 2
+    long, fast = max(scale[0], *map(abs, state[:half])), max(scale[half], *map(abs, state[half:]))
+    return [long] * half + [fast] * half
 
 
 def _first_step(scene: Scene, state: Sequence[float]) -> float:

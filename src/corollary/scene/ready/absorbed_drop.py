@@ -46,7 +46,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     fastest = max(abs(body), abs(drop), abs(v), abs(u)) or 1.0
     caught = 4.0 * CLOSED + abs(left) / fastest
     # A difference of momenta: rounding counts in units of the impulse, or of the momenta where there is none.
-    rounding = 4.0 * CLOSED * (total * fastest / (abs(force) * t) if force else 1.0)
+    impulse = abs(force) * t
+    rounding = 4.0 * CLOSED * (total * fastest / impulse if impulse else 1.0)
     errors = {"velocities": caught, "momentum_change": rounding, "peak_force": 4.0 * CLOSED}
     why = "a dashpot under a constant force moves both in closed form"
     return Played(observed, errors, "piecewise exact", why, 0, "sticks")
