@@ -10,6 +10,7 @@ from corollary.derive.solution import Formulas, Rule
 from corollary.mark.earlier import Carried
 from corollary.mark.key import Key, Truth
 from corollary.mark.replay import Deviation, Numbers, replay
+from corollary.problem.given import Given
 from corollary.problem.variant import Variant
 from corollary.quantity.ball import Exactly, Undefined
 from corollary.quantity.tree import Call, Tree, parts, rebuilt
@@ -64,34 +65,9 @@ def _replayed(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Numbers, 
             "You calculated with g = 10 m/s²; the problem gives a closer value.",
         )
     for given in variant.problem.givens:
-        value = givens[given.symbol]
-        if given.unit.pi:
-            inside = Exactly(value.ratio / given.unit.factor, 0)
-            yield from _with(
-                key,
-                truth,
-                base.deviation,
-                givens | {given.symbol: inside},
-                "Your calculator took the angle for radians; it is given in degrees.",
-            )
-        elif given.unit.dimension == SPEED and given.unit.factor != 1:
-            bare = Exactly(value.ratio / given.unit.factor)
-            yield from _with(
-                key,
-                truth,
-                base.deviation,
-                givens | {given.symbol: bare},
-                f"{given.symbol} was put in as if it were in m/s; convert km/h first.",
-            )
-        elif given.unit.factor != 1:
-            bare = Exactly(value.ratio / given.unit.factor)
-            yield from _with(
-                key,
-                truth,
-                base.deviation,
-                givens | {given.symbol: bare},
-                f"{given.symbol} was put in without converting its unit to SI.",
-            )
+        if given.unit.pi or given.unit.factor != 1:
+            bare = Exactly(givens[given.symbol].ratio / given.unit.factor)
+            yield from _with(key, truth, base.deviation, givens | {given.symbol: bare}, _unconverted(given))
     if any(_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
             place: Formulas(tuple(map(_swapped, find.local.trees)))
@@ -102,6 +78,15 @@ def _replayed(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Numbers, 
         yield from _with(
             key, truth, deviation, givens, "Sine and cosine have changed places: check from where the angle is measured."
         )
+
+
+def _unconverted(given: Given) -> str:
+    """What is said where the bare number of a given was put in."""
+    if given.unit.pi:
+        return "Your calculator took the angle for radians; it is given in degrees."
+    if given.unit.dimension == SPEED:
+        return f"{given.symbol} was put in as if it were in m/s; convert km/h first."
+    return f"{given.symbol} was put in without converting its unit to SI."
 
 
 def _with(key: Key, truth: Truth, deviation: Deviation, givens, said: str) -> Iterator[tuple[Numbers, str]]:
