@@ -10,7 +10,6 @@ from functools import lru_cache
 from corollary.derive.solution import Find, Formulas, Measured, Rule, Solution
 from corollary.quantity.ball import Exactly, Undefined, evaluate
 from corollary.quantity.tree import Tree, names
-from corollary.scene.catalogue import run
 from corollary.scene.run import BadSetting, GuardFailed
 
 BITS = 96
@@ -82,6 +81,8 @@ def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str) 
 @lru_cache(maxsize=4096)
 def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> tuple[Numbers, float]:
     """The observed value and the error the run states for it, relative to its natural scale."""
+    from corollary.scene.catalogue import run  # only here: it brings every scene, and most answers need none
+
     try:
         outcome = run(scene, dict(settings), tolerance=1e-12)
     except (BadSetting, GuardFailed) as error:
