@@ -95,8 +95,8 @@ def in_own_axes(asked: Asked, sent: tuple, read: Callable[[Asked, tuple], Heard]
     """An answer that may say, in its text, which way its axes or it itself point; `read` reads what is beside that."""
     if sent[0] != "text":
         return read(asked, sent)
-    axes = axes_of(sent[1], asked.components)
-    if not (asked.directed and axes.said):
+    axes = axes_of(sent[1], asked.components) if asked.directed else None
+    if axes is None or not axes.said:
         return _with_direction(asked, sent[1], read)
     found = _with_direction(asked, axes.text, read)
     return Heard(True, f"{found.text} with {'your ' if axes.said[0].lower() in 'xyz' else ''}{axes.said}") if found.ok else found

@@ -37,7 +37,7 @@ MOST_FADING = 1e4
 def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     """After the time t: `velocities` (A x, A y, B x, B y), the total `momentum` (x, y), and the kinetic energy over that at the start.
 
-    `duration` is how long they touched while they were watched; one that starts within a rounding of the touch may miss its first step.
+    `duration` is how long they touched while they were watched.
     `momentum_change` (x, y) is that of both together; `mean_force` (x, y) is that of B on A while they were watched, without the
     weight. Each is there only if its force is.
     """
