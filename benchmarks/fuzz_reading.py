@@ -11,12 +11,12 @@ import sys
 import time
 from collections import Counter
 
-from corollary.quantity.number import read_number
-from corollary.quantity.read import read_quantities, read_quantity
-from corollary.quantity.syntax import parse
-from corollary.quantity.text import text
-from corollary.quantity.trouble import Trouble
-from corollary.quantity.unit import read_unit, unit
+from corollary.answers.quantity import read_quantities, read_quantity
+from corollary.formula.errors import ParseError
+from corollary.formula.numerals import read_number
+from corollary.formula.syntax import parse
+from corollary.formula.text import text
+from corollary.units.unit import read_unit, unit
 
 LETTERS = ["m", "M", "v", "v0", "vA0", "v_B0", "mA", "mB", "theta", "mu", "dt", "g", "h", "a", "aa", "e", "r", "n"]
 WORDS = re.split(
@@ -72,14 +72,14 @@ def main(count: int, seed: int) -> int:
             start = time.perf_counter()
             try:
                 found = reader(written)
-                if name == "expression" and not isinstance(found, Trouble) and parse(text(found), LETTERS) != found:
+                if name == "expression" and not isinstance(found, ParseError) and parse(text(found), LETTERS) != found:
                     raise AssertionError("its text does not read back")
             except Exception as error:  # every kind of crash is what is looked for
                 crashes += 1
                 print(f"CRASH {name} {written!r}: {type(error).__name__}: {error}")
                 continue
             slowest = max(slowest, (time.perf_counter() - start, name, written))
-            outcomes[name, found.status if isinstance(found, Trouble) else "ok"] += 1
+            outcomes[name, found.status if isinstance(found, ParseError) else "ok"] += 1
     for (name, status), times in sorted(outcomes.items()):
         print(f"{name:>10} {status:>8} {times:>9}")
     print(f"{count} strings, {crashes} crashes, slowest {slowest[0] * 1e3:.2f} ms: {slowest[1]} {slowest[2]!r}")

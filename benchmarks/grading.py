@@ -33,7 +33,7 @@ from rich.console import Console
 from rich.table import Table
 
 from corollary.deliver.executing import cores
-from corollary.quantity.plain import Exact, Plain, Real
+from corollary.formula.value import Exact, Real, Value
 from corollary.submission.job import Cell, Job
 from corollary.submission.notebook import Notebook, read_notebook
 from corollary.submission.take import Runner
@@ -124,7 +124,7 @@ def ours(runner: Runner, paper: Path, place: Path, pictures: bool) -> tuple[floa
     return time.perf_counter() - start, walls
 
 
-def _number(value: Plain) -> float:
+def _number(value: Value) -> float:
     assert isinstance(value, Real), value
     return value.value
 

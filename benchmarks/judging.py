@@ -23,6 +23,11 @@ from rich.table import Table
 from students import FIXED, SORTS, Tallies, simulate, wild
 
 from corollary.derive.failing import NotDerivable
+from corollary.formula.ast import Expr, names
+from corollary.formula.errors import ParseError
+from corollary.formula.syntax import author_formula, parse
+from corollary.formula.text import text
+from corollary.formula.value import Real, Text, Value
 from corollary.kind.equality import Different, Equal, Undecided, compare
 from corollary.kind.kinds import KINDS
 from corollary.mark.judge import verdict_on
@@ -34,12 +39,7 @@ from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.read import read_problem
 from corollary.problem.variant import chapter, size
-from corollary.quantity.plain import Plain, Real, Text
-from corollary.quantity.syntax import author_formula, parse
-from corollary.quantity.text import text
-from corollary.quantity.tree import Tree, names
-from corollary.quantity.trouble import Trouble
-from corollary.quantity.unit import canonical
+from corollary.units.unit import canonical
 
 PAIRS = Path(__file__).resolve().parent.parent / "tests" / "kind" / "pairs.py"
 TARGETS = {"symbolic": 2.0, "unit": 0.2, "number": 0.05}
@@ -95,7 +95,7 @@ def formula_pairs() -> tuple[dict[str, Any], list[float]]:
     slow: list[float] = []
     for student, truth, letters, domain, same in pairs:
         left, right = parse(student, letters), author_formula(truth, letters)
-        assert not isinstance(left, Trouble), student
+        assert not isinstance(left, ParseError), student
         start = time.perf_counter()
         verdict = compare(left, right, domain)
         taken.append(1e3 * (time.perf_counter() - start))
@@ -118,7 +118,7 @@ def formula_pairs() -> tuple[dict[str, Any], list[float]]:
     return counted, slow
 
 
-def _for_sympy(tree: Tree, domain: dict[str, tuple[float, float]], letters: frozenset[str]) -> sympy.Expr:
+def _for_sympy(tree: Expr, domain: dict[str, tuple[float, float]], letters: frozenset[str]) -> sympy.Expr:
     """The same formula with the assumptions that help sympy most."""
     known: dict[str, Any] = {"ln": sympy.log, "log10": lambda x: sympy.log(x, 10), "min": sympy.Min, "max": sympy.Max}
     for name in letters - {"pi"}:
@@ -143,13 +143,13 @@ def times(solutions: Solutions, problems: Sequence[Problem], simplify: list[floa
     }
 
 
-def answers(key: Key, part: Part) -> list[tuple[str, Plain]]:
+def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
     """Answers of each sort to a part with one quantity."""
     truth = key.truths.get(part.id)
     if truth is None or part.components or part.kind != "value":
         return []
     value, closed = truth.values[0] / (float(part.unit.factor) * math.pi**part.unit.pi), key.find(truth).closed
-    found: list[tuple[str, Plain]] = [("number", Real(value)), ("number, wrong", Real(1.3719 * value + 0.7717))]
+    found: list[tuple[str, Value]] = [("number", Real(value)), ("number, wrong", Real(1.3719 * value + 0.7717))]
     if part.unit.text != "1":
         found.append(("unit", Text(f"{value:.4g} {canonical(part.unit)}")))
     if closed is not None and names(closed[0]) - {"pi"}:
@@ -157,7 +157,7 @@ def answers(key: Key, part: Part) -> list[tuple[str, Plain]]:
     return found
 
 
-def one_verdict(key: Key, part: Part, answer: Plain) -> object:
+def one_verdict(key: Key, part: Part, answer: Value) -> object:
     """Reading and judging, without the other parts."""
     return verdict_on(key, part, KINDS[part.kind].read(answer, part, key.variant.problem), {})
 

@@ -11,6 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 from corollary.derive.solution import Formulas, Solution
+from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
+from corollary.formula.ball import RationalPi, Undefined
+from corollary.formula.value import Items, Text, Value
 from corollary.mark.close import close
 from corollary.mark.deal import admitted, differs, first_asked
 from corollary.mark.judge import judge
@@ -19,10 +22,7 @@ from corollary.mark.replay import Deviation, Numbers, number, replay
 from corollary.mark.verdict import Follows, Mistaken, Right, word
 from corollary.problem.draw import sample
 from corollary.problem.part import Part
-from corollary.quantity.ball import Exactly, Undefined
-from corollary.quantity.plain import Items, Plain, Text
-from corollary.quantity.tree import Number, Power, Tree, names, parts, rebuilt
-from corollary.quantity.unit import canonical
+from corollary.units.unit import canonical
 
 FIXED = (0.01, 0.02, 0.05)
 STEPS, OPERATIONS = "each step", "each operation"
@@ -161,14 +161,14 @@ def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Numbers, *,
             tallies.fixed_failed[sort, limit] += close(values, truth.values, limit, truth.scale) == accepted
 
 
-def _givens(key: Key, dice: random.Random) -> Mapping[str, Exactly]:
+def _givens(key: Key, dice: random.Random) -> Mapping[str, RationalPi]:
     """Three students in ten take the other usual value of g."""
     givens = key.variant.exact
     other = OTHER_G.get(givens["g"].ratio) if "g" in givens else None
-    return givens | {"g": Exactly(other)} if other is not None and dice.random() < 0.3 else givens
+    return givens | {"g": RationalPi(other)} if other is not None and dice.random() < 0.3 else givens
 
 
-def _by_step(key: Key, givens: Mapping[str, Exactly], figures: int, rules=None) -> list[Numbers]:
+def _by_step(key: Key, givens: Mapping[str, RationalPi], figures: int, rules=None) -> list[Numbers]:
     return replay(key.solution, givens, Deviation(rules=rules or {}, rounding=rounded(figures)))
 
 
@@ -177,7 +177,7 @@ def rounded(figures: int) -> Callable[[float], float]:
     return lambda x: float(f"{x:.{figures - 1}e}")
 
 
-def by_operation(solution: Solution, givens: Mapping[str, Exactly], figures: int) -> list[Numbers]:
+def by_operation(solution: Solution, givens: Mapping[str, RationalPi], figures: int) -> list[Numbers]:
     """The derivation by a student who writes down every intermediate result rounded."""
     short = rounded(figures)
     values, found = dict(givens), []
@@ -186,16 +186,16 @@ def by_operation(solution: Solution, givens: Mapping[str, Exactly], figures: int
             numbers = tuple(short(number(_worked(tree, values, short), values)) for tree in find.local.trees)
         else:
             numbers = replay(solution, givens, Deviation(held=dict(enumerate(found))), len(found))[len(found)]
-        values |= {name: Exactly(Fraction(value)) for name, value in zip(find.names, numbers, strict=True)}
+        values |= {name: RationalPi(Fraction(value)) for name, value in zip(find.names, numbers, strict=True)}
         found.append(numbers)
     return found
 
 
-def _worked(tree: Tree, values: Mapping[str, Exactly], short: Callable[[float], float]) -> Tree:
+def _worked(tree: Expr, values: Mapping[str, RationalPi], short: Callable[[float], float]) -> Expr:
     """The formula with everything below its last operation worked out and rounded; what holds no letter is exact."""
     if not names(tree) - {"pi"}:
         return tree
-    below = parts(tree)
+    below = children(tree)
     if not below:
         return tree
     if isinstance(tree, Power):
@@ -203,8 +203,8 @@ def _worked(tree: Tree, values: Mapping[str, Exactly], short: Callable[[float], 
     return rebuilt(tree, tuple(_rounded(each, values, short) for each in below))
 
 
-def _rounded(tree: Tree, values: Mapping[str, Exactly], short: Callable[[float], float]) -> Tree:
-    if not parts(tree) or not names(tree) - {"pi"}:
+def _rounded(tree: Expr, values: Mapping[str, RationalPi], short: Callable[[float], float]) -> Expr:
+    if not children(tree) or not names(tree) - {"pi"}:
         return tree
     return Number(Fraction(short(number(_worked(tree, values, short), values))))
 
@@ -215,7 +215,7 @@ def _judged(key: Key, answers: Answers, figures: int) -> Iterator[tuple[str, Any
     return ((part, judged[part]) for part in answers)
 
 
-def written(part: Part, values: Numbers, figures: int) -> Plain:
+def written(part: Part, values: Numbers, figures: int) -> Value:
     """Numbers as a student types them, with the part's unit."""
     size = float(part.unit.factor) * math.pi**part.unit.pi
     unit = "" if part.unit.text == "1" else f" {canonical(part.unit)}"

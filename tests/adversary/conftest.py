@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 
-from corollary.quantity.plain import Exact, Real
+from corollary.formula.value import Exact, Real
 from corollary.submission.take import Ask, Cell, Job, Limits, Runner, Taken
 
 SECRET = "the key to part a is 8.6"

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from corollary.quantity.plain import Nothing, Real, Refused
+from corollary.formula.value import Nothing, Real, Refused
 from corollary.submission.take import Taken
 
 Run = Callable[..., Taken]

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 
-from corollary.quantity.plain import Exact, Nothing, Real
+from corollary.formula.value import Exact, Nothing, Real
 from corollary.submission.take import Ask, Taken
 
 Run = Callable[..., Taken]

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import corollary
-from corollary.quantity.plain import Exact, Nothing
+from corollary.formula.value import Exact, Nothing
 from corollary.submission.take import Taken
 
 Run = Callable[..., Taken]

@@ -17,9 +17,9 @@ from corollary.derive import kept, solve
 from corollary.derive.failing import NotDerivable
 from corollary.derive.kept import solution_of
 from corollary.derive.plain import NotPlain, noun, plain
+from corollary.formula.syntax import author_formula
 from corollary.problem.bank import Bank, chapter_bank, find
 from corollary.problem.read import read_problem
-from corollary.quantity.syntax import author_formula
 
 BODY = """
     return derivation(step(p, "Momentum is mass times velocity.", momentum(p, m, v), answers="a",

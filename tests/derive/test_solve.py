@@ -7,8 +7,8 @@ from fractions import Fraction
 import pytest
 
 from corollary.derive.solution import Formulas
-from corollary.quantity.ball import Exactly, evaluate
-from corollary.quantity.text import text
+from corollary.formula.ball import RationalPi, evaluate
+from corollary.formula.text import text
 
 TWO_CARTS = '## Velocities {#a .vector unit="m/s" components="A B"}\nWhich?\n'
 
@@ -202,7 +202,7 @@ def test_an_example_counts_what_stays_free(refused, solved):
     line, sentence = refused(body.format(free=0), asks=asks)
     assert (line, sentence) == (9, "part a: 1 laws for 2 unknowns leave 1 free, not 0")
     truth = solved(body.format(free=1), asks=asks).examples["a"]
-    givens = {"v": Exactly(Fraction(3)), "m": Exactly(Fraction(1, 2)), "t": Exactly(Fraction(1))}
+    givens = {"v": RationalPi(Fraction(3)), "m": RationalPi(Fraction(1, 2)), "t": RationalPi(Fraction(1))}
     assert truth.instance is not None
     assert float(sum(evaluate(tree, givens, 64) for tree in truth.instance)) == 3.0
 

@@ -6,13 +6,13 @@ import math
 
 import pytest
 
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Sum
+from corollary.formula.ball import Certified, RationalPi, Undefined, certified
 from corollary.mark.solutions import Solutions
 from corollary.mark.verify.extremes import Pushed, push, pushed, ulps
 from corollary.mark.verify.scene_extremes import Extreme, Met, extremes, meets, play
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.quantity.ball import Certified, Exactly, Undefined, certified
-from corollary.quantity.tree import Call, Name, Negative, Number, Power, Product, Quotient, Sum, Tree
 
 CODES = ("X12.2", "X12.5", "X12.7", "X12.12", "E12.7.2", "E12.7.1", "E12.3.1")
 
@@ -24,7 +24,7 @@ def solutions() -> dict[str, object]:
     return {code: known.of(find(bank, code)) for code in CODES}
 
 
-def in_many_digits(tree: Tree, at: dict[str, Exactly]):
+def in_many_digits(tree: Expr, at: dict[str, RationalPi]):
     """The formula in 900 digits, by mpmath: enough for 1e150 to cancel to the last digit."""
     import mpmath as mp
 

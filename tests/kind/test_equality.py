@@ -9,18 +9,18 @@ from pathlib import Path
 
 import pytest
 
+from corollary.formula.ball import Undefined, evaluate
+from corollary.formula.errors import ParseError
+from corollary.formula.exact import RationalPi
+from corollary.formula.syntax import author_formula, parse
 from corollary.kind.equality import Different, Equal, Undecided, compare, hint
-from corollary.quantity.ball import Undefined, evaluate
-from corollary.quantity.exact import Exactly
-from corollary.quantity.syntax import author_formula, parse
-from corollary.quantity.trouble import Trouble
 
 PAIRS = runpy.run_path(str(Path(__file__).with_name("pairs.py")))["pairs"]()
 
 
 def read(text, letters):
     tree = parse(text, letters)
-    assert not isinstance(tree, Trouble), (text, tree)
+    assert not isinstance(tree, ParseError), (text, tree)
     return tree
 
 
@@ -44,7 +44,7 @@ def test_a_counterexample_is_one(student, truth, letters, domain, same):
     assert isinstance(verdict, Different)
     for name, (low, high) in domain.items():
         assert low <= verdict.point.get(name, low) <= high
-    values = {name: Exactly(Fraction(value)) for name, value in verdict.point.items()}
+    values = {name: RationalPi(Fraction(value)) for name, value in verdict.point.items()}
     answer = evaluate(right, values, 200)
     try:
         assert not evaluate(left, values, 200).overlaps(answer)

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from corollary.formula.value import Text
 from corollary.kind.answer import Formulas, Numbers, Unclear
 from corollary.kind.kinds import KINDS
 from corollary.problem.read import read_problem
-from corollary.quantity.plain import Text
-from corollary.quantity.unit import unit
+from corollary.units.unit import unit
 
 PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
 VALUE = PROBLEM.part("a")

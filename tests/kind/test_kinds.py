@@ -11,12 +11,12 @@ from typing import get_args
 
 import pytest
 
+from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text
 from corollary.kind.answer import Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
 from corollary.kind.kinds import KINDS
 from corollary.problem.part import KindName, Option
 from corollary.problem.read import read_problem
-from corollary.quantity.plain import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text
-from corollary.quantity.unit import unit
+from corollary.units.unit import unit
 
 PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
 VALUE = PROBLEM.part("a")

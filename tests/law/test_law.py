@@ -6,14 +6,14 @@ import pytest
 import sympy
 
 import corollary.law as laws
+from corollary.formula.ast import names
+from corollary.formula.errors import ParseError
+from corollary.formula.syntax import author_formula
+from corollary.formula.text import text
 from corollary.law import Law, law
 from corollary.law.law import component, sides, symbols
-from corollary.quantity.dimension import dimension_of
-from corollary.quantity.syntax import author_formula
-from corollary.quantity.text import text
-from corollary.quantity.tree import names
-from corollary.quantity.trouble import Trouble
-from corollary.quantity.unit import Dimension, unit
+from corollary.units.dimensions import dimension_of
+from corollary.units.unit import Dimension, unit
 
 m, v, p, t, x, y = sympy.symbols("m v p t x y", real=True)
 
@@ -68,7 +68,7 @@ def test_a_law_that_will_not_do(formula, letters, words):
 
 
 def test_every_function_of_the_list_has_its_meaning():
-    from corollary.quantity.function import ARGUMENTS
+    from corollary.formula.functions import ARGUMENTS
 
     for name, count in ARGUMENTS.items():
         arguments = ", ".join(["a", "b"][:count])
@@ -122,7 +122,7 @@ stated(laws.same(a, b), x=NEWTON, y=NEWTON)
 def test_both_sides_of_a_law_measure_the_same(made, dimensions):
     assert names(made.textbook) - {"pi"} == dimensions.keys() == made.letters.keys()
     found = dimension_of(made.textbook, dimensions)
-    assert not isinstance(found, Trouble)
+    assert not isinstance(found, ParseError)
 
 
 @pytest.mark.parametrize(("made", "dimensions"), STATED, ids=[text(made.textbook) for made, _ in STATED])

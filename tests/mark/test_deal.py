@@ -6,6 +6,7 @@ from textwrap import dedent
 
 import pytest
 
+from corollary.formula.value import Real
 from corollary.mark.deal import admitted, collisions, deal
 from corollary.mark.judge import judge
 from corollary.mark.key import make_key
@@ -15,7 +16,6 @@ from corollary.mark.tolerance import MOST
 from corollary.mark.verdict import Follows, Right
 from corollary.problem.bank import home
 from corollary.problem.draw import sample
-from corollary.quantity.plain import Real
 
 SECRET = b"a course"
 

@@ -9,12 +9,12 @@ import pytest
 import sympy
 
 from corollary.derive.solution import Formulas
+from corollary.formula.ball import Undefined
+from corollary.formula.text import text
 from corollary.mark.key import make_key
 from corollary.mark.replay import Deviation, replay
 from corollary.mark.tolerance import LEAST, MOST
 from corollary.problem.draw import sample
-from corollary.quantity.ball import Undefined
-from corollary.quantity.text import text
 
 CODES = ("X12.5", "X12.7", "X12.8", "X12.10", "P12.14")
 

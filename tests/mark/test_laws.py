@@ -9,12 +9,12 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
+from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
 from corollary.mark.judge import judge
 from corollary.mark.key import make_key
 from corollary.mark.points import grade
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong
 from corollary.problem.variant import at, first_broken, size
-from corollary.quantity.plain import Complex, Exact, Items, Measured, Nothing, Plain, Real, Refused, Text
 
 QUICK = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 PREFIXES = {"": 1.0, "k": 1e3, "m": 1e-3, "M": 1e6, "µ": 1e-6}
@@ -39,7 +39,7 @@ texts = odd_texts | st.sampled_from(
         "3 m/s, x to the left",
     ]
 )
-leaves: st.SearchStrategy[Plain] = st.one_of(
+leaves: st.SearchStrategy[Value] = st.one_of(
     st.just(Nothing()),
     st.builds(Real, floats),
     st.builds(Exact, st.fractions()),
@@ -61,7 +61,7 @@ def variant_of(solved, index):
     return variant
 
 
-def single(key, part, answer: Plain):
+def single(key, part, answer: Value):
     return judge(key, {part: answer})[part][0][0]
 
 

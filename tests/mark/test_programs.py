@@ -8,6 +8,7 @@ from itertools import count
 import pytest
 
 from corollary.derive.programs.floor import ARGUMENTS, reference
+from corollary.formula.value import Items, Nothing, Real
 from corollary.mark.feedback import sentence
 from corollary.mark.programs import asks, judge_code
 from corollary.mark.said import Shown
@@ -15,7 +16,6 @@ from corollary.mark.solutions import Solutions
 from corollary.mark.verdict import Mistaken, Right, Unread, Wrong
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.quantity.plain import Items, Nothing, Real
 from corollary.submission.take import Answered
 
 BANK = chapter_bank()

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from corollary.quantity.unit import canonical
+from corollary.units.unit import canonical
 
 CART = "code: X1.1\ntitle: A cart\ngiven:\n"
 MASS = "  m: {is: mass, value: 0.5, from: 0.1, to: 0.9, step: 0.1, unit: kg}\n"

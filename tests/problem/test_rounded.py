@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from corollary.formula.arithmetics import ready
+from corollary.formula.ball import RationalPi, Undefined, certified, holds
+from corollary.formula.syntax import author_formula
 from corollary.problem.rounded import ROUNDED, Letter, Rounded, kept
-from corollary.quantity.arithmetic import ready
-from corollary.quantity.ball import Exactly, Undefined, certified, holds
-from corollary.quantity.syntax import author_formula
 
 DECIMALS = st.decimals(-20, 20, places=2).map(Fraction)
 CONDITIONS = [
@@ -28,9 +28,9 @@ def test_as_one_by_one(text, rows):
     rows = [*rows, (Fraction(1, 10), Fraction(1, 5), 9), (Fraction(0), Fraction(0), 0), (Fraction(9), Fraction(3), 18)]
     relation = author_formula(text)
     letters = {
-        "a": Letter([Exactly(a) for a, _, _ in rows], np.arange(len(rows))),
-        "b": Letter([Exactly(b) for _, b, _ in rows], np.arange(len(rows))),
-        "c": Letter([Exactly(Fraction(c, 36), 1) for _, _, c in rows], np.arange(len(rows))),
+        "a": Letter([RationalPi(a) for a, _, _ in rows], np.arange(len(rows))),
+        "b": Letter([RationalPi(b) for _, b, _ in rows], np.arange(len(rows))),
+        "c": Letter([RationalPi(Fraction(c, 36), 1) for _, _, c in rows], np.arange(len(rows))),
     }
     one_by_one = [_holds(relation, {name: letter.numbers[n] for name, letter in letters.items()}) for n in range(len(rows))]
     assert kept(relation, letters).tolist() == one_by_one
@@ -50,13 +50,13 @@ def _holds(relation, values) -> bool:
 def test_the_bound_holds_the_error(text, a, b):
     tree = author_formula(text)
     found = ready(tree, ROUNDED)({"a": Rounded.of(a), "b": Rounded.of(b)})
-    value = certified(tree, {"a": Exactly(a), "b": Exactly(b)}).value
+    value = certified(tree, {"a": RationalPi(a), "b": RationalPi(b)}).value
     assert abs(float(found.value) - value) <= found.off
     assert found.off < 1e-9 * (1 + a + b) ** 6  # and is of some use
 
 
 def test_letters_are_broadcast():
-    a = Letter([Exactly(Fraction(n)) for n in range(3)], np.arange(3).reshape(3, 1))
-    b = Letter([Exactly(Fraction(n)) for n in range(4)], np.arange(4).reshape(1, 4))
+    a = Letter([RationalPi(Fraction(n)) for n in range(3)], np.arange(3).reshape(3, 1))
+    b = Letter([RationalPi(Fraction(n)) for n in range(4)], np.arange(4).reshape(1, 4))
     assert kept(author_formula("a < b"), {"a": a, "b": b}).tolist() == [[x < y for y in range(4)] for x in range(3)]
     assert kept(author_formula("a < 2"), {"a": a, "b": b}).tolist() == [[True], [True], [False]]

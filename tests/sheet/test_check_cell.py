@@ -12,10 +12,10 @@ import pytest
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
-from corollary.quantity.unit import unit
 from corollary.sheet.as_read import Asked, heard
 from corollary.sheet.check_cell import check_source
 from corollary.sheet.sheet import Sheet, sheet
+from corollary.units.unit import unit
 
 # What is typed into the answer cell, and what check says then.
 SAID = [

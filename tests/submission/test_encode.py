@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
 
-from corollary.quantity.plain import Complex, Exact, Items, Nothing, Real, Refused, Text
+from corollary.formula.value import Complex, Exact, Items, Nothing, Real, Refused, Text
 from corollary.submission.child.encode import MOST_ITEMS, encode
 from corollary.submission.decode import read_plain
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.quantity.plain import Real
+from corollary.formula.value import Real
 from corollary.submission.take import Cell, Job, Runner
 
 JOB = Job((Cell("c", "a = 2.0"),), ("a",))

@@ -12,7 +12,7 @@ from typing import Any
 import nbformat
 import pytest
 
-from corollary.quantity.plain import Exact, Items, Nothing, Real, Text
+from corollary.formula.value import Exact, Items, Nothing, Real, Text
 from corollary.submission.take import Ask, Cell, Job, Runner, WeakIsolation
 
 

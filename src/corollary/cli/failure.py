@@ -25,7 +25,7 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.problem.variant": ["OutOfRange"],
         "corollary.derive.failing": ["NotDerivable"],
         "corollary.mark.deal": ["NoVariant"],
-        "corollary.quantity.compiled": ["Undefined"],
+        "corollary.formula.compiled": ["Undefined"],
         "corollary.scene.run": ["BadSetting"],
         "corollary.deliver.course": ["NotACourse"],
         "corollary.deliver.cluster": ["NoCluster"],

@@ -8,13 +8,13 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from corollary.answers.quantity import read_quantity
 from corollary.cli.failure import refuse
+from corollary.formula.errors import ParseError, sentence
 from corollary.problem.node import exact
 from corollary.problem.problem import Problem
 from corollary.problem.variant import OutOfRange, Variant, chosen
-from corollary.quantity.read import read_quantity
-from corollary.quantity.trouble import Trouble, sentence
-from corollary.quantity.unit import show
+from corollary.units.unit import show
 
 
 def from_options(problem: Problem, sets: list[str]) -> Variant:
@@ -66,7 +66,7 @@ def _value(problem: Problem, name: str, text: str) -> Fraction:
         return _in_own_unit(problem, name, number)
     given = _given(problem, name)
     found = read_quantity(text, given.unit)
-    if isinstance(found, Trouble):
+    if isinstance(found, ParseError):
         raise OutOfRange(f"{name}={text}: {sentence(found)}")
     if found.fit != "fits":
         raise OutOfRange(f"{name}={text}: {found.why}")

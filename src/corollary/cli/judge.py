@@ -8,6 +8,7 @@ from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.given import from_case, read_cases
+from corollary.formula.ball import Undefined
 from corollary.mark.judge import judge
 from corollary.mark.plain_programs import run_programs
 from corollary.mark.plainly import plainly
@@ -17,7 +18,6 @@ from corollary.mark.solutions import Solutions
 from corollary.problem.bank import home
 from corollary.problem.problem import Problem
 from corollary.problem.variant import OutOfRange
-from corollary.quantity.ball import Undefined
 
 
 def run(code: str, bank: Path | None, cases: Path, reveal: bool, json: bool) -> int:

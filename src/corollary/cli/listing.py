@@ -7,7 +7,7 @@ from pathlib import Path
 from corollary.cli.failure import HOLDS, answer
 from corollary.problem.bank import load, open_bank
 from corollary.problem.count import variants, written
-from corollary.quantity.unit import canonical, show
+from corollary.units.unit import canonical, show
 
 
 def run(bank: Path | None, json: bool) -> int:

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from corollary.deliver.tally import WITHIN, Shared
+from corollary.formula.ball import Undefined
+from corollary.formula.value import Text
 from corollary.kind.answer import Numbers
 from corollary.kind.kinds import KINDS
 from corollary.mark.close import close
@@ -16,8 +18,6 @@ from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import at, chapter
-from corollary.quantity.ball import Undefined
-from corollary.quantity.plain import Text
 
 LEAST_SPAN = math.log(2)
 

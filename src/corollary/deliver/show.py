@@ -6,8 +6,8 @@ from corollary.deliver.drawing import drawing, drawing_address
 from corollary.deliver.page import page, points
 from corollary.deliver.plain_text import plain
 from corollary.problem.part import Part
-from corollary.quantity.unit import show
 from corollary.sheet.sheet import Exercise
+from corollary.units.unit import show
 
 
 def show_text(exercise: Exercise, solution: str | None = None, *, width: int = 80) -> str:

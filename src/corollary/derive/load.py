@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 from corollary.derive.entries import Derivation
 from corollary.derive.failing import NotDerivable
+from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
-from corollary.quantity.tree import Name, Number, Relation
 
 if TYPE_CHECKING:
     import sympy

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import sympy
 
-from corollary.derive.closed import tree
 from corollary.derive.point import Point, at
 from corollary.derive.roots import NoRoot
+from corollary.formula.from_sympy import tree
+from corollary.formula.latex import latex
 from corollary.law.put import put
-from corollary.quantity.latex import latex
 
 
 def best(

@@ -8,11 +8,12 @@ from fractions import Fraction
 from typing import Any
 
 from corollary.derive import entries, solution
-from corollary.quantity import tree, unit
+from corollary.formula import ast
+from corollary.units import unit
 
 NOUNS: dict[str, type] = {
     noun.__name__: noun
-    for room in (tree, unit, solution, entries)
+    for room in (ast, unit, solution, entries)
     for noun in vars(room).values()
     if isinstance(noun, type) and is_dataclass(noun) and noun.__module__ == room.__name__
 }

@@ -10,10 +10,10 @@ from typing import Any
 
 import sympy
 
-from corollary.derive.closed import NoTree, tree
+from corollary.formula.ast import Expr
+from corollary.formula.ball import RationalPi, Undefined, evaluate
+from corollary.formula.from_sympy import NoTree, tree
 from corollary.law.put import as_expression, put
-from corollary.quantity.ball import Exactly, Undefined, evaluate
-from corollary.quantity.tree import Tree
 
 DIGITS, BITS = 30, 128
 
@@ -28,10 +28,10 @@ class Point:
     def suppose(self, symbol: sympy.Symbol, ratio: Fraction) -> None:
         """Adds a value that no given has."""
         self.values[symbol] = sympy.Rational(ratio.numerator, ratio.denominator)
-        self.balls[symbol.name] = Exactly(ratio)
+        self.balls[symbol.name] = RationalPi(ratio)
 
 
-def point(givens: Mapping[str, Exactly], symbols: list[sympy.Symbol]) -> Point:
+def point(givens: Mapping[str, RationalPi], symbols: list[sympy.Symbol]) -> Point:
     """The point of a variant."""
     values = {
         symbol: sympy.Rational(exact.ratio.numerator, exact.ratio.denominator) * sympy.pi**exact.pi
@@ -59,7 +59,7 @@ def learn(where: Point, find: sympy.Symbol, value: sympy.Expr) -> None:
         where.balls[find.name] = ball
 
 
-def _ball(formula: Tree, where: Point, bits: int) -> Any:
+def _ball(formula: Expr, where: Point, bits: int) -> Any:
     """The value as a ball; None where it has no real value, or a letter has none."""
     try:
         return evaluate(formula, where.balls, bits)
@@ -68,7 +68,7 @@ def _ball(formula: Tree, where: Point, bits: int) -> Any:
 
 
 @lru_cache(maxsize=4096)
-def _tree(expression: sympy.Expr) -> Tree | None:
+def _tree(expression: sympy.Expr) -> Expr | None:
     try:
         return tree(expression)
     except NoTree:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from corollary.derive.closed import tree
+from corollary.answers.quantity import read_quantity
 from corollary.derive.entries import Supposed
 from corollary.derive.solution import LawShown, SupposedValue
+from corollary.formula.ast import Relation, substitute
+from corollary.formula.errors import ParseError
+from corollary.formula.from_sympy import tree
 from corollary.law.law import Law, component
-from corollary.quantity.dimension import Dimension
-from corollary.quantity.read import read_quantity
-from corollary.quantity.tree import Relation, substitute
-from corollary.quantity.trouble import Trouble
-from corollary.quantity.unit import unit
+from corollary.units.dimensions import Dimension
+from corollary.units.unit import unit
 
 
 def shown(stated: Law) -> LawShown:
@@ -25,7 +25,7 @@ def shown(stated: Law) -> LawShown:
 def supposed_value(supposition: Supposed) -> SupposedValue:
     """The value in SI. Raises ValueError where the text is no quantity."""
     read = read_quantity(supposition.text, unit("1"))
-    if isinstance(read, Trouble):
+    if isinstance(read, ParseError):
         raise ValueError(f"{supposition.symbol} is supposed to be {supposition.text!r}: {read.why}")
     ratio, pi = read.si
     if pi:

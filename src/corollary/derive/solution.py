@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.derive.entries import Entry
+from corollary.formula.ast import Expr, Relation
 from corollary.problem.problem import Problem
-from corollary.quantity.dimension import Dimension
-from corollary.quantity.tree import Relation, Tree
+from corollary.units.dimensions import Dimension
 
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
     """A find as formulas, one for each component, of givens and earlier finds."""
 
-    trees: tuple[Tree, ...]
+    trees: tuple[Expr, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class Measured:
     """A find as the outcome of a scene; the settings are formulas of givens and earlier finds."""
 
     scene: str
-    settings: Mapping[str, Tree]
+    settings: Mapping[str, Expr]
     observe: str
 
 
@@ -66,13 +66,13 @@ class Find:
     because: str
     laws: tuple[LawShown, ...]
     local: Rule
-    closed: tuple[Tree, ...] | None
+    closed: tuple[Expr, ...] | None
     routes: tuple[Rule, ...]
     routes_shown: tuple[RouteShown, ...]
     mistakes: tuple[WrongRule, ...]
     rejected: tuple[str, ...]
     dimensions: tuple[Dimension, ...]
-    scale: Tree | None
+    scale: Expr | None
     check: str
     note: str
 
@@ -90,11 +90,11 @@ class ExampleTruth:
 
     names: tuple[str, ...]
     laws: tuple[LawShown, ...]
-    apart: tuple[tuple[tuple[Tree, ...], str], ...]
-    scale: Tree
+    apart: tuple[tuple[tuple[Expr, ...], str], ...]
+    scale: Expr
     because: str
     free: int
-    instance: tuple[Tree, ...] | None
+    instance: tuple[Expr, ...] | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ from typing import Any, assert_never
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.closed import relation, tree
 from corollary.derive.entries import (
     Choice,
     Code,
@@ -42,17 +41,18 @@ from corollary.derive.solution import (
     Solution,
     WrongRule,
 )
+from corollary.formula.ast import Expr, Number
+from corollary.formula.errors import ParseError
+from corollary.formula.from_sympy import relation, tree
 from corollary.law.law import Law, sides
 from corollary.law.put import as_expression, put
 from corollary.problem.bank import Bank
 from corollary.problem.draw import sample
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
-from corollary.quantity.dimension import dimension_of
-from corollary.quantity.tree import Number, Tree
-from corollary.quantity.trouble import Trouble
-from corollary.quantity.unit import Dimension, called, show
 from corollary.scene.catalogue import SCENES
+from corollary.units.dimensions import dimension_of
+from corollary.units.unit import Dimension, called, show
 
 POINTS = 6
 
@@ -240,7 +240,7 @@ class _Solver:
             self.instance(entry, equations),
         )
 
-    def instance(self, entry: Example, equations: list[sympy.Expr]) -> tuple[Tree, ...] | None:
+    def instance(self, entry: Example, equations: list[sympy.Expr]) -> tuple[Expr, ...] | None:
         """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
         scale = put(entry.scale, self.closed)
         for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
@@ -278,18 +278,18 @@ class _Solver:
         for symbol in finds:
             self.closed[symbol] = simplest(put(root[symbol], self.closed))
 
-    def closed_trees(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Tree, ...] | None:
+    def closed_trees(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Expr, ...] | None:
         if any(self.closed[symbol].free_symbols & self.measured for symbol in finds):
             return None
         return tuple(tree(self.closed[symbol]) for symbol in finds)
 
-    def checked(self, entry: Step | Optimum, trees: tuple[Tree, ...]) -> tuple[Dimension, ...]:
+    def checked(self, entry: Step | Optimum, trees: tuple[Expr, ...]) -> tuple[Dimension, ...]:
         """The dimension of each component; raises ValueError when it is not what the part asks for."""
         part = self.problem.part(entry.answers) if entry.answers in {part.id for part in self.problem.parts} else None
         found: list[Dimension | None] = []
         for formula in trees:
             dimension = dimension_of(formula, self.dimensions)
-            if isinstance(dimension, Trouble):
+            if isinstance(dimension, ParseError):
                 raise ValueError(f"the dimensions do not fit: {dimension.why}")
             found.append(None if isinstance(formula, Number) and formula.value == 0 else dimension)
         nought = part.unit.dimension if part else next((each for each in found if each is not None), Dimension())

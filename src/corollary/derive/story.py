@@ -9,15 +9,15 @@ from dataclasses import replace
 
 from corollary.derive.entries import Code, Explain
 from corollary.derive.solution import Find, Formulas, LawShown, LeftOut, Measured, Solution
+from corollary.formula.ast import Expr, Number, Relation, names
+from corollary.formula.ball import certified
+from corollary.formula.latex import latex, letter
+from corollary.formula.numerals import decimal_text
+from corollary.formula.syntax import author_formula
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant, number
-from corollary.quantity.ball import certified
-from corollary.quantity.latex import latex, letter
-from corollary.quantity.number import decimal_text
-from corollary.quantity.syntax import author_formula
-from corollary.quantity.tree import Number, Relation, Tree, names
-from corollary.quantity.unit import Unit, si_unit
-from corollary.quantity.unit import latex as unit_latex
+from corollary.units.unit import Unit, si_unit
+from corollary.units.unit import latex as unit_latex
 
 FIGURES = 4
 WIDEST = 75
@@ -211,5 +211,5 @@ def _empty(relation: Relation) -> bool:
     return relation.left == relation.right or (_zero(relation.left) and _zero(relation.right))
 
 
-def _zero(tree: Tree) -> bool:
+def _zero(tree: Expr) -> bool:
     return isinstance(tree, Number) and tree.value == 0

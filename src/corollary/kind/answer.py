@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from corollary.quantity.tree import Relation, Tree
+from corollary.formula.ast import Expr, Relation
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Numbers:
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
-    trees: tuple[Tree, ...]
+    trees: tuple[Expr, ...]
     shown: str
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from corollary.formula.ast import Negative
+from corollary.formula.value import Text, Value
 from corollary.kind.answer import Answer, Formulas, Numbers, Unclear
 from corollary.kind.remark import Axes, axes_of, has_axes
 from corollary.problem.part import Part
-from corollary.quantity.plain import Plain, Text
-from corollary.quantity.tree import Negative
 
 
-def in_own_axes(given: Plain, part: Part, read: Callable[[Plain], Answer]) -> Answer:
+def in_own_axes(given: Value, part: Part, read: Callable[[Value], Answer]) -> Answer:
     """The answer on the problem's axes, when a text names others; `read` reads what is beside the remark."""
     if not isinstance(given, Text) or not has_axes(part.unit, part.components):
         return read(given)

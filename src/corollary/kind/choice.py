@@ -6,13 +6,13 @@ import re
 from collections.abc import Sequence
 from typing import final
 
+from corollary.formula.numerals import PLAIN
+from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.kind.answer import Answer, Blank, Letter, Unclear
-from corollary.kind.kind import Kind, Sample
+from corollary.kind.kind import AnswerType, Sample
 from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.number import PLAIN
-from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
 
 LONGEST = 200
 AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
@@ -23,8 +23,8 @@ LETTER = re.compile(
 
 
 @final
-class Choice(Kind):
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+class ChoiceType(AnswerType):
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         letters = [option.letter for option in part.options]
         while isinstance(given, Items) and len(given.items) == 1:
             given = given.items[0]

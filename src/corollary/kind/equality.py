@@ -11,10 +11,10 @@ from typing import Literal
 
 from flint import arb
 
-from corollary.quantity.ball import Undefined, evaluate
-from corollary.quantity.exact import constant
-from corollary.quantity.text import text
-from corollary.quantity.tree import Call, Power, Tree, names, walk
+from corollary.formula.ast import Call, Expr, Power, names, walk
+from corollary.formula.ball import Undefined, evaluate
+from corollary.formula.exact import constant
+from corollary.formula.text import text
 
 POINTS, POINTS_WITH_BRANCHES, MOST_DRAWN = 5, 40, 400
 BITS_TO_AGREE = 320
@@ -57,7 +57,7 @@ class Undecided:
     why: str
 
 
-def compare(student: Tree, truth: Tree, domain: Mapping[str, tuple[float, float]]) -> Equal | Different | Undecided:
+def compare(student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]]) -> Equal | Different | Undecided:
     """Decides on the box `domain`; letters it does not name are taken positive. The points depend on the formulas only.
 
     Different is proven (balls that do not meet, or no value where the truth has one); equal means closer than 2^-200 at
@@ -94,7 +94,7 @@ def hint(difference: Different) -> str:
     return ""
 
 
-def _branches(tree: Tree) -> bool:
+def _branches(tree: Expr) -> bool:
     """Whether an absolute value, an even root or a choice occurs: two such formulas can agree on one side only."""
     for node in walk(tree):
         if isinstance(node, Call) and node.function in BRANCHING:
@@ -104,7 +104,7 @@ def _branches(tree: Tree) -> bool:
     return False
 
 
-def _points(student: Tree, truth: Tree, domain: Mapping[str, tuple[float, float]]) -> Iterator[dict[str, float]]:
+def _points(student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]]) -> Iterator[dict[str, float]]:
     letters = sorted((names(student) | names(truth)) - {"pi"})
     written = f"{text(student)} = {text(truth)}"
     draw = random.Random(int.from_bytes(hashlib.blake2b(written.encode(), digest_size=16).digest(), "big"))
@@ -116,7 +116,7 @@ def _between(low: float, high: float, share: float) -> float:
     return low + (high - low) * share
 
 
-def _at(student: Tree, truth: Tree, values: Mapping[str, arb], precisions: tuple[int, ...]) -> Seen:
+def _at(student: Expr, truth: Expr, values: Mapping[str, arb], precisions: tuple[int, ...]) -> Seen:
     """What is seen at one point; "nowhere" when the truth has no value there."""
     for bits in precisions:
         try:
@@ -143,7 +143,7 @@ def _close(given: arb, right: arb) -> bool:
     return bool(abs(given) < NEARLY_ZERO and abs(right) < NEARLY_ZERO)
 
 
-def _ratio(student: Tree, truth: Tree, points: Iterable[Mapping[str, float]]) -> float | None:
+def _ratio(student: Expr, truth: Expr, points: Iterable[Mapping[str, float]]) -> float | None:
     """Student over truth, when it is the same at all points and not 1."""
     found: list[float] = []
     for point in points:

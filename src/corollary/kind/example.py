@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import final
 
+from corollary.formula.value import Value
 from corollary.kind.answer import Answer, Formulas, Numbers, Unclear
-from corollary.kind.kind import Kind, Sample
+from corollary.kind.kind import AnswerType, Sample
 from corollary.kind.number import vector
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Plain
 
 
 @final
-class Example(Kind):
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+class ExampleType(AnswerType):
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         found = vector(given, part.unit, part.components, problem)
         if isinstance(found, Formulas):
             return Unclear("give numbers for an example, not formulas", found.shown)

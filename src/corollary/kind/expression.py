@@ -6,23 +6,23 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import final
 
+from corollary.answers.quantity import Reading, read_quantity
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
 from corollary.kind.answer import Answer, Blank, Formulas, Unclear
 from corollary.kind.formula import as_typed, dimension_in, fitting, formula
-from corollary.kind.kind import Kind, Sample
+from corollary.kind.kind import AnswerType, Sample
 from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Exact, Items, Nothing, Plain, Real, Refused, Text
-from corollary.quantity.read import Reading, read_quantity
-from corollary.quantity.trouble import Trouble, sentence
-from corollary.quantity.unit import show
+from corollary.units.unit import show
 
 WANTED = 'a formula is asked for: write it as text in the letters of the exercise, such as "m*v"'
 
 
 @final
-class Expression(Kind):
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+class ExpressionType(AnswerType):
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         count = max(1, len(part.components))
         match given:
             case Nothing():
@@ -41,15 +41,15 @@ class Expression(Kind):
         trees = []
         for text in texts:
             tree = formula(text, problem)
-            if isinstance(tree, Trouble) and tree.status == "asked":
+            if isinstance(tree, ParseError) and tree.status == "asked":
                 tree = fitting(text, part.unit, problem) or tree
             if isinstance(tree, Unclear):
                 return tree if count == 1 else replace(tree, readings=())
-            if isinstance(tree, Trouble):
+            if isinstance(tree, ParseError):
                 number = isinstance(read_quantity(text, part.unit), Reading)
                 return Unclear(f"this is a number; {WANTED}" if number else sentence(tree), as_typed(text))
             dimension = dimension_in(tree, problem)
-            if isinstance(dimension, Trouble):
+            if isinstance(dimension, ParseError):
                 return Unclear(sentence(dimension), as_typed(text))
             if dimension != part.unit.dimension:
                 return Unclear(f"this formula is not in {show(part.unit)}", as_typed(text))

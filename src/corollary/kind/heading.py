@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from corollary.formula.ast import Negative
+from corollary.formula.value import Text, Value
 from corollary.kind.answer import Answer, Formulas, Numbers, Unclear
 from corollary.kind.direction import direction_of
 from corollary.kind.remark import has_axes
 from corollary.problem.part import Part
-from corollary.quantity.plain import Plain, Text
-from corollary.quantity.tree import Negative
 
 
-def with_heading(given: Plain, part: Part, read: Callable[[Plain], Answer]) -> Answer:
+def with_heading(given: Value, part: Part, read: Callable[[Value], Answer]) -> Answer:
     """The answer with the sign that its words give; two readings where the words alone do not tell it."""
     found = direction_of(given.text, has_axes(part.unit, part.components)) if isinstance(given, Text) else None
     if found is None:

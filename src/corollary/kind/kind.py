@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from corollary.formula.value import Value
 from corollary.kind.answer import Answer
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Plain
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,11 +21,11 @@ class Sample:
     verdict: str
 
 
-class Kind(ABC):
+class AnswerType(ABC):
     """One way to ask and to answer."""
 
     @abstractmethod
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         """What the student's value says. Never raises, whatever it is."""
 
     @abstractmethod

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from corollary.kind.choice import Choice
-from corollary.kind.example import Example
-from corollary.kind.expression import Expression
-from corollary.kind.kind import Kind
-from corollary.kind.proof import Proof
-from corollary.kind.prose import Written
-from corollary.kind.value import Value
-from corollary.kind.vector import Vector
+from corollary.kind.choice import ChoiceType
+from corollary.kind.example import ExampleType
+from corollary.kind.expression import ExpressionType
+from corollary.kind.kind import AnswerType
+from corollary.kind.proof import ProofType
+from corollary.kind.prose import TextType
+from corollary.kind.value import ValueType
+from corollary.kind.vector import VectorType
 from corollary.problem.part import KindName
 
-KINDS: dict[KindName, Kind] = {
-    "value": Value(),
-    "vector": Vector(),
-    "expression": Expression(),
-    "choice": Choice(),
-    "example": Example(),
-    "proof": Proof(),
-    "explain": Written(),
-    "code": Written(),
-    "plot": Written(),
+KINDS: dict[KindName, AnswerType] = {
+    "value": ValueType(),
+    "vector": VectorType(),
+    "expression": ExpressionType(),
+    "choice": ChoiceType(),
+    "example": ExampleType(),
+    "proof": ProofType(),
+    "explain": TextType(),
+    "code": TextType(),
+    "plot": TextType(),
 }

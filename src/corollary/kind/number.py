@@ -8,16 +8,16 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
+from corollary.answers.components import place_named
+from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
+from corollary.formula.ast import Expr, Number
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.numerals import decimal_text
+from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
 from corollary.kind.answer import Blank, Formulas, Numbers, Unclear
 from corollary.kind.formula import as_typed, dimension_in, fitting, formula
 from corollary.problem.problem import Problem
-from corollary.quantity.components import place_named
-from corollary.quantity.number import decimal_text
-from corollary.quantity.plain import Complex, Exact, Items, Measured, Nothing, Plain, Real, Refused, Text
-from corollary.quantity.read import Reading, components_in, read_quantities, read_quantity
-from corollary.quantity.tree import Number, Tree
-from corollary.quantity.trouble import Trouble, sentence
-from corollary.quantity.unit import ONE, Unit, show
+from corollary.units.unit import ONE, Unit, show
 
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
 FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
@@ -25,7 +25,7 @@ AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
 COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
 
 
-def scalar(given: Plain, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+def scalar(given: Value, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
     """One number in SI, or a formula of the givens when the text is one."""
     while isinstance(given, Items) and len(given.items) == 1:
         given = given.items[0]
@@ -50,7 +50,7 @@ def scalar(given: Plain, unit: Unit, problem: Problem) -> Numbers | Formulas | B
             return Unclear(why, shown)
 
 
-def vector(given: Plain, unit: Unit, names: int | tuple[str, ...], problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+def vector(given: Value, unit: Unit, names: int | tuple[str, ...], problem: Problem) -> Numbers | Formulas | Blank | Unclear:
     """As many numbers as there are components (their count, or their names: then an answer may name them in another order)."""
     count, called = (names, ()) if isinstance(names, int) else (len(names), names)
     match given:
@@ -85,7 +85,7 @@ def _in_one_text(
     text: str, unit: Unit, count: int, names: tuple[str, ...], problem: Problem
 ) -> Numbers | Formulas | Blank | Unclear:
     found = read_quantities(text, unit, count, names)
-    if not isinstance(found, Trouble):
+    if not isinstance(found, ParseError):
         return _together([_reading(each, unit) for each in found])
     pieces = components_in(text, count, names)
     each = [typed(piece, unit, problem) for piece in pieces] if isinstance(pieces, list) else []
@@ -94,9 +94,9 @@ def _in_one_text(
     return Unclear(sentence(found), as_typed(text))
 
 
-def _flat(items: tuple[Plain, ...], unit: Unit, count: int) -> tuple[Plain, ...] | Unclear:
+def _flat(items: tuple[Value, ...], unit: Unit, count: int) -> tuple[Value, ...] | Unclear:
     """Lists within a list, and pairs in one text, opened where that gives the components one after the other."""
-    opened: list[Plain] = []
+    opened: list[Value] = []
     for item in items:
         match item:
             case Items(inside, _) if len(items) != count:
@@ -109,7 +109,7 @@ def _flat(items: tuple[Plain, ...], unit: Unit, count: int) -> tuple[Plain, ...]
     return tuple(opened) if len(opened) == count else items
 
 
-def _in_order(items: tuple[Plain, ...], names: tuple[str, ...]) -> tuple[Plain, ...]:
+def _in_order(items: tuple[Value, ...], names: tuple[str, ...]) -> tuple[Value, ...]:
     """Texts that name their components (`p_y = 4`), in the order asked for."""
     places = [place_named(item.text, names) if isinstance(item, Text) and "=" in item.text else None for item in items]
     if None in places or len(set(places)) != len(items):
@@ -160,29 +160,29 @@ def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank
     if isinstance(found, Reading) and found.fit != "wrong dimension":
         return _reading(found, unit)
     tree = formula(text, problem)
-    if isinstance(tree, Trouble) and tree.status == "asked":
+    if isinstance(tree, ParseError) and tree.status == "asked":
         tree = fitting(text, unit, problem) or tree
     if isinstance(tree, Unclear):
         return tree
-    if not isinstance(tree, Trouble):
+    if not isinstance(tree, ParseError):
         dimension = dimension_in(tree, problem)
         if dimension == unit.dimension:
             return Formulas((tree,), text.strip())
-        if isinstance(found, Trouble) or (FORMULA.search(text) and not OWN_NUMBER.search(text)):
+        if isinstance(found, ParseError) or (FORMULA.search(text) and not OWN_NUMBER.search(text)):
             why = (
                 sentence(dimension)
-                if isinstance(dimension, Trouble)
+                if isinstance(dimension, ParseError)
                 else f"this formula is not in {show(unit) or 'plain numbers'}"
             )
             return Unclear(why, as_typed(text))
-    if isinstance(found, Trouble):
-        if isinstance(tree, Trouble) and FORMULA.search(text) and not OWN_NUMBER.search(text):
+    if isinstance(found, ParseError):
+        if isinstance(tree, ParseError) and FORMULA.search(text) and not OWN_NUMBER.search(text):
             return Unclear(sentence(tree), as_typed(text))
         return Unclear(sentence(found), as_typed(text), meanings(found, text, unit))
     return _reading(found, unit)
 
 
-def meanings(trouble: Trouble, text: str, unit: Unit) -> tuple[Numbers, ...]:
+def meanings(trouble: ParseError, text: str, unit: Unit) -> tuple[Numbers, ...]:
     """What an ambiguous text could mean: each choice put in the place of the number it is about."""
     number = AMBIGUOUS.search(text) if trouble.status == "asked" else None  # only a text short enough to be read is asked about
     if number is None:
@@ -238,7 +238,7 @@ def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Number
     return tuple(each for each in together if isinstance(each, Numbers))
 
 
-def _tree(each: Numbers | Formulas | Blank | Unclear) -> Tree:
+def _tree(each: Numbers | Formulas | Blank | Unclear) -> Expr:
     match each:
         case Formulas(trees, _):
             return trees[0]

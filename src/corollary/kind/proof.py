@@ -6,16 +6,16 @@ import re
 from collections.abc import Sequence
 from typing import final
 
+from corollary.formula.ast import Expr, Relation
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.syntax import parse
+from corollary.formula.tex import without_tex
+from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.kind.answer import Answer, Blank, Chain, Unclear
-from corollary.kind.kind import Kind, Sample
+from corollary.kind.kind import AnswerType, Sample
 from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Items, Nothing, Plain, Refused, Text
-from corollary.quantity.syntax import parse
-from corollary.quantity.tex import without_tex
-from corollary.quantity.tree import Relation, Tree
-from corollary.quantity.trouble import Trouble, sentence
 
 LONGEST, LONGEST_LINE = 30, 400
 LEADING = re.compile(
@@ -26,7 +26,7 @@ LEADING = re.compile(
 BEHIND = re.compile(r"\s*(?:[.,;]|\(\*{0,2}[0-9]{1,2}\)|\([ivIV]+\))*\s*$")
 
 
-def _equations(line: str, names: Sequence[str], before: Tree | None) -> list[Relation] | str:
+def _equations(line: str, names: Sequence[str], before: Expr | None) -> list[Relation] | str:
     """The equations of one line; `a = b = c` says two things of a, `= b` goes on from the line before, words alone are none.
 
     A text says, after the line's number, what could not be read.
@@ -39,21 +39,21 @@ def _equations(line: str, names: Sequence[str], before: Tree | None) -> list[Rel
         )
     plain = without_tex(line.replace("&=", "=").replace("&", ""))
     sides = BEHIND.sub("", LEADING.sub("", plain, count=1)).split("=")
-    trees: list[Tree] = []
+    trees: list[Expr] = []
     for place, side in enumerate(sides):
         if not side.strip() and place == 0 and before is not None:
             trees.append(before)
             continue
         tree = parse(side, names)
-        if isinstance(tree, Trouble):
+        if isinstance(tree, ParseError):
             return f": {sentence(tree)}"
         trees.append(tree)
     return [Relation("=", trees[0], right) for right in trees[1:]]
 
 
 @final
-class Proof(Kind):
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+class ProofType(AnswerType):
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         match given:
             case Nothing():
                 return Blank()

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import final
 
+from corollary.formula.value import Nothing, Refused, Text, Value
 from corollary.kind.answer import Answer, Blank, Prose, Unclear
-from corollary.kind.kind import Kind, Sample
+from corollary.kind.kind import AnswerType, Sample
 from corollary.kind.number import PLACEHOLDERS
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Nothing, Plain, Refused, Text
 
 
 @final
-class Written(Kind):
+class TextType(AnswerType):
     """Explanations and the source of a program: text as it is."""
 
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         match given:
             case Nothing():
                 return Blank()

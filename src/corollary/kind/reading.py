@@ -7,15 +7,15 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
+from corollary.answers.quantity import Reading, in_si, read_quantity
+from corollary.formula.ast import Expr
+from corollary.formula.ast import names as letters_of
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.syntax import author_formula, parse
+from corollary.formula.text import text as formula_text
 from corollary.kind.equality import Different, Equal, Undecided, compare, hint
-from corollary.quantity.read import Reading, in_si, read_quantity
-from corollary.quantity.syntax import author_formula, parse
-from corollary.quantity.text import text as formula_text
-from corollary.quantity.tree import Tree
-from corollary.quantity.tree import names as letters_of
-from corollary.quantity.trouble import Trouble, sentence
-from corollary.quantity.unit import Dimension, Unit, called, canonical, read_unit, show
-from corollary.quantity.unit import unit as author_unit
+from corollary.units.unit import Dimension, Unit, called, canonical, read_unit, show
+from corollary.units.unit import unit as author_unit
 
 FIELDS = ("quantity", "expression", "unit")
 
@@ -39,7 +39,7 @@ def read_case(case: Any) -> dict[str, Any]:
 def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     expected = _expected(case)
     found = read_quantity(case["text"], expected)
-    if isinstance(found, Trouble):
+    if isinstance(found, ParseError):
         return _trouble(found)
     assert isinstance(found, Reading)
     fits = found.fit == "fits"
@@ -55,7 +55,7 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
 def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
     expected = _expected(case)
     found = read_unit(case["text"])
-    if isinstance(found, Trouble):
+    if isinstance(found, ParseError):
         return _trouble(found)
     fits = expected is None or found.dimension == expected.dimension
     why = (
@@ -75,7 +75,7 @@ def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
     if not names or not all(isinstance(name, str) for name in names):
         raise BadCase('the letters of the formula must be named: "names": ["m", "v"] (or --names m,v)')
     tree = parse(case["text"], [name.strip() for name in names])
-    if isinstance(tree, Trouble):
+    if isinstance(tree, ParseError):
         return _trouble(tree)
     result = {
         "status": "ok",
@@ -107,7 +107,7 @@ def powers(dimension: Dimension) -> dict[str, int | float]:
     }
 
 
-def _trouble(found: Trouble) -> dict[str, Any]:
+def _trouble(found: ParseError) -> dict[str, Any]:
     return {
         "status": found.status, "read": None, "value": None, "unit": None, "figures": None, "dimension": None, "verdict": None,
         "why": sentence(found), "position": found.position, "suggestion": found.suggestion, "choices": list(found.choices),
@@ -124,12 +124,12 @@ def _expected(case: Mapping[str, Any]) -> Unit | None:
         return author_unit(wanted)
     except ValueError:
         found = read_unit(wanted)
-        if isinstance(found, Trouble):
+        if isinstance(found, ParseError):
             raise BadCase(f"the unit {wanted!r}: {sentence(found)}") from None
         return found
 
 
-def _truth(case: Mapping[str, Any]) -> Tree | None:
+def _truth(case: Mapping[str, Any]) -> Expr | None:
     wanted = case.get("equals")
     if wanted is None:
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from corollary.quantity.unit import Unit, unit
+from corollary.units.unit import Unit, unit
 
 LONGEST = 200
 DIRECTED = frozenset(unit(text).dimension for text in ("m/s", "m/s^2", "kg*m/s", "N"))  # a mass or an energy turns with no axis

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import final
 
+from corollary.formula.value import Value
 from corollary.kind.answer import Answer
 from corollary.kind.axes import in_own_axes
 from corollary.kind.heading import with_heading
-from corollary.kind.kind import Kind, Sample
+from corollary.kind.kind import AnswerType, Sample
 from corollary.kind.number import scalar
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.plain import Plain
-from corollary.quantity.unit import canonical, si_unit
+from corollary.units.unit import canonical, si_unit
 
 
 @final
-class Value(Kind):
-    def read(self, given: Plain, part: Part, problem: Problem) -> Answer:
+class ValueType(AnswerType):
+    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
         return in_own_axes(given, part, lambda own: with_heading(own, part, lambda plain: scalar(plain, part.unit, problem)))
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:

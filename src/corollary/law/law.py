@@ -8,10 +8,10 @@ from functools import lru_cache
 
 import sympy
 
-from corollary.law.algebra import expression
+from corollary.formula.ast import Expr, Relation, names
+from corollary.formula.syntax import author_formula
+from corollary.formula.to_sympy import expression
 from corollary.law.put import as_expression
-from corollary.quantity.syntax import author_formula
-from corollary.quantity.tree import Relation, Tree, names
 
 Meaning = sympy.Expr | tuple[sympy.Expr, ...]
 
@@ -90,7 +90,7 @@ def _meaning(value: object) -> Meaning:
 
 @lru_cache(maxsize=512)
 def _relation(formula: str) -> Relation:
-    tree: Tree = author_formula(formula)
+    tree: Expr = author_formula(formula)
     if not isinstance(tree, Relation) or tree.sign != "=":
         raise ValueError(f"a law is an equation; {formula!r} has no = sign")
     return tree

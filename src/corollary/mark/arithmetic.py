@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from corollary.formula.arithmetics import ARRAYS, DOUBLES, PAIRS, Arithmetic, NotAvailable, intervals, ready
+from corollary.formula.ast import Expr, names
+from corollary.formula.ball import RationalPi, Undefined, certified
+from corollary.formula.double_double import PI, DoubleDouble
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import chapter_bank, load
 from corollary.problem.draw import sample
-from corollary.quantity.arithmetic import ARRAYS, DOUBLES, PAIRS, Arithmetic, NotAvailable, intervals, ready
-from corollary.quantity.ball import Exactly, Undefined, certified
-from corollary.quantity.double_double import PI, DoubleDouble
-from corollary.quantity.tree import Tree, names
 
 QUICK = ("X12.5", "X12.2", "X12.7", "X12.12")
 VARIANTS = 64
@@ -29,8 +29,8 @@ class Formula:
     """A closed form of the bank, some variants' givens, and the nearest double to the true value at each of them."""
 
     label: str
-    tree: Tree
-    givens: tuple[dict[str, Exactly], ...]
+    tree: Expr
+    givens: tuple[dict[str, RationalPi], ...]
     true: tuple[float, ...]
 
 
@@ -87,7 +87,7 @@ def _ways() -> list[Way]:
     ]
 
 
-def _one_by_one(arithmetic: Arithmetic, number: Callable[[Exactly], Any]) -> Way:
+def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> Way:
     def prepare(formula: Formula) -> Any:
         return ready(formula.tree, arithmetic), [{name: number(given) for name, given in at.items()} for at in formula.givens]
 
@@ -103,11 +103,11 @@ def _arrays(formula: Formula) -> Any:
     return ready(formula.tree, ARRAYS), {name: np.array([_double(at[name]) for at in formula.givens]) for name in letters}
 
 
-def _double(given: Exactly) -> float:
+def _double(given: RationalPi) -> float:
     return float(given.ratio) * math.pi**given.pi
 
 
-def _pair(given: Exactly) -> DoubleDouble:
+def _pair(given: RationalPi) -> DoubleDouble:
     return DoubleDouble.of(given.ratio) * PI**given.pi
 
 

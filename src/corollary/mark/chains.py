@@ -5,6 +5,9 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 
+from corollary.formula.ast import Name, Negative, Relation, Sum, names
+from corollary.formula.ball import RationalPi, Undefined
+from corollary.formula.text import text
 from corollary.kind.answer import Chain
 from corollary.mark.examples import holds_nearly
 from corollary.mark.key import Key
@@ -12,14 +15,11 @@ from corollary.mark.replay import as_exact, number, replay
 from corollary.mark.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
 from corollary.problem.draw import sample
 from corollary.problem.part import Part
-from corollary.quantity.ball import Exactly, Undefined
-from corollary.quantity.text import text
-from corollary.quantity.tree import Name, Negative, Relation, Sum, names
 
 EXACT = 1e-9
 POINTS = 6
 SECANTS = 60
-Point = dict[str, Exactly]
+Point = dict[str, RationalPi]
 
 
 def judge_chain(key: Key, part: Part, answer: Chain) -> Verdict:
@@ -80,7 +80,7 @@ def lawless_points(lawful: Sequence[Point]) -> list[Point]:
     """The same letters, each moved on its own, so that no law holds any more but by chance."""
     dice = random.Random(7)
     return [
-        {name: Exactly(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi) for name, value in point.items()}
+        {name: RationalPi(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi) for name, value in point.items()}
         for point in lawful
     ]
 

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from corollary.derive.solution import Find, Formulas, Rule, Solution
+from corollary.formula.ast import names
+from corollary.formula.ball import Undefined
 from corollary.mark.close import close
 from corollary.mark.key import Key, make_key
 from corollary.mark.replay import Deviation, ancestors, replay
@@ -13,8 +15,6 @@ from corollary.mark.tolerance import MOST
 from corollary.problem.draw import draws
 from corollary.problem.problem import Problem
 from corollary.problem.variant import Variant, chapter
-from corollary.quantity.ball import Undefined
-from corollary.quantity.tree import names
 
 APART = 0.005
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from corollary.derive.solution import Rule
+from corollary.formula.ball import Undefined
 from corollary.mark.close import close
 from corollary.mark.key import Key, Truth
 from corollary.mark.replay import Deviation, Numbers, ancestors, replay
-from corollary.quantity.ball import Undefined
 
 MOST = 6
 

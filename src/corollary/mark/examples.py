@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from corollary.formula.ast import Expr, Negative, Product, Quotient, Relation, Sum
+from corollary.formula.ball import RationalPi, Undefined
 from corollary.kind.answer import Numbers
 from corollary.mark.close import close
 from corollary.mark.key import Key, named
 from corollary.mark.replay import as_exact, number
 from corollary.mark.verdict import Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
-from corollary.quantity.ball import Exactly, Undefined
-from corollary.quantity.tree import Negative, Product, Quotient, Relation, Sum, Tree
 
 TOLERANCE = 0.01
 
@@ -35,13 +35,13 @@ def judge_example(key: Key, part: Part, answer: Numbers) -> Verdict:
     return Right("Every law holds for your numbers.")
 
 
-def holds_nearly(relation: Relation, values: Mapping[str, Exactly], tolerance: float = TOLERANCE) -> bool:
+def holds_nearly(relation: Relation, values: Mapping[str, RationalPi], tolerance: float = TOLERANCE) -> bool:
     """Whether both sides agree, to the tolerance of what is added up on them before anything cancels."""
     left, right = number(relation.left, values), number(relation.right, values)
     return abs(left - right) <= tolerance * max(_size(relation.left, values), _size(relation.right, values))
 
 
-def _size(tree: Tree, values: Mapping[str, Exactly]) -> float:
+def _size(tree: Expr, values: Mapping[str, RationalPi]) -> float:
     """The value with every subtraction made an addition: how large the terms are."""
     match tree:
         case Negative(term):

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import assert_never
 
+from corollary.formula.numerals import decimal_text
 from corollary.mark.key import Key
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.part import Part
-from corollary.quantity.number import decimal_text
-from corollary.quantity.unit import show
+from corollary.units.unit import show
 
 
 def sentence(verdict: Verdict) -> str:

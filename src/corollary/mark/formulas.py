@@ -6,6 +6,9 @@ from collections.abc import Mapping
 
 from corollary.derive.solution import Formulas as Closed
 from corollary.derive.solution import Rule
+from corollary.formula.ast import Expr, Name, Number, names, substitute, walk
+from corollary.formula.ball import RationalPi, Undefined, certified
+from corollary.formula.degrees import in_degrees
 from corollary.kind.answer import Formulas
 from corollary.kind.answer import Numbers as Said
 from corollary.kind.equality import Different, Equal, Undecided, compare, hint
@@ -16,9 +19,6 @@ from corollary.mark.replay import Numbers, ancestors, number
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.quantity.ball import Exactly, Undefined, certified
-from corollary.quantity.degrees import in_degrees
-from corollary.quantity.tree import Name, Number, Tree, names, substitute, walk
 
 EXACTLY = 1e-6
 
@@ -47,7 +47,7 @@ def judge_formulas(key: Key, part: Part, answer: Formulas, earlier: Mapping[str,
     return Wrong(f"For example at {point} (SI) it gives something else than the laws do.")
 
 
-def _by_value(key: Key, part: Part, answer: Formulas, closed: tuple[Tree, ...], earlier: Mapping[str, Numbers]) -> Verdict | None:
+def _by_value(key: Key, part: Part, answer: Formulas, closed: tuple[Expr, ...], earlier: Mapping[str, Numbers]) -> Verdict | None:
     """Right where only some letters were put in as numbers, or where it follows from earlier answers; else None."""
     if all(names(mine) <= names(wanted) | {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)):
         return _numbers_put_in(key, part, answer, closed)
@@ -56,7 +56,7 @@ def _by_value(key: Key, part: Part, answer: Formulas, closed: tuple[Tree, ...], 
     return verdict if isinstance(verdict, Follows) else None
 
 
-def _numbers_put_in(key: Key, part: Part, answer: Formulas, closed: tuple[Tree, ...]) -> Right | None:
+def _numbers_put_in(key: Key, part: Part, answer: Formulas, closed: tuple[Expr, ...]) -> Right | None:
     """`m v cos(30°)`, `L/9`: right when the letters left out were put in as numbers, exactly or as decimals."""
     if not any(names(wanted) - names(mine) - {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)):
         return None
@@ -83,7 +83,7 @@ def values_of(key: Key, answer: Formulas) -> Numbers | None:
         return None
 
 
-def wrong_forms(key: Key, place: int) -> list[tuple[tuple[Tree, ...], str]]:
+def wrong_forms(key: Key, place: int) -> list[tuple[tuple[Expr, ...], str]]:
     """Closed forms of a find by each known mistake, at its own step and at the steps nobody was asked about."""
     solution = key.solution
     forms = []
@@ -95,9 +95,9 @@ def wrong_forms(key: Key, place: int) -> list[tuple[tuple[Tree, ...], str]]:
     return forms
 
 
-def _closed(key: Key, place: int, at: int, rule: Rule) -> tuple[Tree, ...] | None:
+def _closed(key: Key, place: int, at: int, rule: Rule) -> tuple[Expr, ...] | None:
     """The find at `place` in givens alone, when the rule at `at` is exchanged."""
-    meaning: dict[str, Tree] = {}
+    meaning: dict[str, Expr] = {}
     for index, find in enumerate(key.solution.finds[: place + 1]):
         local = rule if index == at else find.local
         if not isinstance(local, Closed):
@@ -113,7 +113,7 @@ def domain(problem: Problem) -> Mapping[str, tuple[float, float]]:
     """Where the problem's letters live: the grid of each given, in SI; one that is fixed is widened by a tenth."""
     box = {}
     for given in problem.givens:
-        ends = (Exactly(value * given.unit.factor, given.unit.pi) for value in (given.grid.first, given.grid.last))
+        ends = (RationalPi(value * given.unit.factor, given.unit.pi) for value in (given.grid.first, given.grid.last))
         low, high = sorted(certified(Name("x"), {"x": end}).value for end in ends)
         if low == high:
             low, high = sorted((0.9 * low, 1.1 * high))

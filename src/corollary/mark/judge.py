@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from corollary.derive.entries import Explain
+from corollary.formula.value import Nothing, Value
 from corollary.kind.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
 from corollary.kind.kinds import KINDS
 from corollary.mark.chains import judge_chain
@@ -18,13 +19,12 @@ from corollary.mark.replay import Numbers as Values
 from corollary.mark.said import Shown
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.part import Part
-from corollary.quantity.plain import Nothing, Plain
 
 NOTHING_RAN = Shown()
 
 
 def judge(
-    key: Key, answers: Mapping[str, Plain], shown: Mapping[str, Shown] | None = None, *, secret: bytes = b"", student: str = ""
+    key: Key, answers: Mapping[str, Value], shown: Mapping[str, Shown] | None = None, *, secret: bytes = b"", student: str = ""
 ) -> dict[str, tuple[tuple[Verdict, ...], str]]:
     """The verdicts of each part, and how the answer was read. A part of two kinds (code and plot) has two verdicts."""
     earlier: dict[str, Values] = {}

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from corollary.derive.solution import Find, Measured, Solution
+from corollary.formula.ball import Undefined, certified, holds
 from corollary.mark.replay import as_exact, compute, simulated
 from corollary.mark.replay import number as plain_number
 from corollary.mark.tolerance import LEAST, MOST, noise_of
 from corollary.problem.variant import Variant
-from corollary.quantity.ball import Undefined, certified, holds
 
 MARGIN, TINY = 1.25, 1e-9
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from corollary.derive.entries import Code, Explain, Plot
+from corollary.formula.text import text
 from corollary.mark.key import Key
 from corollary.mark.plainly import finite
 from corollary.problem.part import Part
-from corollary.quantity.text import text
-from corollary.quantity.unit import canonical, si_unit
+from corollary.units.unit import canonical, si_unit
 
 
 def key_record(key: Key) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from corollary.formula.value import Nothing, Text, Value
 from corollary.mark.grade import Grade, Marked, PartGrade
 from corollary.mark.judge import judge
 from corollary.mark.key import Key
@@ -12,7 +13,6 @@ from corollary.mark.points import grade
 from corollary.mark.programs import asks
 from corollary.mark.said import Shown
 from corollary.mark.verdict import Unmarked, Unread
-from corollary.quantity.plain import Nothing, Plain, Text
 from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
 from corollary.sheet.notebook import notebook as handed_out
 from corollary.sheet.sheet import Prompt, Sheet
@@ -70,7 +70,7 @@ def _grade(sheet: Sheet, keys: Keys, code: str, notebook: Notebook, taken: Taken
     return replace(graded, parts=tuple(_explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)))
 
 
-def _answer(prompt: Prompt, notebook: Notebook, taken: Taken) -> Plain:
+def _answer(prompt: Prompt, notebook: Notebook, taken: Taken) -> Value:
     if prompt.part.kind == "explain":
         text = explain_text(notebook.node, prompt.key)
         return Text(text) if text else Nothing()

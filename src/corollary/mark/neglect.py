@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from corollary.derive.solution import LeftOut
+from corollary.formula.ball import RationalPi
 from corollary.mark.key import Key, named
 from corollary.mark.replay import compute
-from corollary.quantity.ball import Exactly
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ def neglects(key: Key) -> tuple[Neglect, ...]:
     known = key.variant.exact | named(key.solution, list(key.values))
     found = []
     for left in key.solution.neglected:
-        supposed = {value.name: Exactly(value.ratio) for value in left.supposing}
+        supposed = {value.name: RationalPi(value.ratio) for value in left.supposing}
         (most,) = map(abs, compute(left.bound.local, known | supposed))
         scale = key.truths[left.bound.answers].scale
         found.append(Neglect(left, most, most / scale if scale else float("inf")))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from corollary.formula.ball import Undefined
 from corollary.kind.answer import Numbers
 from corollary.mark.close import close, coarse, same_signs
 from corollary.mark.earlier import Carried, carried, size
@@ -15,8 +16,7 @@ from corollary.mark.replay import Numbers as Values
 from corollary.mark.slips import slipped
 from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
-from corollary.quantity.ball import Undefined
-from corollary.quantity.unit import called, show
+from corollary.units.unit import called, show
 
 COARSE = "Rounded too far to tell: give three significant figures."
 CLOSE = "Close, but outside what rounding explains: carry four figures and round at the end."

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from corollary.formula.value import Text, Value
 from corollary.mark.key import Key
 from corollary.mark.programs import asks
 from corollary.mark.said import Shown
-from corollary.quantity.plain import Plain, Text
 from corollary.submission.job import Cell, Job
 from corollary.submission.take import Runner
 
 USUAL = "import numpy as np\nimport matplotlib.pyplot as plt"
 
 
-def run_programs(key: Key, answers: Mapping[str, Plain]) -> dict[str, Shown]:
+def run_programs(key: Key, answers: Mapping[str, Value]) -> dict[str, Shown]:
     """What the source texts among the answers do when run; starts nothing when there are none."""
     problem = key.variant.problem
     sources = {

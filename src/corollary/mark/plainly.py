@@ -6,10 +6,10 @@ import math
 from fractions import Fraction
 from typing import Any
 
-from corollary.quantity.plain import Exact, Items, Nothing, Plain, Real, Refused, Text
+from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
 
 
-def plainly(answer: Any) -> Plain:
+def plainly(answer: Any) -> Value:
     """A JSON value (or None, number, text, list of these) as inert data."""
     match answer:
         case None:

@@ -9,6 +9,7 @@ from corollary.derive.entries import Code, Plot
 from corollary.derive.programs.called import Called
 from corollary.derive.said import Remark, Said
 from corollary.derive.solution import Solution
+from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.kind.answer import Numbers, Unclear
 from corollary.kind.number import vector
 from corollary.mark.said import Shown
@@ -16,9 +17,8 @@ from corollary.mark.verdict import Mistaken, Right, Unread, Verdict, Wrong
 from corollary.problem.draw import digest
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant
-from corollary.quantity.plain import Exact, Items, Nothing, Plain, Real
-from corollary.quantity.unit import unit
 from corollary.submission.job import Argument, Ask
+from corollary.units.unit import unit
 
 
 def code_of(solution: Solution, part: Part) -> Code | None:
@@ -107,7 +107,7 @@ def _argument(value: object) -> Argument:
     raise TypeError(f"a function cannot be called with {value!r}")
 
 
-def _numbers(value: Plain, variant: Variant) -> tuple[float, ...] | str:
+def _numbers(value: Value, variant: Variant) -> tuple[float, ...] | str:
     if isinstance(value, (Real, Exact)):
         value = Items((value,), (1,))
     count = len(value.items) if isinstance(value, Items) else 1

@@ -8,8 +8,8 @@ from fractions import Fraction
 from functools import lru_cache
 
 from corollary.derive.solution import Find, Formulas, Measured, Rule, Solution
-from corollary.quantity.ball import Exactly, Undefined, evaluate
-from corollary.quantity.tree import Tree, names
+from corollary.formula.ast import Expr, names
+from corollary.formula.ball import RationalPi, Undefined, evaluate
 from corollary.scene.run import BadSetting, GuardFailed
 
 BITS = 96
@@ -29,10 +29,10 @@ BY_THE_RULES = Deviation()
 
 
 def replay(
-    solution: Solution, givens: Mapping[str, Exactly], deviation: Deviation = BY_THE_RULES, until: int | None = None
+    solution: Solution, givens: Mapping[str, RationalPi], deviation: Deviation = BY_THE_RULES, until: int | None = None
 ) -> list[Numbers]:
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
-    values: dict[str, Exactly] = dict(givens)
+    values: dict[str, RationalPi] = dict(givens)
     found: list[Numbers] = []
     for place, find in enumerate(solution.finds):
         numbers = deviation.held.get(place)
@@ -48,7 +48,7 @@ def replay(
     return found
 
 
-def compute(rule: Rule, values: Mapping[str, Exactly]) -> Numbers:
+def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Numbers:
     """What a rule gives for these values. Raises Undefined."""
     match rule:
         case Formulas(trees):
@@ -57,7 +57,7 @@ def compute(rule: Rule, values: Mapping[str, Exactly]) -> Numbers:
             return observed(scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe)
 
 
-def number(tree: Tree, values: Mapping[str, Exactly]) -> float:
+def number(tree: Expr, values: Mapping[str, RationalPi]) -> float:
     """A formula's value as a double, close to the last bit. Raises Undefined."""
     value = float(evaluate(tree, values, BITS).mid())
     if value != value or value in (float("inf"), float("-inf")):
@@ -65,11 +65,11 @@ def number(tree: Tree, values: Mapping[str, Exactly]) -> float:
     return value
 
 
-def as_exact(value: float) -> Exactly:
+def as_exact(value: float) -> RationalPi:
     """The double itself. Raises Undefined for what is no number."""
     if value != value or value in (float("inf"), float("-inf")):
         raise Undefined("the value is beyond the numbers of this machine")
-    return Exactly(Fraction(value))
+    return RationalPi(Fraction(value))
 
 
 @lru_cache(maxsize=4096)

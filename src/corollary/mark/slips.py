@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from corollary.derive.solution import Formulas, Rule
+from corollary.formula.ast import Call, Expr, children, rebuilt
+from corollary.formula.ball import RationalPi, Undefined
 from corollary.mark.earlier import Carried
 from corollary.mark.key import Key, Truth
 from corollary.mark.replay import Deviation, Numbers, replay
 from corollary.problem.given import Given
 from corollary.problem.variant import Variant
-from corollary.quantity.ball import Exactly, Undefined
-from corollary.quantity.tree import Call, Tree, parts, rebuilt
-from corollary.quantity.unit import Dimension, Unit
+from corollary.units.unit import Dimension, Unit
 
 TEN = "The power of ten is off (by a factor of {}); check prefixes such as g and kg, ms and s."
 KMH = "A factor of 3.6 too {}: km/h and m/s have been mixed."
@@ -61,12 +61,12 @@ def _replayed(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Numbers, 
             key,
             truth,
             base.deviation,
-            givens | {"g": Exactly(Fraction(10))},
+            givens | {"g": RationalPi(Fraction(10))},
             "You calculated with g = 10 m/s²; the problem gives a closer value.",
         )
     for given in variant.problem.givens:
         if given.unit.pi or given.unit.factor != 1:
-            bare = Exactly(givens[given.symbol].ratio / given.unit.factor)
+            bare = RationalPi(givens[given.symbol].ratio / given.unit.factor)
             yield from _with(key, truth, base.deviation, givens | {given.symbol: bare}, _unconverted(given))
     if any(_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
@@ -100,8 +100,8 @@ def _angle(variant: Variant, symbol: str) -> bool:
     return bool(variant.problem.given(symbol).unit.pi) or variant.problem.given(symbol).unit.text == "rad"
 
 
-def _swapped(tree: Tree) -> Tree:
+def _swapped(tree: Expr) -> Expr:
     """The formula with sine and cosine exchanged."""
     if isinstance(tree, Call) and tree.function in {"sin", "cos"}:
         return Call("cos" if tree.function == "sin" else "sin", tuple(map(_swapped, tree.arguments)))
-    return rebuilt(tree, tuple(map(_swapped, parts(tree))))
+    return rebuilt(tree, tuple(map(_swapped, children(tree))))

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.derive.solution import Solution
+from corollary.formula.ball import RationalPi, Undefined
 from corollary.mark.replay import Deviation, Numbers, replay
-from corollary.quantity.ball import Exactly, Undefined
 
 REPLAYS = 32
 FIGURES = 3
@@ -26,7 +26,7 @@ class Noise:
     components: list[float]
 
 
-def noise_of(solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers]) -> list[Noise]:
+def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Numbers]) -> list[Noise]:
     """The largest over the replays, plus what 9.8 for 9.81 does."""
     noise = _silence(values)
     dice = random.Random(1)  # the same roundings for every variant: fair, and the same in ten years
@@ -34,7 +34,7 @@ def noise_of(solution: Solution, givens: Mapping[str, Exactly], values: Sequence
         _widen(noise, solution, givens, values, Deviation(rounding=lambda x: x + _half_unit(x) * dice.uniform(-1, 1)))
     if (other := GRAVITY.get(givens["g"].ratio) if "g" in givens else None) is not None:
         shifts = _silence(values)
-        _widen(shifts, solution, {**givens, "g": Exactly(other)}, values, Deviation())
+        _widen(shifts, solution, {**givens, "g": RationalPi(other)}, values, Deviation())
         for each, shift in zip(noise, shifts, strict=True):
             each.distance += shift.distance
             each.components = [a + b for a, b in zip(each.components, shift.components, strict=True)]
@@ -46,7 +46,7 @@ def _silence(values: Sequence[Numbers]) -> list[Noise]:
 
 
 def _widen(
-    noise: list[Noise], solution: Solution, givens: Mapping[str, Exactly], values: Sequence[Numbers], deviation: Deviation
+    noise: list[Noise], solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Numbers], deviation: Deviation
 ) -> None:
     try:
         found = replay(solution, givens, deviation)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from corollary.problem.complaint import Complaint
 from corollary.problem.part import KIND_NAMES, KindName, Option, Part
-from corollary.quantity.unit import Unit, unit
+from corollary.units.unit import Unit, unit
 
 HEADING = re.compile(r"""##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>(?:[^{}"]|"[^"]*")*)\})?\s*$""")
 ATTRIBUTE = re.compile(r"""\#(?P<id>[\w-]+)|\.(?P<kind>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))""")

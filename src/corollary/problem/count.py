@@ -8,11 +8,11 @@ from math import prod
 
 import numpy as np
 
+from corollary.formula.ast import names
+from corollary.formula.exact import RationalPi
 from corollary.problem.given import Given
 from corollary.problem.problem import Condition, Problem
 from corollary.problem.rounded import Letter, kept
-from corollary.quantity.exact import Exactly
-from corollary.quantity.tree import names
 
 MOST = 300_000  # numbers worked out for one condition
 MOST_TOGETHER = 6_000_000  # points of a grid held in memory, a byte each
@@ -95,8 +95,8 @@ def _spread(name: str, count: int) -> list[int]:
     return [int.from_bytes(stream[at : at + 8], "big") * count >> 64 for at in range(0, len(stream), 8)]
 
 
-def _numbers(given: Given, places: Iterable[int]) -> list[Exactly]:
-    return [Exactly(given.grid[place] * given.unit.factor, given.unit.pi) for place in places]
+def _numbers(given: Given, places: Iterable[int]) -> list[RationalPi]:
+    return [RationalPi(given.grid[place] * given.unit.factor, given.unit.pi) for place in places]
 
 
 def _three_figures(number: int) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from corollary.quantity.unit import Unit
+from corollary.units.unit import Unit
 
 
 @dataclass(frozen=True, slots=True)

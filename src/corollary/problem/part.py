@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from corollary.quantity.unit import Unit
+from corollary.units.unit import Unit
 
 KindName = Literal["value", "vector", "expression", "choice", "example", "code", "plot", "explain", "proof"]
 KIND_NAMES: tuple[KindName, ...] = get_args(KindName)

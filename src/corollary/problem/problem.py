@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from corollary.formula.ast import Relation
 from corollary.problem.given import Given
 from corollary.problem.part import Part
-from corollary.quantity.tree import Relation
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,16 +6,16 @@ import keyword
 import re
 from pathlib import Path
 
+from corollary.formula.ast import Relation, names
+from corollary.formula.functions import SPELLINGS
+from corollary.formula.syntax import author_formula
 from corollary.problem.body import read_parts
 from corollary.problem.complaint import Complaint, Malformed
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.node import List, Reader, Table, Text, split
 from corollary.problem.problem import Condition, Problem
 from corollary.problem.statement import HOLE, holes
-from corollary.quantity.function import SPELLINGS
-from corollary.quantity.syntax import author_formula
-from corollary.quantity.tree import Relation, names
-from corollary.quantity.unit import unit
+from corollary.units.unit import unit
 
 CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")

@@ -8,9 +8,9 @@ from fractions import Fraction
 
 import numpy as np
 
-from corollary.quantity.arithmetic import Arithmetic, NotAvailable, ready
-from corollary.quantity.ball import Exactly, Undefined, holds
-from corollary.quantity.tree import Negative, Relation, Sum, names
+from corollary.formula.arithmetics import Arithmetic, NotAvailable, ready
+from corollary.formula.ast import Negative, Relation, Sum, names
+from corollary.formula.ball import RationalPi, Undefined, holds
 
 ULP = 2.0**-52  # twice what one rounding may do
 SLACK = 4 * ULP  # what a function of the library may be off
@@ -84,7 +84,7 @@ SIGNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 class Letter:
     """A given at many points: its exact numbers, and which of them each point has. Letters are broadcast together."""
 
-    numbers: Sequence[Exactly]
+    numbers: Sequence[RationalPi]
     at: np.ndarray
 
 
@@ -116,7 +116,7 @@ def _doubles(letter: Letter) -> Rounded:
     return Rounded(ratios, abs(ratios) * ULP) * ROUNDED.pi ** letter.numbers[0].pi
 
 
-def _holds(relation: Relation, values: Mapping[str, Exactly]) -> bool:
+def _holds(relation: Relation, values: Mapping[str, RationalPi]) -> bool:
     try:
         return bool(holds(relation, values))
     except Undefined:

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from corollary.formula.ast import Name, names
+from corollary.formula.ball import RationalPi, Undefined, certified, holds
+from corollary.formula.numerals import decimal_text
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.problem import Condition, Problem
-from corollary.quantity.ball import Exactly, Undefined, certified, holds
-from corollary.quantity.number import decimal_text
-from corollary.quantity.tree import Name, names
-from corollary.quantity.unit import show
+from corollary.units.unit import show
 
 
 class OutOfRange(ValueError):
@@ -27,10 +27,10 @@ class Variant:
     index: int | None
 
     @property
-    def exact(self) -> dict[str, Exactly]:
+    def exact(self) -> dict[str, RationalPi]:
         """The givens in SI, exactly."""
         return {
-            given.symbol: Exactly(self.values[given.symbol] * given.unit.factor, given.unit.pi)
+            given.symbol: RationalPi(self.values[given.symbol] * given.unit.factor, given.unit.pi)
             for given in self.problem.givens
         }
 

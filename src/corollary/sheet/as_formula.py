@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from corollary.quantity.dimension import dimension_of
-from corollary.quantity.syntax import parse
-from corollary.quantity.text import text
-from corollary.quantity.trouble import Trouble, sentence
-from corollary.quantity.unit import called
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.syntax import parse
+from corollary.formula.text import text
 from corollary.sheet.as_read import Asked, Heard, heard, heard_numbers, in_own_axes
+from corollary.units.dimensions import dimension_of
+from corollary.units.unit import called
 
 
 def heard_either(asked: Asked, sent: tuple) -> Heard:
@@ -55,11 +55,11 @@ def _formula(asked: Asked, sent: tuple) -> Heard:
 
 def _read(asked: Asked, written: str) -> Heard:
     tree = parse(written, [letter for letter, _ in asked.letters])
-    if isinstance(tree, Trouble):
+    if isinstance(tree, ParseError):
         return Heard(False, f"cannot be read: {sentence(tree)}")
     shown = f"read as {text(tree)}"
     found = dimension_of(tree, {letter: unit.dimension for letter, unit in asked.letters})
-    if isinstance(found, Trouble):
+    if isinstance(found, ParseError):
         return Heard(False, f"{shown}, but {found.why}")
     if asked.unit is not None and found != asked.unit.dimension:
         return Heard(False, f"{shown}, which is {called(found)}; {called(asked.unit.dimension)} is expected")

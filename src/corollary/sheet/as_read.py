@@ -11,12 +11,12 @@ from fractions import Fraction
 from types import FunctionType
 from typing import Literal
 
+from corollary.answers.quantity import Reading, describe, read_quantities, read_quantity
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.numerals import decimal_text
 from corollary.kind.direction import direction_of
 from corollary.kind.remark import axes_of
-from corollary.quantity.number import decimal_text
-from corollary.quantity.read import Reading, describe, read_quantities, read_quantity
-from corollary.quantity.trouble import Trouble, sentence
-from corollary.quantity.unit import Unit
+from corollary.units.unit import Unit
 
 FUNCTIONS = "sqrt|sin|cos|tan|exp|ln|abs|pi"
 Shape = Literal["number", "formula", "letter", "function", "figure", "lines"]
@@ -135,7 +135,7 @@ def _components(asked: Asked, sent: tuple) -> Heard:
     names, count = f"[{', '.join(asked.components)}]", len(asked.components)
     if sent[0] == "text":
         found = read_quantities(sent[1], asked.unit, count, asked.components)
-        return Heard(False, f"cannot be read: {sentence(found)}") if isinstance(found, Trouble) else _said(found)
+        return Heard(False, f"cannot be read: {sentence(found)}") if isinstance(found, ParseError) else _said(found)
     if sent[0] != "items" or len(sent[1]) != count:
         have = f"a list of {len(sent[1])}" if sent[0] == "items" else "one number"
         return Heard(False, f"is {have}; a list of {count} is expected, {names}")
@@ -180,7 +180,7 @@ def _reading(unit: Unit | None, sent: tuple) -> Reading | Heard:
 
 def _read(text: str, unit: Unit | None) -> Reading | Heard:
     found = read_quantity(text, unit)
-    return Heard(False, f"cannot be read: {sentence(found)}") if isinstance(found, Trouble) else found
+    return Heard(False, f"cannot be read: {sentence(found)}") if isinstance(found, ParseError) else found
 
 
 def _said(readings: tuple[Reading, ...]) -> Heard:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from corollary.problem.part import Part
-from corollary.quantity.unit import show
 from corollary.sheet.sheet import Prompt
+from corollary.units.unit import show
 
 WRITTEN_ANSWER = "*Your answer here.*"
 

@@ -11,11 +11,11 @@ import nbformat
 from nbformat import NotebookNode
 
 from corollary.problem.part import Part
-from corollary.quantity.unit import show
 from corollary.sheet.blank import WRITTEN_ANSWER, blank, plot_blank
 from corollary.sheet.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
 from corollary.sheet.check_cell import check_source
 from corollary.sheet.sheet import Exercise, Prompt, Sheet
+from corollary.units.unit import show
 
 METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},

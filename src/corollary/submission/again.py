@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from corollary.quantity.plain import Nothing
+from corollary.formula.value import Nothing
 from corollary.submission.conversation import Told
 from corollary.submission.job import Job
 from corollary.submission.taken import Taken

@@ -7,7 +7,7 @@ from typing import Annotated, assert_never
 
 import msgspec
 
-from corollary.quantity.plain import Complex, Exact, Items, Measured, Nothing, Plain, Real, Refused, Text
+from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
 
 _Hex = Annotated[str, msgspec.Meta(min_length=1, max_length=25_002, pattern=r"^-?[0-9a-f]+$")]
 _Words = Annotated[str, msgspec.Meta(max_length=10_000)]
@@ -54,7 +54,7 @@ class SentRefused(msgspec.Struct, array_like=True, tag="refused", frozen=True, f
 Sent = SentNothing | SentReal | SentExact | SentComplex | SentText | SentMeasured | SentItems | SentRefused
 
 
-def plain(sent: Sent) -> Plain:
+def plain(sent: Sent) -> Value:
     """The value itself; what contradicts itself (a zero denominator, a shape of other length) is refused."""
     match sent:
         case SentNothing():
@@ -83,7 +83,7 @@ def plain(sent: Sent) -> Plain:
             assert_never(sent)
 
 
-def read_plain(encoded: object) -> Plain:
+def read_plain(encoded: object) -> Value:
     """Reads what `child/encode.py` gave in this very process (the check a student runs at home)."""
     try:
         return plain(msgspec.convert(encoded, Sent))

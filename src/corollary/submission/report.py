@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import msgspec
 
-from corollary.quantity.plain import Nothing
+from corollary.formula.value import Nothing
 from corollary.submission.conversation import Told
 from corollary.submission.decode import plain
 from corollary.submission.job import Job

@@ -8,7 +8,7 @@ from contextlib import suppress
 from types import TracebackType
 from typing import Self, final
 
-from corollary.quantity.plain import Nothing, Plain
+from corollary.formula.value import Nothing, Value
 from corollary.submission.again import MOST, rest_of, together
 from corollary.submission.conversation import Told, Watch, follow, give
 from corollary.submission.decode import plain
@@ -130,7 +130,7 @@ class Runner:
 
     def _taken(self, job: Job, told: Told, code: int | None) -> Taken:
         trouble = trouble_of(job, told, code)
-        values: dict[str, Plain] = {name: Nothing() for name in job.names}
+        values: dict[str, Value] = {name: Nothing() for name in job.names}
         for index in sorted(told.cells):
             values |= {name: plain(sent) for name, sent in told.cells[index].values.items() if name in values}
         calls = {ask.key: answered(told.calls.get(index), trouble, told, index) for index, ask in enumerate(job.asks)}

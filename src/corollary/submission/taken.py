@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from corollary.quantity.plain import Plain
+from corollary.formula.value import Value
 
 Status = Literal["ok", "error", "timeout", "not run"]
 
@@ -59,7 +59,7 @@ class CellRun:
 class Answered:
     """What a called function returned and printed; `trouble` is "" or a sentence on why there is no value."""
 
-    value: Plain
+    value: Value
     output: str
     trouble: str
 
@@ -82,7 +82,7 @@ class Taken:
     """What came back of one job; `trouble` is "" or one sentence on what ended it early."""
 
     cells: tuple[CellRun, ...]
-    values: dict[str, Plain]
+    values: dict[str, Value]
     calls: dict[str, Answered]
     figures: tuple[Figure, ...]
     isolation: Isolation

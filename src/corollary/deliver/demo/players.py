@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.deliver.demo.player import Hand, Player, right_sources
+from corollary.formula.numerals import decimal_text
+from corollary.formula.text import text
 from corollary.mark.key import Key
 from corollary.mark.replay import Deviation, replay
 from corollary.problem.roster import Student
-from corollary.quantity.number import decimal_text
-from corollary.quantity.text import text
-from corollary.quantity.unit import Unit, canonical, show, unit
 from corollary.sheet.sheet import Prompt, Sheet
+from corollary.units.unit import Unit, canonical, show, unit
 
 Keys = Mapping[str, Key]
 OTHER_UNITS = {"kg*m/s": "g*m/s", "N": "kN", "m/s": "km/h", "J": "kJ", "s": "ms", "m": "cm", "rad": "deg", "N*s": "N*ms"}

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.derive.solution import Measured, Solution
+from corollary.formula.ast import names
+from corollary.formula.ball import Certified, RationalPi, Undefined, certified
 from corollary.mark.replay import as_exact, compute
 from corollary.problem.given import Given
 from corollary.problem.variant import Variant, chapter
-from corollary.quantity.ball import Certified, Exactly, Undefined, certified
-from corollary.quantity.tree import names
-from corollary.quantity.unit import ONE
+from corollary.units.unit import ONE
 
 POWERS = (-150, -12, 12, 150)
 NEAR = Fraction(1, 10**12)
@@ -70,7 +70,7 @@ def push(solution: Solution) -> Pushed:
     return Pushed(solution.problem.code, proven, unproven, refused, lost, cancelled, worst, where)
 
 
-def pushed(variant: Variant) -> Iterator[tuple[str, dict[str, Exactly]]]:
+def pushed(variant: Variant) -> Iterator[tuple[str, dict[str, RationalPi]]]:
     """The chapter's numbers with one given at an extreme, and what to call that."""
     plain = variant.exact
     for given in variant.problem.givens:
@@ -78,22 +78,22 @@ def pushed(variant: Variant) -> Iterator[tuple[str, dict[str, Exactly]]]:
             yield label, plain | {given.symbol: value}
 
 
-def extremes(given: Given, value: Exactly) -> Iterator[tuple[str, Exactly]]:
+def extremes(given: Given, value: RationalPi) -> Iterator[tuple[str, RationalPi]]:
     """Angles within 1e-12 of pi of 0 and 90 degrees, pure numbers 0 and 1, everything else 1e±12 and 1e±150 times itself."""
     if given.unit.pi:
-        yield f"{given.symbol} = 1e-12 pi", Exactly(NEAR, 1)
-        yield f"{given.symbol} = pi/2 - 1e-12 pi", Exactly(Fraction(1, 2) - NEAR, 1)
+        yield f"{given.symbol} = 1e-12 pi", RationalPi(NEAR, 1)
+        yield f"{given.symbol} = pi/2 - 1e-12 pi", RationalPi(Fraction(1, 2) - NEAR, 1)
     elif given.unit.dimension == ONE:
-        yield f"{given.symbol} = 0", Exactly(Fraction(0))
-        yield f"{given.symbol} = 1", Exactly(Fraction(1))
+        yield f"{given.symbol} = 0", RationalPi(Fraction(0))
+        yield f"{given.symbol} = 1", RationalPi(Fraction(1))
     else:
         for power in POWERS:
-            yield f"{given.symbol} × 1e{power}", Exactly(value.ratio * Fraction(10) ** power, value.pi)
+            yield f"{given.symbol} × 1e{power}", RationalPi(value.ratio * Fraction(10) ** power, value.pi)
 
 
-def replay_in_doubles(solution: Solution, givens: Mapping[str, Exactly]) -> dict[str, float]:
+def replay_in_doubles(solution: Solution, givens: Mapping[str, RationalPi]) -> dict[str, float]:
     """Each find from the rounded earlier ones, as marks are made; those that come from a scene, or need one, are left out."""
-    known: dict[str, Exactly] = dict(givens)
+    known: dict[str, RationalPi] = dict(givens)
     found: dict[str, float] = {}
     for find in solution.finds:
         if isinstance(find.local, Measured) or any(names(tree) - known.keys() - {"pi"} for tree in find.local.trees):

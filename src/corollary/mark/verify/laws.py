@@ -5,11 +5,11 @@ from __future__ import annotations
 from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
 from corollary.derive.solve import unproven
+from corollary.formula.ast import names
+from corollary.formula.errors import ParseError, sentence
 from corollary.mark.verify.checked import Tally
 from corollary.problem.bank import Bank
-from corollary.quantity.dimension import dimension_of
-from corollary.quantity.tree import names
-from corollary.quantity.trouble import Trouble, sentence
+from corollary.units.dimensions import dimension_of
 
 
 def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
@@ -36,5 +36,5 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
                     continue  # an unknown met only inside a step: its dimension follows from the law itself
                 found = dimension_of(relation, dimensions)
                 tally.count("dimensions")
-                if isinstance(found, Trouble):
+                if isinstance(found, ParseError):
                     tally.complain(f"{path.name}:{line_of(path, find.because)}: {law.name}: {sentence(found)}")

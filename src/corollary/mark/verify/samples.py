@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 
+from corollary.answers.quantity import read_quantity
 from corollary.derive.entries import Printed
 from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
+from corollary.formula.errors import ParseError
+from corollary.formula.text import text
 from corollary.kind.kind import Sample
 from corollary.kind.kinds import KINDS
 from corollary.mark.close import coarse
@@ -19,9 +22,6 @@ from corollary.mark.verify.checked import Tally
 from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.problem.variant import chapter
-from corollary.quantity.read import read_quantity
-from corollary.quantity.text import text
-from corollary.quantity.trouble import Trouble
 
 
 def check_samples(key: Key, tally: Tally) -> None:
@@ -72,7 +72,7 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
         where = f"{path.name}:{line_of(path, entry.text)}"
         for value, printed in zip(wanted, entry.text.split(";"), strict=True):
             read = read_quantity(printed.strip(), part.unit)
-            if isinstance(read, Trouble):
+            if isinstance(read, ParseError):
                 tally.complain(f"{where}: the printed value {printed!r} cannot be read: {read.why}")
                 continue
             ratio, pi = read.si

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from corollary.derive.failing import NotDerivable
 from corollary.derive.solve import solve
+from corollary.formula.ball import Undefined
 from corollary.mark.key import make_key
 from corollary.mark.verify.checked import Checked, Tally
 from corollary.mark.verify.figure import check_figure
@@ -15,7 +16,6 @@ from corollary.problem.bank import Bank
 from corollary.problem.count import variants
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
-from corollary.quantity.ball import Undefined
 from corollary.submission.take import Runner
 
 

@@ -8,6 +8,8 @@ from collections import Counter
 from corollary.derive.load import line_of
 from corollary.derive.simulation import Seen, simulations
 from corollary.derive.solution import Solution
+from corollary.formula.text import text
+from corollary.formula.value import Items, Real, Text, Value
 from corollary.mark.deal import admitted, collisions
 from corollary.mark.judge import judge
 from corollary.mark.key import Key
@@ -17,8 +19,6 @@ from corollary.mark.verify.checked import Tally
 from corollary.problem.bank import Bank
 from corollary.problem.draw import sample
 from corollary.problem.variant import chapter, first_broken, size
-from corollary.quantity.plain import Items, Plain, Real, Text
-from corollary.quantity.text import text
 from corollary.scene.catalogue import run
 from corollary.scene.run import BadSetting, GuardFailed
 
@@ -113,7 +113,7 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
             )  # fmt: skip
 
 
-def own_answer(key: Key, part: str) -> Plain:
+def own_answer(key: Key, part: str) -> Value:
     """The key's answer as a student would hand it in: numbers in the part's unit, or the formula where that is asked for."""
     asked, truth = key.variant.problem.part(part), key.truths[part]
     closed = key.find(truth).closed
@@ -123,7 +123,7 @@ def own_answer(key: Key, part: str) -> Plain:
     return plain(tuple(value / _size(asked.unit) for value in truth.values))
 
 
-def plain(values: tuple[float, ...]) -> Plain:
+def plain(values: tuple[float, ...]) -> Value:
     """Numbers as a student's process would hand them out."""
     return Real(values[0]) if len(values) == 1 else Items(tuple(map(Real, values)), (len(values),))
 

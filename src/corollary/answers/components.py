@@ -1,0 +1,166 @@
+"""A vector in words, taken apart: `(3, 4) m/s`, `3 i + 4 j`, `p_y = 4; p_x = 3`, `5 m/s at 30° above the horizontal`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from corollary.answers.preamble import answer_in
+from corollary.formula.errors import ParseError, ambiguous, refused
+
+DIRECTIONS = {"i": 0, "j": 1, "k": 2, "î": 0, "ĵ": 1, "k̂": 2, "x̂": 0, "ŷ": 1, "ẑ": 2, "ex": 0, "ey": 1, "ez": 2}
+LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
+ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
+BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
+MARKS = (r"\s*[;|]\s*", r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*", r",", r"(?<=[0-9])\s+(?=[+\-]?[0-9])")
+NAMED = re.compile(r"\s*(?P<name>[^\W\d][^\s=:]{0,11})\s*[=:≈]")
+POLAR = re.compile(r"\s+at(?: an angle of)?\s+|\s*∠\s*", re.IGNORECASE)
+TURN = r"[+\-]?\s*[0-9.,]+\s*(?:°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))"
+BEHIND = re.compile(rf"(?<=[A-Za-z²³¹)])(?<!sin)(?<!cos)(?<!tan)\s*,?\s*\(?(?={TURN}[^0-9]*$)")
+FROM = r"(?:the )?(?:positive )?(?:horizontal|ground|\+?x)(?:[- ]?(?:axis|direction|plane))?"
+ABOVE = re.compile(
+    rf"\s*,?\s*(?:above|over|to|from|with|relative to|counter-?clockwise from|anticlockwise from) {FROM}\s*\)?$", re.I
+)
+BELOW = re.compile(rf"\s*,?\s*(?:below|under|clockwise from) {FROM}\s*\)?$", re.I)
+
+
+def length_and_angle(plain: str) -> tuple[str, str] | ParseError | None:
+    """The two texts of `5 m/s at 30°`; None when it is no such vector."""
+    pieces = POLAR.split(plain)
+    if len(pieces) == 1:
+        pieces = BEHIND.split(plain, maxsplit=1) if BEHIND.search(plain) else pieces
+    if len(pieces) == 1:
+        return None
+    if len(pieces) != 2:
+        return refused("a length and one angle are expected", None, "write for example 5 m/s at 30 deg")
+    length, angle = pieces
+    if (unit := re.match(rf"(\s*{TURN})\s+([A-Za-z].*)$", angle)) and not (ABOVE.search(angle) or BELOW.search(angle)):
+        length, angle = f"{length} {unit[2]}", unit[1]  # `5∠30° m/s`
+    if below := BELOW.search(angle):
+        return length, "-" + angle[: below.start()].strip().lstrip("+")
+    above = ABOVE.search(angle)
+    return length, (angle[: above.start()] if above else angle).strip().rstrip(")")
+
+
+def pieces_of(plain: str, count: int, names: Sequence[str] = ()) -> list[str] | ParseError:
+    """One text for each component, in the order of `names` where the text names them; a unit behind all of them goes to each."""
+    inside, unit, factor = _unwrapped(plain)
+    if any(_axis(found) < count for found in ALONG.finditer(inside)):  # in a plane k is no direction, but may be a letter
+        return _directed(inside, unit, count)
+    found = _listed(inside, unit, count)
+    if isinstance(found, ParseError):
+        return found
+    found = _in_order(found, names)
+    return found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
+
+
+def _unwrapped(plain: str) -> tuple[str, str, str]:
+    """What stands in the outer brackets, the unit behind them, and a factor before them; the whole text without brackets."""
+    text = plain.strip()
+    start = next((place for place, sign in enumerate(text) if sign in BRACKETS), -1)
+    if start < 0:
+        return text, "", ""
+    depth, end = 0, len(text)
+    for place in range(start, len(text)):
+        depth += (text[place] in BRACKETS) - (text[place] in BRACKETS.values())
+        if depth == 0:
+            end = place
+            break
+    inside, behind, before = text[start + 1 : end], text[end + 1 :].strip(), text[:start].strip()
+    if (
+        not (re.search(r"[;,|\s]", _masked(inside)) or ALONG.search(inside))
+        or re.match(r"[0-9,;+\-]", behind)
+        or re.search(r"[,;]", before)
+    ):
+        return text, "", ""
+    if before and (behind or re.search(r"[A-Za-z]{3}$|[=:]", before) or "," not in _masked(inside)):
+        return text, "", ""
+    return inside, behind.lstrip("*").strip(), before.rstrip("* ")
+
+
+def _masked(text: str) -> str:
+    """The text with what stands in brackets made invisible to a comma's search."""
+    depth, seen = 0, []
+    for sign in text:
+        depth += sign in "(["
+        seen.append("_" if depth else sign)
+        depth -= sign in ")]" and depth > 0
+    return "".join(seen)
+
+
+def _split(text: str, mark: str) -> list[str]:
+    pieces, start = [], 0
+    for found in re.finditer(mark, _masked(text)):
+        pieces.append(text[start : found.start()])
+        start = found.end()
+    return [*pieces, text[start:]]
+
+
+def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
+    tries = MARKS[:1] if re.search(r"[;|]", _masked(inside)) else MARKS[1:]
+    splits = [_split(inside, mark) for mark in tries]
+    pieces = next((pieces for pieces in splits if len(pieces) == count), None)
+    if pieces is None and ";" not in inside and any(len(each) == 2 * count for each in splits):
+        return ambiguous("the commas can part the components or be decimal commas", 0, "(1.5; 2.5)", "(1,5; 2,5)")
+    if pieces is None:
+        return refused(f"{count} components are expected", 0, "write them as (3; 4) m/s")
+    behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
+    if not unit and behind and not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", "")):
+        pieces[-1], unit = pieces[-1].strip().removesuffix(behind[1]), behind[1]  # `3; 4 m/s`: one unit for all
+    return [f"{piece.strip()} {unit}".strip() for piece in pieces]
+
+
+def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError:
+    """`p_y = 4, p_x = 3` in the order asked for; pieces that do not all name a component stay as they are."""
+    placed: dict[int, str] = {}
+    for piece in pieces:
+        place = place_named(piece, names)
+        if place is None:
+            return pieces
+        if place in placed:
+            return refused(f"{names[place]} is given twice")
+        placed[place] = NAMED.sub("", piece, count=1).strip() if NAMED.match(piece) else piece[: piece.rindex(" ")]
+    return [placed[place] for place in range(len(pieces))] if len(placed) == len(names) else pieces
+
+
+def place_named(piece: str, names: Sequence[str]) -> int | None:
+    """Which component a text says it is: `p_x = 3`, `x: 3`, `3 unknowns`; None when it does not say."""
+    label = NAMED.match(piece)
+    said = label["name"] if label else piece.rpartition(" ")[2]
+    plain = re.sub(r"[^A-Za-z0-9]", "", said)
+    exact = [place for place, name in enumerate(names) if plain.lower() == name.lower() and (label or len(name) > 2)]
+    close = [place for place, name in enumerate(names) if plain.endswith(name) and 0 < len(plain) - len(name) <= 2]
+    found = exact or (sorted(close, key=lambda place: -len(names[place])) if label else [])
+    return found[0] if found else None
+
+
+def _axis(found: re.Match[str]) -> int:
+    return DIRECTIONS[(found["letter"] or found["last"]).replace("_", "")]
+
+
+def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
+    """`3 i - 4 j` cut at its directions; a direction left out is 0."""
+    components: dict[int, str] = {}
+    at = 0
+    for found in ALONG.finditer(inside):
+        piece = re.sub(r"^\s*([+-]?)\s*", r"\1", inside[at : found.start()]).strip().rstrip("*").strip()
+        axis = _axis(found)
+        if axis in components or axis >= count:
+            return refused(
+                f"{found[0].strip()} does not belong here", None, "write one term for each direction, such as 3 i + 4 j"
+            )
+        components[axis] = piece + "1" if piece in ("", "+", "-") else piece
+        at = found.end()
+    unit = unit or inside[at:].strip()
+    units = [re.sub(r"^[+-]?[0-9.,e ]*", "", piece) for piece in components.values()] if not unit else [unit]
+    missing = f"0 {units[0]}".strip()
+    return [f"{components[axis]} {unit}".strip() if axis in components else missing for axis in range(count)]
+
+
+def plain_answer(plain: str) -> tuple[str, int]:
+    """A vector without what leads up to it; names of its components stay."""
+    return (plain, 0) if "," in plain.split("=")[0] or len(re.findall(r"[=:]", plain)) > 1 or _labels(plain) else answer_in(plain)
+
+
+def _labels(plain: str) -> bool:
+    return len([piece for piece in re.split(r"[;,]|\band\b", plain) if NAMED.match(piece)]) > 1

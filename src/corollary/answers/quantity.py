@@ -1,0 +1,217 @@
+"""A student's number and unit, read once and shown back: what it is in SI, and whether it is the kind of thing asked for."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from corollary.answers.arithmetic_answer import worked_out
+from corollary.answers.components import length_and_angle, pieces_of, plain_answer
+from corollary.answers.preamble import SIDES, answer_in
+from corollary.formula.errors import ParseError, refused, sentence
+from corollary.formula.numerals import LONGEST, PLAIN, Written, decimal_text, scan_number
+from corollary.formula.tex import moved, without_tex
+from corollary.units.unit import PURE, Unit, called, read_unit, show
+
+MOST_SIDES = 5
+UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
+METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
+TWICE = re.compile(r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*")
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A quantity as it was read. `unit` is None when none was written.
+
+    `si` is the value in SI as a ratio times a power of pi, a bare number taken in the expected unit; `fit` compares it with
+    what was expected, and `why` says what is amiss ("" when it fits); `shown` is what the student sees: `8.6 N s`.
+    """
+
+    text: str
+    value: Fraction
+    figures: int
+    least: int
+    unit: Unit | None
+    si: tuple[Fraction, int]
+    fit: Literal["fits", "wrong dimension", "unit missing"]
+    why: str
+    shown: str
+
+
+def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
+    """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits."""
+    if len(text) > LONGEST:
+        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+    typed = without_tex(text)
+    plain, skipped = answer_in(typed.translate(PLAIN))
+    found = _number_and_unit(text, plain, expected)
+    if skipped and isinstance(found, Reading) and (other := _otherwise(typed.translate(PLAIN)[:skipped], found, expected)):
+        return refused(f"{other.shown} and {found.shown} are not the same", None, "write one number and a unit")
+    if (
+        isinstance(found, ParseError)
+        and found.status == "refused"
+        and not isinstance(worked := _worked(text, plain, expected), ParseError)
+    ):
+        return worked
+    if isinstance(found, ParseError) and (twice := _said_twice(plain, expected)) is not None:
+        return twice
+    return moved(_moved(found, skipped), text, typed) if isinstance(found, ParseError) else found
+
+
+def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | None:
+    """A side before the last that is a quantity of its own, and not the same: `9 N = 8.6 N`."""
+    sides = (_number_and_unit(side, side, expected) for side in SIDES.split(before)[-MOST_SIDES:])
+    given = (side for side in sides if isinstance(side, Reading) and side.unit is not None and last.unit is not None)
+    return next(
+        (side for side in given if side.fit == last.fit and not math.isclose(in_si(side), in_si(last), rel_tol=0.05)), None
+    )
+
+
+def _said_twice(plain: str, expected: Unit | None) -> Reading | None:
+    """`0.4 (40 %)`, `20 m/s (72 km/h)`: the first of the two, when both say the same."""
+    both = TWICE.fullmatch(plain)
+    if both is None:
+        return None
+    first, second = (_number_and_unit(each, each, expected) for each in both.groups())
+    if isinstance(first, ParseError) or isinstance(second, ParseError) or first.fit != "fits" or second.fit != "fits":
+        return None
+    return first if math.isclose(in_si(first), in_si(second), rel_tol=0.01) else None
+
+
+def _number_and_unit(text: str, plain: str, expected: Unit | None) -> Reading | ParseError:
+    found = scan_number(plain)
+    if isinstance(found, ParseError):
+        return found
+    number, end = found
+    rest = plain[end:].strip().rstrip(".")
+    if not rest:
+        return _reading(text, number, None, expected)
+    at = end + plain[end:].index(rest[0])
+    if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
+        return refused("one number is enough here", at, "work it out and write a number and a unit")
+    unit = _meant(rest.lstrip("*").strip(), expected)
+    return _moved(unit, at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
+
+
+def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
+    """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
+    unit = read_unit(text)
+    if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
+        return unit
+    twice = UNIT_TWICE.fullmatch(text)
+    meanings = (*unit.choices, METRES.sub("m s", text)) if isinstance(unit, ParseError) else twice.groups() if twice else ()
+    fitting = [each for each in map(read_unit, meanings) if isinstance(each, Unit) and each.dimension == expected.dimension]
+    if twice:
+        return fitting[0] if len(fitting) == 2 else unit
+    return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
+
+
+def _worked(text: str, plain: str, expected: Unit | None) -> Reading | ParseError:
+    found = worked_out(plain)
+    if isinstance(found, ParseError):
+        return found
+    number = Written(Fraction(f"{found.value:.15g}"), 0, 0)
+    return _reading(text, number, found.unit, expected, decimal_text(Fraction(f"{found.value:.6g}"), 0))
+
+
+def in_si(reading: Reading) -> float:
+    """The value in SI as the nearest double but one."""
+    ratio, pi = reading.si
+    return float(ratio) * math.pi**pi
+
+
+def describe(reading: Reading | ParseError) -> str:
+    """One line for the student: `read as 8.6 N s`, or what to do."""
+    if isinstance(reading, ParseError):
+        return f"not read: {sentence(reading)}"
+    return f"read as {reading.shown}" + (f": {reading.why}" if reading.why else "")
+
+
+def read_quantities(text: str, expected: Unit | None, count: int, names: Sequence[str] = ()) -> tuple[Reading, ...] | ParseError:
+    """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`.
+
+    With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
+    """
+    pieces = components_in(text, count, names)
+    match pieces:
+        case ParseError():
+            return pieces
+        case tuple():
+            return _polar(*pieces, expected)
+        case list():
+            found = []
+            for piece in pieces:
+                reading = read_quantity(piece, expected)
+                if isinstance(reading, ParseError):
+                    start = text.find(piece)
+                    return (
+                        _moved(reading, start) if start >= 0 else ParseError(reading.status, reading.why, None, reading.suggestion)
+                    )
+                found.append(reading)
+            return tuple(found)
+
+
+def components_in(text: str, count: int, names: Sequence[str] = ()) -> list[str] | tuple[str, str] | ParseError:
+    """The texts of the components, or those of a length and an angle."""
+    if len(text) > LONGEST:
+        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+    typed = without_tex(text)
+    plain, skipped = plain_answer(typed.translate(PLAIN))
+    polar = length_and_angle(plain)
+    if isinstance(polar, tuple) and count != 2:
+        return refused("a length and an angle give a vector in a plane only")
+    pieces = pieces_of(plain, count, names) if polar is None else polar
+    return moved(_moved(pieces, skipped), text, typed) if isinstance(pieces, ParseError) else pieces
+
+
+def _reading(text: str, number: Written, unit: Unit | None, expected: Unit | None, digits: str = "") -> Reading | ParseError:
+    size = unit or expected or PURE
+    ratio = number.value * size.factor
+    if ratio and not Fraction(10) ** -305 < abs(ratio) < Fraction(10) ** 305:
+        return refused("this quantity is too large or too small to be meant")
+    shown = f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
+    fit, why = "fits", ""
+    plain = expected is None or (expected.dimension, expected.factor, expected.pi) == (PURE.dimension, 1, 0)  # as 1 and rad are
+    if expected is not None and unit is None and number.value and not plain:  # 0 is 0 in every unit
+        fit, why = "unit missing", f"the unit is missing; write for example {shown} {show(expected)}"
+    elif expected is not None and size.dimension != expected.dimension:
+        sort = f"{called(expected.dimension)} is expected" + (f", for example in {show(expected)}" if show(expected) else "")
+        fit, why = "wrong dimension", f"{sort}; {shown} is {called(size.dimension)}"
+    return Reading(text, number.value, number.figures, number.least, unit, (ratio, size.pi), fit, why, shown)
+
+
+def _space(unit: Unit | None) -> str:
+    return "" if unit is None or unit.text == "deg" else " "
+
+
+def _moved(trouble: ParseError, by: int) -> ParseError:
+    position = None if trouble.position is None else trouble.position + by
+    return ParseError(trouble.status, trouble.why, position, trouble.suggestion, trouble.choices)
+
+
+def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Reading, ...] | ParseError:
+    """A length and the angle above the first axis. The components are doubles: a student's own digits are fewer."""
+    length, angle = read_quantity(its_length, expected), read_quantity(its_angle, None)
+    if isinstance(length, ParseError):
+        return length
+    if isinstance(angle, ParseError):
+        return refused(f"the angle: {angle.why}", None, angle.suggestion)
+    if angle.unit is None or angle.unit.text not in ("deg", "rad", "mrad"):
+        return refused("the angle needs its unit", None, "write for example 5 m/s at 30 deg")
+    ratio, pi = angle.si
+    right = {0: (1, 0), Fraction(1, 2): (0, 1), 1: (-1, 0), Fraction(3, 2): (0, -1)}.get(ratio % 2) if pi else None
+    turn = float(ratio % 2) * math.pi if pi else float(ratio)
+    shares = right or (math.cos(turn), math.sin(turn))
+    figures = max(3, min(length.figures, angle.figures))
+    found = []
+    for share in shares:
+        number = Written(length.value * Fraction(share), figures, min(figures, length.least))
+        part = _reading(its_length, number, length.unit, expected)
+        if isinstance(part, ParseError):
+            return part
+        found.append(part)
+    return tuple(found)

@@ -1,0 +1,166 @@
+"""Formulas evaluated with certainty: a ball that holds the value is made smaller until only one answer is left."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeVar
+
+from flint import arb, ctx, fmpq
+
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.compiled import Undefined, program
+from corollary.formula.exact import RationalPi, exactly
+
+__all__ = ["Certified", "RationalPi", "Undefined", "certified", "evaluate", "holds", "precision_of", "sign"]
+
+FIRST_BITS = 64
+EXACT_FROM = 256  # from here on the parts known exactly are put in: a tie or a zero is not decided by smaller balls
+MOST_BITS = 8192
+
+T = TypeVar("T")
+Values = Mapping[str, RationalPi] | Mapping[str, arb] | Mapping[str, RationalPi | arb]
+_FLINT = threading.RLock()  # the working precision is one global of the library, for all threads
+
+
+@dataclass(frozen=True, slots=True)
+class Certified:
+    """The double nearest to a value; `proven` unless two doubles were still possible at the largest precision."""
+
+    value: float
+    proven: bool
+    bits: int
+
+
+@contextmanager
+def precision_of(bits: int) -> Iterator[None]:
+    """Everything inside works with so many bits; one thread at a time."""
+    with _FLINT:
+        before = ctx.prec
+        ctx.prec = bits
+        try:
+            yield
+        finally:
+            ctx.prec = before
+
+
+def evaluate(tree: Expr, values: Values, precision: int) -> arb:
+    """A ball that holds the value. Not finite when this precision does not decide; raises Undefined when there is no value.
+
+    Raises KeyError for a letter without a value.
+    """
+    with precision_of(precision):
+        return _ball(tree, values)
+
+
+def certified(tree: Expr, values: Values) -> Certified:
+    """The double nearest to the exact value; `inf` beyond the doubles. Raises Undefined when there is no value."""
+
+    def decide(ball: arb) -> float | None:
+        if not ball.is_finite():
+            return None
+        low, high = float(ball.lower()), float(ball.upper())
+        return low + 0.0 if low == high else None
+
+    value, bits, last = _refined(tree, values, decide)
+    if value is not None:
+        return Certified(value, True, bits)
+    if last is None or not last.is_finite() or last.rel_accuracy_bits() < 1:
+        raise Undefined("no value could be worked out: too large, or at a point where it jumps")
+    return Certified(float(last.mid()), False, bits)
+
+
+def sign(tree: Expr, values: Values) -> int | None:
+    """-1, 0 or 1; None when even the largest precision does not tell the value from 0. Raises Undefined."""
+
+    def decide(ball: arb) -> int | None:
+        return 1 if ball > 0 else -1 if ball < 0 else 0 if ball.is_zero() else None
+
+    return _refined(tree, values, decide)[0]
+
+
+def holds(relation: Relation, values: Values) -> bool | None:
+    """Whether a condition is true; None when undecided. Raises Undefined when a side has no value."""
+    found = sign(Sum((relation.left, Negative(relation.right))), values)
+    if found is None:
+        return None
+    match relation.sign:
+        case "=":
+            return found == 0
+        case "!=":
+            return found != 0
+        case "<":
+            return found < 0
+        case "<=":
+            return found <= 0
+        case ">":
+            return found > 0
+        case ">=":
+            return found >= 0
+        case other:
+            raise ValueError(f"{other} compares nothing; use = != < <= > >=")
+
+
+def _refined(tree: Expr, values: Values, decide: Callable[[arb], T | None]) -> tuple[T | None, int, arb | None]:
+    """The decision, the bits it took, the last ball."""
+    bits, last, settled = FIRST_BITS, None, False
+    with _FLINT:
+        before = ctx.prec
+        try:
+            while bits <= MOST_BITS:
+                if bits >= EXACT_FROM and not settled:
+                    tree, settled = _settled(tree, values), True
+                ctx.prec = bits
+                last = _ball(tree, values)
+                found = decide(last)
+                if found is not None:
+                    return found, bits, last
+                bits *= 2
+        finally:
+            ctx.prec = before
+    return None, bits // 2, last
+
+
+def _ball(tree: Expr, values: Values) -> arb:
+    ready = program(tree)
+    return ready.run([_as_ball(values[name]) if name in values else _constant(name) for name in ready.names])
+
+
+def _as_ball(value: RationalPi | arb) -> arb:
+    if isinstance(value, arb):
+        return value
+    ratio = value.ratio
+    ball = arb(fmpq(ratio.numerator, ratio.denominator))
+    return ball if value.pi == 0 else ball * arb.pi() ** value.pi
+
+
+def _constant(name: str) -> arb:
+    if name == "pi":
+        return arb.pi()
+    raise KeyError(name)
+
+
+def _settled(tree: Expr, values: Values) -> Expr:
+    """The same formula, each part whose value is known exactly replaced by it."""
+    known = exactly(tree, values)
+    if known is not None:
+        number = Number(known.ratio)
+        return number if known.pi == 0 else Product((number, Power(Name("pi"), Number(Fraction(known.pi)))))
+    match tree:
+        case Negative(term):
+            return Negative(_settled(term, values))
+        case Sum(terms):
+            return Sum(tuple(_settled(term, values) for term in terms))
+        case Product(factors):
+            return Product(tuple(_settled(factor, values) for factor in factors))
+        case Quotient(top, bottom):
+            return Quotient(_settled(top, values), _settled(bottom, values))
+        case Power(base, exponent):
+            return Power(_settled(base, values), _settled(exponent, values))
+        case Call(function, arguments):
+            return Call(function, tuple(_settled(argument, values) for argument in arguments))
+        case _:
+            return tree

@@ -1,0 +1,231 @@
+"""A formula made ready to be evaluated many times: each part becomes a small function of the letters' balls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import assert_never
+
+from flint import arb, fmpq
+
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum, names
+from corollary.formula.exact import constant
+
+Step = Callable[[Sequence[arb]], arb]
+MOST_KEPT = 1024
+ROOTS_UP_TO = 64
+
+
+class Undefined(ArithmeticError):
+    """The formula has no value at these numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A formula ready to run on the balls of its letters, in the order of `names`."""
+
+    names: tuple[str, ...]
+    run: Step
+
+
+# Kept by identity: to hash a formula costs as much as to evaluate it. The formula is held, so its id stays its own.
+_KEPT: dict[int, tuple[Expr, Program]] = {}
+
+
+def program(tree: Expr) -> Program:
+    """The program of a formula, made once."""
+    kept = _KEPT.get(id(tree))
+    if kept is not None and kept[0] is tree:
+        return kept[1]
+    letters = tuple(sorted(names(tree)))
+    made = Program(letters, _step(tree, {name: place for place, name in enumerate(letters)}))
+    if len(_KEPT) >= MOST_KEPT:
+        _KEPT.clear()
+    _KEPT[id(tree)] = (tree, made)
+    return made
+
+
+def _step(tree: Expr, place: dict[str, int]) -> Step:
+    match tree:
+        case Number(value):
+            return _number(value)
+        case Name(name):
+            index = place[name]
+            return lambda at: at[index]
+        case Negative(term):
+            inner = _step(term, place)
+            return lambda at: -inner(at)
+        case Sum(terms):
+            signed = [(isinstance(term, Negative), term.term if isinstance(term, Negative) else term) for term in terms]
+            return _sum([(minus, _step(term, place)) for minus, term in signed])
+        case Product(factors):
+            return _product([_step(factor, place) for factor in factors])
+        case Quotient(top, bottom):
+            return _quotient(_step(top, place), _step(bottom, place))
+        case Power(base, exponent):
+            fixed = constant(exponent)
+            if fixed is not None and fixed.denominator <= ROOTS_UP_TO and abs(fixed.numerator) < 1 << 20:
+                return _fixed_power(_step(base, place), fixed)
+            return _power(_step(base, place), _step(exponent, place))
+        case Call(function, arguments):
+            return _call(function, [_step(argument, place) for argument in arguments])
+        case Relation(sign):
+            raise ValueError(f"a comparison ({sign}) has no number as its value")
+        case _:
+            assert_never(tree)
+
+
+def _number(value: Fraction) -> Step:
+    if value.denominator == 1 and value.numerator.bit_length() <= 64:
+        whole = arb(value.numerator)
+        return lambda at: whole
+    ratio = fmpq(value.numerator, value.denominator)
+    return lambda at: arb(ratio)  # rounded anew at each precision
+
+
+def _sum(terms: list[tuple[bool, Step]]) -> Step:
+    if len(terms) == 2 and not terms[0][0]:
+        (_, left), (minus, right) = terms
+        return (lambda at: left(at) - right(at)) if minus else (lambda at: left(at) + right(at))
+
+    def run(at: Sequence[arb]) -> arb:
+        total = arb(0)
+        for minus, term in terms:
+            total = total - term(at) if minus else total + term(at)
+        return total
+
+    return run
+
+
+def _product(factors: list[Step]) -> Step:
+    if len(factors) == 2:
+        left, right = factors
+        return lambda at: left(at) * right(at)
+
+    def run(at: Sequence[arb]) -> arb:
+        product = arb(1)
+        for factor in factors:
+            product = product * factor(at)
+        return product
+
+    return run
+
+
+def _quotient(top: Step, bottom: Step) -> Step:
+    def run(at: Sequence[arb]) -> arb:
+        below = bottom(at)
+        if below.is_zero():
+            raise Undefined("division by zero")
+        return top(at) / below
+
+    return run
+
+
+def _fixed_power(base: Step, power: Fraction) -> Step:
+    up, degree = power.numerator, power.denominator
+
+    def run(at: Sequence[arb]) -> arb:
+        ball = base(at)
+        if up < 0 and ball.is_zero():
+            raise Undefined("division by zero")
+        if degree > 1:
+            ball = _root(ball, degree)
+        return ball**up
+
+    return run
+
+
+def _root(ball: arb, degree: int) -> arb:
+    """The root of what is not negative in the ball; none if all of it is."""
+    if ball < 0:
+        raise Undefined("the root of a negative number")
+    if ball.contains(0):
+        return arb(0) if ball.is_zero() else arb(0).union(ball.upper().root(degree))
+    return ball.sqrt() if degree == 2 else ball.root(degree)
+
+
+def _power(base: Step, exponent: Step) -> Step:
+    def run(at: Sequence[arb]) -> arb:
+        below, above = base(at), exponent(at)
+        if below < 0 and not above.contains_integer():
+            raise Undefined("a negative number to a broken power")
+        if not below.is_zero():
+            return below**above
+        if above < 0:
+            raise Undefined("division by zero")
+        return arb(0) if above > 0 else arb(1) if above.is_zero() else arb("nan")
+
+    return run
+
+
+def _call(function: str, at: list[Step]) -> Step:
+    first = at[0]
+    match function:
+        case "sqrt":
+            return lambda values: _root(first(values), 2)
+        case "abs":
+            return lambda values: abs(first(values))
+        case "sin":
+            return lambda values: first(values).sin()
+        case "cos":
+            return lambda values: first(values).cos()
+        case "tan":
+            return lambda values: first(values).tan()
+        case "asin":
+            return lambda values: _arc(first(values), arb.asin)
+        case "acos":
+            return lambda values: _arc(first(values), arb.acos)
+        case "atan":
+            return lambda values: first(values).atan()
+        case "atan2":
+            return lambda values: _direction(first(values), at[1](values))
+        case "exp":
+            return lambda values: first(values).exp()
+        case "ln":
+            return lambda values: _logarithm(first(values))
+        case "log10":
+            return lambda values: _logarithm(first(values)) / arb.const_log10()
+        case "sinh":
+            return lambda values: first(values).sinh()
+        case "cosh":
+            return lambda values: first(values).cosh()
+        case "tanh":
+            return lambda values: first(values).tanh()
+        case "gamma":
+            return lambda values: _gamma(first(values))
+        case "min":
+            return lambda values: first(values).min(at[1](values))
+        case "max":
+            return lambda values: first(values).max(at[1](values))
+        case _:
+            raise ValueError(f"{function} is not a function of this course")
+
+
+def _arc(ball: arb, arc: Callable[[arb], arb]) -> arb:
+    """An inverse sine or cosine; a ball across 1 or -1 is cut there."""
+    if abs(ball) > 1:
+        raise Undefined("the inverse sine or cosine of a number beyond 1")
+    if not ball.is_finite() or abs(ball) <= 1:
+        return arc(ball)
+    low = arb(-1) if ball.contains(-1) else ball.lower()
+    high = arb(1) if ball.contains(1) else ball.upper()
+    return arc(low).union(arc(high))
+
+
+def _direction(y: arb, x: arb) -> arb:
+    if y.is_zero() and x.is_zero():
+        raise Undefined("a vector of length zero has no direction")
+    return arb.atan2(y, x)
+
+
+def _logarithm(ball: arb) -> arb:
+    if ball <= 0:
+        raise Undefined("the logarithm of a number that is not positive")
+    return ball.log()
+
+
+def _gamma(ball: arb) -> arb:
+    if ball <= 0 and ball.is_integer():
+        raise Undefined("the gamma function has no value at 0, -1, -2 …")
+    return ball.gamma()

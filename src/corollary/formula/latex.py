@@ -1,0 +1,136 @@
+r"""Formulas as TeX sets them, their form kept: `m*v_A0/dt` becomes a fraction with \Delta t below the line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import assert_never
+
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.numerals import decimal_text
+from corollary.formula.symbols import WORDS
+
+COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds together
+
+GREEK = re.compile("|".join((*WORDS, "pi", "eps")))
+INDEX = re.compile(r"[0-9]+|[A-Z](?=[xyz]?(?![a-z]))|[xyz](?![a-z])|[A-Za-z][a-z]*")
+SIGNS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
+FUNCTIONS = {
+    "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\mathrm{atan2}", "gamma": r"\Gamma",
+    "log10": r"\log_{10}",
+}  # fmt: skip
+DEGREE = r"{}^{\circ}"
+NO_LETTERS: Mapping[str, str] = {}
+
+
+def latex(tree: Expr, letters: Mapping[str, str] = NO_LETTERS) -> str:
+    """The formula in TeX; `letters` gives the TeX of names that should not be set by rule."""
+    return _latex(tree, letters)[0]
+
+
+def letter(name: str) -> str:
+    r"""One letter of a formula by rule: `v_A0` and `vA0` are v_{A,0}, `dt` is \Delta t, `mu` is \mu, `mdot` is \dot{m}."""
+    if name.endswith("dot") and len(name) > 3:
+        return rf"\dot{{{letter(name[:-3])}}}"
+    change = re.fullmatch(r"(?:d(?=[A-Za-z])|Delta_?)(?!elta)(.+)", name)
+    if change:
+        return rf"\Delta {letter(change[1])}"
+    greek = GREEK.match(name)
+    head, rest = (greek[0], name[greek.end() :]) if greek else (name[:1], name[1:])
+    head = ("\\varepsilon" if head in ("eps", "epsilon") else "\\varphi" if head == "phi" else "\\" + head) if greek else head
+    indices = [rf"\mathrm{{{each}}}" if len(each) > 1 and each.isalpha() else each for each in INDEX.findall(rest)]
+    return head + (f"_{{{','.join(indices)}}}" if indices else "")
+
+
+def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
+    def within(part: Expr, hold: int) -> str:
+        written, own = _latex(part, letters)
+        return written if own >= hold else rf"\left({written}\right)"
+
+    match tree:
+        case Number(value, figures):
+            return _number(value, figures)
+        case Name(name):
+            return (r"\pi" if name == "pi" else letters.get(name) or letter(name)), ATOM
+        case Negative(term):
+            return "-" + within(term, TIMES), ADD
+        case Sum(terms):
+            signed = [(isinstance(term, Negative), term.term if isinstance(term, Negative) else term) for term in terms]
+            return _sum([(minus, within(term, TIMES)) for minus, term in signed]), ADD
+        case Product(factors):
+            *before, last = factors
+            closed = [_closed(factor, letters) or within(factor, TIMES) for factor in before]
+            return _product([*closed, within(last, TIMES)]), TIMES
+        case Quotient(top, bottom):
+            if bottom == Number(Fraction(180)) and top == Name("pi"):
+                return DEGREE, TIMES
+            return rf"\frac{{{_latex(top, letters)[0]}}}{{{_latex(bottom, letters)[0]}}}", TIMES
+        case Power(Call(function, (argument,)), exponent) if function in ("sin", "cos", "tan"):
+            return rf"\{function}^{{{_latex(exponent, letters)[0]}}}{_argument(argument, letters)}", TIMES
+        case Power(base, exponent):
+            return f"{within(base, ATOM)}^{{{_latex(exponent, letters)[0]}}}", RAISE
+        case Call(function, arguments):
+            return _call(function, arguments, letters)
+        case Relation(sign, left, right):
+            return f"{within(left, ADD)} {SIGNS[sign]} {within(right, ADD)}", COMPARE
+        case _:
+            assert_never(tree)
+
+
+def _number(value: Fraction, figures: int) -> tuple[str, int]:
+    if value.denominator == 1 and figures == 0:
+        return str(value), ADD if value < 0 else ATOM
+    if figures == 0 and value.denominator < 1000:
+        fraction = rf"\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+        return ("-" + fraction, ADD) if value < 0 else (fraction, TIMES)
+    mantissa, _, power = decimal_text(value, figures).partition("e")
+    return (rf"{mantissa} \cdot 10^{{{power}}}" if power else mantissa), ADD if value < 0 else TIMES if power else ATOM
+
+
+def _sum(terms: list[tuple[bool, str]]) -> str:
+    (first_minus, first), *others = terms
+    return ("-" if first_minus else "") + first + "".join((" - " if minus else " + ") + term for minus, term in others)
+
+
+def _product(factors: list[str]) -> str:
+    written = factors[0]
+    for factor in factors[1:]:
+        numbers = factor[0].isdigit() or (factor.startswith(r"\frac") and written[-1].isdigit())
+        written += ("" if factor == DEGREE else r" \cdot " if numbers else r"\, ") + factor
+    return written
+
+
+def _closed(factor: Expr, letters: Mapping[str, str]) -> str:
+    """A function with factors behind it shows where it ends; "" for other factors."""
+    match factor:
+        case Call(function, (Name() as argument,)) if function not in ("sqrt", "abs", "exp"):
+            return _named(function) + rf"({_latex(argument, letters)[0]})"
+        case Power(Call("sin" | "cos" | "tan" as function, (Name() as argument,)), exponent):
+            return rf"\{function}^{{{_latex(exponent, letters)[0]}}}({_latex(argument, letters)[0]})"
+        case _:
+            return ""
+
+
+def _named(function: str) -> str:
+    return FUNCTIONS.get(function, "\\" + function)
+
+
+def _argument(argument: Expr, letters: Mapping[str, str]) -> str:
+    written, hold = _latex(argument, letters)
+    return f" {written}" if hold == ATOM and isinstance(argument, Name | Number) else rf"\left({written}\right)"
+
+
+def _call(function: str, arguments: tuple[Expr, ...], letters: Mapping[str, str]) -> tuple[str, int]:
+    inner = ", ".join(_latex(argument, letters)[0] for argument in arguments)
+    match function:
+        case "sqrt":
+            return rf"\sqrt{{{inner}}}", ATOM
+        case "abs":
+            return rf"\left|{inner}\right|", ATOM
+        case "exp":
+            return f"e^{{{inner}}}", RAISE
+        case _ if len(arguments) == 1:
+            return _named(function) + _argument(arguments[0], letters), TIMES
+        case _:
+            return _named(function) + rf"\left({inner}\right)", ATOM

@@ -1,0 +1,133 @@
+"""A formula cut into its signs: numbers, letters, operators and brackets, each with its place in what was typed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from corollary.formula.errors import ParseError, refused
+from corollary.formula.numerals import PLAIN, RAISED, VULGAR
+from corollary.formula.symbols import RUN, Piece
+
+LONGEST = 400
+MOST_TOKENS = 200
+MOST_DIGITS = 40
+LARGEST_EXPONENT = 400
+
+Kind = Literal["number", "name", "function", "e", "degree", "sign", "open", "close", "comma", "bar", "compare", "end"]
+NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<power>[+-]?[0-9]+))?")
+RAISED_RUN = re.compile(r"[⁻⁺]?[⁰¹²³⁴-⁹]+")
+COMPARE = re.compile(r"==|!=|<=|>=|[=<>≤≥≠]")
+LONE: dict[str, tuple[Kind, str]] = {
+    "(": ("open", "("), "[": ("open", "["), ")": ("close", ")"), "]": ("close", "]"),
+    "°": ("degree", "°"), "º": ("degree", "°"), "√": ("function", "sqrt"), "|": ("bar", "|"), ",": ("comma", ","),
+}  # fmt: skip
+HINTS = {
+    "\\": "write it without TeX, such as m*v/dt", "{": "use round brackets", "}": "use round brackets",
+    ";": "write one formula",
+}  # fmt: skip
+COMPARED = {"==": "=", "≤": "<=", "≥": ">=", "≠": "!="}
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """One sign. `tight`: it follows the one before without a space. A number keeps its exact value and the figures shown."""
+
+    kind: Kind
+    text: str
+    at: int
+    tight: bool
+    value: Fraction = Fraction(0)
+    figures: int = 0
+
+
+ReadRun = Callable[[str, int], list[Piece] | ParseError]
+
+
+def tokens(text: str, read_run: ReadRun, *, longest: int = LONGEST, most: int = MOST_TOKENS) -> list[Token] | ParseError:
+    """The signs of a formula, an `end` last; words are taken apart by `read_run`."""
+    if len(text) > longest:
+        return refused(f"this is longer than {longest} characters", longest)
+    plain = text.translate(PLAIN)
+    found: list[Token] = []
+    at, tight = 0, True
+    while at < len(plain):
+        if plain[at] == " ":
+            at, tight = at + 1, False
+            continue
+        step = _next(plain, at, tight, read_run)
+        if isinstance(step, ParseError):
+            return step
+        more, at = step
+        found += more
+        tight = True
+        if len(found) > most:
+            return refused(f"this formula has more than {most} signs", at)
+    return [*found, Token("end", "", len(text), False)]
+
+
+def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> tuple[list[Token], int] | ParseError:
+    letter = plain[at]
+    number = NUMBER.match(plain, at)
+    if number:
+        token = _number(number, tight)
+        return token if isinstance(token, ParseError) else ([token], number.end())
+    run = RUN.match(plain, at)
+    if run:
+        pieces = read_run(run[0], at)
+        if isinstance(pieces, ParseError):
+            return pieces
+        return [Token(piece.kind, piece.name, piece.at, tight or place > 0) for place, piece in enumerate(pieces)], run.end()
+    raised = RAISED_RUN.match(plain, at)
+    if raised:
+        return _raised(raised, tight)
+    compare = COMPARE.match(plain, at)
+    if compare:
+        return [Token("compare", COMPARED.get(compare[0], compare[0]), at, tight)], compare.end()
+    if plain.startswith("**", at):
+        return [Token("sign", "^", at, tight)], at + 2
+    if letter in "+-*/^":
+        return [Token("sign", letter, at, tight)], at + 1
+    if letter in VULGAR:
+        return _vulgar(VULGAR[letter], at, tight), at + 1
+    if letter in LONE:
+        kind, text = LONE[letter]
+        return [Token(kind, text, at, tight)], at + 1
+    return refused(f"{letter!r} does not belong in a formula", at, HINTS.get(letter, ""))
+
+
+def _number(found: re.Match[str], tight: bool) -> Token | ParseError:
+    mantissa = re.split("[eE]", found[0])[0]
+    if len(mantissa) > MOST_DIGITS:
+        return refused(f"this number has more than {MOST_DIGITS} digits", found.start())
+    if found["power"] and (len(found["power"]) > 6 or abs(int(found["power"])) > LARGEST_EXPONENT):
+        return refused(f"powers of ten go up to {LARGEST_EXPONENT}", found.start())
+    whole = "." not in mantissa and not found["power"]
+    value = Fraction(mantissa.rstrip(".")) if mantissa[0] != "." else Fraction("0" + mantissa)
+    value *= Fraction(10) ** int(found["power"] or 0)
+    shown = mantissa.replace(".", "").lstrip("0")
+    return Token("number", found[0], found.start(), tight, value, 0 if whole else len(shown))
+
+
+def _vulgar(value: Fraction, at: int, tight: bool) -> list[Token]:
+    """`½` is (1/2)."""
+    top, bottom = Fraction(value.numerator), Fraction(value.denominator)
+    return [
+        Token("open", "(", at, tight),
+        Token("number", str(top), at, True, top),
+        Token("sign", "/", at, True),
+        Token("number", str(bottom), at, True, bottom),
+        Token("close", ")", at, True),
+    ]
+
+
+def _raised(found: re.Match[str], tight: bool) -> tuple[list[Token], int] | ParseError:
+    plain, at = found[0].translate(RAISED), found.start()
+    digits = plain.lstrip("+-")
+    if len(digits) > 4:
+        return refused("this exponent is too large", at)
+    minus = [Token("sign", "-", at, True)] if plain[0] == "-" else []
+    return [Token("sign", "^", at, tight), *minus, Token("number", digits, at, True, Fraction(int(digits)))], found.end()

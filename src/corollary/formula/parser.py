@@ -1,0 +1,291 @@
+"""From signs to a formula, by how tightly each operator binds (Pratt 1973)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Literal, NoReturn
+
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.degrees import degrees
+from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.formula.exact import constant
+from corollary.formula.functions import ANGLE_IN, ARGUMENTS
+from corollary.formula.lexer import LARGEST_EXPONENT, Token
+from corollary.formula.text import text
+
+Lean = Literal["ask", "near", "far"]  # what has two readings: ask, let `cos θ/M` and `a/b c` end near, or let them reach far
+DEEPEST = 40
+LARGEST_POWER = 64
+MOST_BITS = 4096
+COMPARE, ADD, TIMES, FACTOR, RAISE = 5, 10, 20, 21, 30
+STARTS = frozenset({"number", "name", "function", "e", "open"})
+
+
+class _Stop(Exception):
+    """Leaves the reading, wherever it is, with what is to be said."""
+
+    def __init__(self, trouble: ParseError) -> None:
+        self.trouble = trouble
+
+
+@dataclass(slots=True)
+class _Line:
+    """The signs, and how far they have been read."""
+
+    tokens: list[Token]
+    student: bool
+    lean: Lean = "ask"
+    at: int = 0
+    depth: int = 0
+    bars: list[int] = field(default_factory=list)  # depth of brackets at each | still open
+
+    @property
+    def next(self) -> Token:
+        return self.tokens[self.at]
+
+    @property
+    def after(self) -> Token:
+        return self.tokens[min(self.at + 1, len(self.tokens) - 1)]
+
+    def take(self) -> Token:
+        token = self.tokens[self.at]
+        self.at += 1
+        return token
+
+
+def formula(tokens: list[Token], *, student: bool, lean: Lean = "ask") -> Expr | ParseError:
+    """The tree of a whole line. Students may leave out product signs and compare nothing; authors the other way round."""
+    line = _Line(tokens, student, lean)
+    try:
+        tree = _formula(line, 0)
+        if line.next.kind != "end":
+            _unexpected(line)
+    except _Stop as stop:
+        return stop.trouble
+    return tree
+
+
+def _refuse(why: str, at: int, suggestion: str = "") -> NoReturn:
+    raise _Stop(refused(why, at, suggestion))
+
+
+def _ask(why: str, at: int, *choices: Expr) -> NoReturn:
+    raise _Stop(ambiguous(why, at, *map(text, choices)))
+
+
+def _unexpected(line: _Line) -> NoReturn:
+    token = line.next
+    match token.kind:
+        case "end":
+            _refuse("the formula stops too early", token.at)
+        case "comma":
+            _refuse("a comma has no place here", token.at, "write decimals with a point, such as 1.5")
+        case "compare" if line.student:
+            _refuse(f"{token.text} has no place here", token.at, "write only the right side, one formula")
+        case "compare":
+            _refuse("only two sides are compared at a time", token.at, "write two conditions")
+        case "close":
+            _refuse("this bracket closes nothing", token.at)
+        case _:
+            _refuse(f"{token.text} has no place here", token.at)
+
+
+def _formula(line: _Line, least: int) -> Expr:
+    line.depth += 1
+    if line.depth > DEEPEST:
+        _refuse(f"this formula is nested more than {DEEPEST} deep", line.next.at)
+    tree = _first(line, least)
+    grows: type | None = None  # the sum or product this loop is building, to which terms are added
+    while True:
+        token = line.next
+        if token.kind == "compare" and not line.student and least < COMPARE and not isinstance(tree, Relation):
+            line.take()
+            tree, grows = Relation(token.text, tree, _formula(line, COMPARE)), None
+        elif token.kind == "sign" and token.text in "+-" and least < ADD:
+            line.take()
+            term = _formula(line, ADD)
+            term = Negative(term) if token.text == "-" else term
+            tree, grows = Sum((*tree.terms, term) if grows is Sum and isinstance(tree, Sum) else (tree, term)), Sum
+        elif token.kind == "sign" and token.text == "*" and least < TIMES:
+            line.take()
+            factor = _formula(line, TIMES)
+            tree, grows = _times(tree, factor, grows), Product
+        elif token.kind == "sign" and token.text == "/" and least < TIMES:
+            line.take()
+            tree, grows = Quotient(tree, _formula(line, TIMES)), Quotient
+        elif token.kind == "sign" and token.text == "^" and least < RAISE:
+            line.take()
+            tree, grows = _power(tree, _formula(line, RAISE - 1), token), None
+        elif token.kind == "degree" and least < RAISE:
+            line.take()
+            tree, grows = degrees(tree), None
+        elif _follows(line) and least < TIMES:
+            tree, grows = _implicit(line, tree, grows)
+        else:
+            line.depth -= 1
+            return tree
+
+
+def _times(tree: Expr, factor: Expr, grows: type | None) -> Expr:
+    return Product((*tree.factors, factor) if grows is Product and isinstance(tree, Product) else (tree, factor))
+
+
+def _follows(line: _Line) -> bool:
+    """Whether a factor follows without a product sign."""
+    token = line.next
+    return token.kind in STARTS or (token.kind == "bar" and (not line.bars or line.bars[-1] != _brackets(line)))
+
+
+def _brackets(line: _Line) -> int:
+    opened = line.tokens[: line.at]
+    return sum(token.kind == "open" for token in opened) - sum(token.kind == "close" for token in opened)
+
+
+def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
+    token, before = line.next, line.tokens[line.at - 1]
+    if not line.student:
+        _refuse("a product sign is missing here", token.at, "write * for every product")
+    if token.kind == "number":
+        shown = f"{before.text}^{token.text}", f"{before.text}*{token.text}"
+        raise _Stop(ambiguous("a number behind a factor can be a power or a product", token.at, *shown))
+    half = isinstance(tree, Quotient) and isinstance(tree.top, Number) and isinstance(tree.bottom, Number) and not token.tight
+    factor = _formula(line, TIMES)
+    if grows is Quotient and isinstance(tree, Quotient) and not half:  # `1/2 m`, with its space, is one half of m
+        below = Quotient(tree.top, _times(tree.bottom, factor, None))
+        if line.lean == "far":
+            return below, Quotient
+        if line.lean == "ask":
+            _ask("it is not clear what stands below the slash", token.at, below, Product((tree, factor)))
+    return _times(tree, factor, grows), Product
+
+
+def _power(base: Expr, exponent: Expr, token: Token) -> Expr:
+    power, below = constant(exponent), constant(base)
+    largest = LARGEST_EXPONENT if below == 10 else LARGEST_POWER
+    if power is not None and abs(power) > largest:
+        _refuse(f"exponents go up to {largest}", token.at)
+    if power is not None and below is not None:
+        bits = max(below.numerator.bit_length(), below.denominator.bit_length())
+        if bits * abs(power) > MOST_BITS:
+            _refuse("this power is too large a number", token.at)
+    return Power(base, exponent)
+
+
+def _first(line: _Line, least: int) -> Expr:
+    token = line.next
+    match token.kind:
+        case "number":
+            line.take()
+            return Number(token.value, token.figures)
+        case "name":
+            line.take()
+            return Name(token.text)
+        case "e":
+            line.take()
+            return _exponential(line)
+        case "function":
+            line.take()
+            return _call(line, token)
+        case "open":
+            line.take()
+            inner = _formula(line, 0)
+            if line.next.kind == "end":
+                _refuse("this bracket is never closed", token.at)
+            if line.next.kind != "close" or "([".index(token.text) != ")]".index(line.next.text):
+                _unexpected(line)
+            line.take()
+            return inner
+        case "bar":
+            line.take()
+            line.bars.append(_brackets(line))
+            inner = _formula(line, 0)
+            if line.next.kind != "bar":
+                _refuse("this bar | is never closed", token.at, "write abs(…)")
+            line.bars.pop()
+            line.take()
+            return Call("abs", (inner,))
+        case "sign" if token.text == "-":
+            line.take()
+            return Negative(_formula(line, max(least, ADD)))
+        case "sign" if token.text == "+" and least < TIMES:
+            line.take()
+            return _formula(line, max(least, ADD))
+        case "sign":
+            _refuse(f"something is missing before {token.text}", token.at)
+        case _:
+            _unexpected(line)
+
+
+def _exponential(line: _Line) -> Expr:
+    """Euler's number: `e^(-t)` is exp(-t)."""
+    if line.next.kind == "sign" and line.next.text == "^":
+        line.take()
+        return Call("exp", (_formula(line, RAISE - 1),))
+    return Call("exp", (Number(Fraction(1)),))
+
+
+def _call(line: _Line, token: Token) -> Expr:
+    function, start = token.text, line.next
+    power: Expr | None = None
+    if start.kind == "sign" and start.text == "^":
+        power = _power_of_function(line, function)
+    if line.next.kind == "open":
+        call = Call(function, _arguments(line, function))
+    elif line.student:
+        call = Call(function, (_bare_argument(line, function),))
+    else:
+        _refuse(f"{function} needs brackets", line.next.at, f"write {function}(…)")
+    return call if power is None else Power(call, power)
+
+
+def _power_of_function(line: _Line, function: str) -> Expr:
+    """`sin^2 x`; `sin^-1 x` has two readings."""
+    sign = line.take()
+    if line.next.kind == "sign" and line.next.text == "-":
+        choices = (f"arc{function}(…)", f"1/{function}(…)") if function in ANGLE_IN else (f"1/{function}(…)", f"{function}(…)")
+        raise _Stop(ambiguous(f"{function}^-1 can be read in two ways", sign.at, *choices))
+    if line.next.kind != "number" or line.next.figures or not 0 < line.next.value <= LARGEST_POWER:
+        _refuse(f"a whole number is expected as the power of {function}", line.next.at, f"write ({function}(…))^n")
+    return Number(line.take().value)
+
+
+def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
+    opened = line.take()
+    found = [_formula(line, 0)]
+    while line.next.kind == "comma" and ARGUMENTS[function] > 1:
+        line.take()
+        found.append(_formula(line, 0))
+    if line.next.kind == "end":
+        _refuse("this bracket is never closed", opened.at)
+    if line.next.kind != "close":
+        _unexpected(line)
+    line.take()
+    if len(found) != ARGUMENTS[function]:
+        _refuse(f"{function} takes {ARGUMENTS[function]} numbers, not {len(found)}", opened.at)
+    return tuple(found)
+
+
+def _bare_argument(line: _Line, function: str) -> Expr:
+    """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
+    token, start = line.next, line.at
+    if token.kind not in ("number", "name", "e") or ARGUMENTS[function] != 1:
+        _refuse(f"{function} needs brackets", token.at, f"write {function}(…)")
+    argument = _first(line, FACTOR)
+    if line.next.kind == "degree":
+        line.take()
+        argument = degrees(argument)
+    if token.kind == "number" and line.next.kind == "name" and line.next.tight and function in ANGLE_IN:
+        argument = Product((argument, _first(line, FACTOR)))
+    behind = line.next
+    if behind.kind in ("number", "name", "e", "open") or (behind.kind == "sign" and behind.text in "/^"):
+        if line.lean == "near":
+            return argument
+        if line.lean == "far":
+            line.at = start
+            return _formula(line, ADD)
+        shown = text(argument)
+        more = {"/": "/…", "^": "^…"}.get(behind.text, "*…")
+        choices = f"{function}({shown}{more})", f"{function}({shown}){more}"
+        raise _Stop(ambiguous(f"it is not clear where {function} ends", behind.at, *choices))
+    return argument

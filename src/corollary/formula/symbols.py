@@ -1,0 +1,184 @@
+"""The letters of an exercise, and all the ways a student may write them: m_A, mA, m_a; theta, θ; dt, Δt."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.formula.functions import SPELLINGS
+
+GREEK = {
+    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "ϵ": "epsilon", "ζ": "zeta", "η": "eta", "θ": "theta",
+    "ϑ": "theta", "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "µ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho",
+    "ϱ": "rho", "σ": "sigma", "τ": "tau", "υ": "upsilon", "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega",
+    "Γ": "Gamma", "Δ": "Delta", "∆": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma", "Φ": "Phi",
+    "Ψ": "Psi", "Ω": "Omega",
+}  # fmt: skip
+LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
+WORDS = tuple(sorted(set(GREEK.values()) - {"pi", "Pi"}, key=len, reverse=True))
+
+APART = re.compile(r"([Δ∆]|Delta)( +)(?=[A-Za-z])")  # `Δ t`: the space goes before the change, no place moves
+LETTER = "A-Za-z" + "".join(GREEK)
+RUN = re.compile(rf"[{LETTER}](?:[{LETTER}0-9{''.join(LOWERED)}]|_\{{[{LETTER}0-9, ]{{1,12}}\}}|_(?=[{LETTER}0-9]))*")
+LONGEST_RUN = 60
+
+
+Word = Literal["name", "function", "e", "degree"]
+Meaning = tuple[Word, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One word of a formula: a letter of the exercise, a function, a constant, or the word for degrees."""
+
+    kind: Word
+    name: str
+    at: int
+
+
+@dataclass(frozen=True, slots=True)
+class Letters:
+    """What may be typed (underscores left out), and which word it stands for; `loose` also takes mb for mB."""
+
+    names: frozenset[str]
+    exact: Mapping[str, Meaning]
+    loose: Mapping[str, Meaning]
+
+
+@lru_cache(maxsize=256)
+def letters(names: frozenset[str]) -> Letters:
+    """The letters of an exercise. A spelling that could mean two of them stands for neither, unless it is one of the names."""
+    exact: dict[str, Meaning] = {"pi": ("name", "pi")}
+    exact |= {typed: ("function", name) for typed, name in SPELLINGS.items()}
+    exact |= _unshared((spelling, name) for name in names for spelling in _spellings(name))
+    exact |= {key: ("name", name) for name in names for key in (name, name.replace("_", ""))}
+    if "e" not in names:
+        exact["e"] = ("e", "e")
+    return Letters(names, exact, _unshared((_loosened(key), word[1]) for key, word in exact.items() if word[0] == "name"))
+
+
+def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
+    """The words a run of letters is made of: one whole letter if it is one, else the fewest that make it up."""
+    if run in known.names:
+        return [Piece("name", run, at)]
+    if len(run) > LONGEST_RUN:
+        return refused("this word is too long", at)
+    if run in ("deg", "degree", "degrees"):
+        return [Piece("degree", run, at)]
+    plain, places, joints = _plain(run)
+    if plain in known.exact:
+        kind, name = known.exact[plain]
+        return _two_meanings(name, at, known) or [Piece(kind, name, at)]
+    exact_cuts = _cuts(plain, joints, known, loosely=False)
+    if _loosened(plain) in known.loose:  # `ma` may be the letter m_A, or m times a: only when both exist is there a question
+        kind, name = known.loose[_loosened(plain)]
+        if exact_cuts:
+            return ambiguous(f"{run} can be read in two ways", at, name, "*".join(word[1] for _, word in exact_cuts[0]))
+        return [Piece(kind, name, at)]
+    cuts = exact_cuts or _cuts(plain, joints, known, loosely=True)
+    if len(cuts) > 1:
+        return ambiguous(f"{run} can be read in several ways", at, *("*".join(word[1] for _, word in cut) for cut in cuts[:2]))
+    if cuts:
+        pieces = [Piece(*word, at + places[start]) for start, word in cuts[0]]
+        return next((trouble for piece in pieces if (trouble := _two_meanings(piece.name, piece.at, known))), None) or pieces
+    if plain.startswith("log"):
+        return ambiguous("log can be the natural or the decimal logarithm", at, "ln(…)", "log10(…)")
+    return refused(f"{run} is not among the letters here ({', '.join(sorted(known.names))})", at, _near(plain, known))
+
+
+def _two_meanings(name: str, at: int, known: Letters) -> ParseError | None:
+    if name in ("asin", "acos", "atan") and "a" in known.names:
+        return ambiguous(f"{name} can be an inverse function, or a times {name[1:]}", at, f"arc{name[1:]}(…)", f"a*{name[1:]}(…)")
+    return None
+
+
+def _spellings(name: str) -> set[str]:
+    """Other ways to write one name, underscores left out."""
+    plain = name.replace("_", "")
+    found = {plain}
+    if len(plain) > 1 and plain[0] == "d" and plain[1].isalpha() and not plain.startswith("delta"):
+        found |= {"Delta" + plain[1:], "delta" + plain[1:]}
+    if plain.startswith("Delta") and len(plain) > 5:
+        found |= {"d" + plain[5:], "delta" + plain[5:]}
+    if plain.startswith("eps") and not plain.startswith("epsilon"):
+        found.add("epsilon" + plain[3:])
+    if plain.startswith("epsilon"):
+        found.add("eps" + plain[7:])
+    return found
+
+
+def _loosened(plain: str) -> str:
+    """The head as written, the index in small letters."""
+    head = next((word for word in WORDS if plain.startswith(word)), plain[:1])
+    return head + plain[len(head) :].lower()
+
+
+def _unshared(pairs: Iterable[tuple[str, str]]) -> dict[str, Meaning]:
+    meanings: dict[str, set[str]] = {}
+    for key, name in pairs:
+        meanings.setdefault(key, set()).add(name)
+    return {key: ("name", found.pop()) for key, found in meanings.items() if len(found) == 1}
+
+
+def _plain(run: str) -> tuple[str, list[int], set[int]]:
+    """The run in plain letters; the place of each in the run; the places where it must not be cut."""
+    plain, places, joints, braced = "", [], set(), False
+    for place, letter in enumerate(run):
+        if letter == "_" or letter in "{},":
+            braced = letter == "{" or (braced and letter != "}")
+            joints.add(len(plain))
+        elif letter != " ":
+            word = GREEK.get(letter) or LOWERED.get(letter, letter)
+            first = len(plain) if braced or letter in LOWERED else len(plain) + 1
+            joints |= set(range(first, len(plain) + len(word)))
+            plain, places = plain + word, places + [place] * len(word)
+    joints.discard(len(plain))
+    return plain, places, joints
+
+
+Cut = list[tuple[int, Meaning]]
+
+
+def _cuts(plain: str, joints: set[int], known: Letters, *, loosely: bool) -> list[Cut]:
+    """The cuts into fewest words, at most two of them, found from the end (the number of all cuts grows exponentially)."""
+    best: list[tuple[int, list[Cut]]] = [(0, [[]])] * (len(plain) + 1)
+    for start in range(len(plain) - 1, -1, -1):
+        fewest, found = len(plain) + 1, []
+        for end in range(start + 1, len(plain) + 1) if start not in joints else ():
+            if end in joints or not best[end][1]:
+                continue
+            piece = plain[start:end]
+            word = known.exact.get(piece) or (known.loose.get(_loosened(piece)) if loosely else None)
+            if word is None or (word[0] == "e" and end < len(plain)) or best[end][0] + 1 > fewest:
+                continue
+            longer = [[(start, word), *rest] for rest in best[end][1]]
+            found = longer if best[end][0] + 1 < fewest else found + longer
+            fewest = best[end][0] + 1
+        best[start] = (fewest, found[:2])
+    return best[0][1]
+
+
+def _near(plain: str, known: Letters) -> str:
+    """A letter that differs by its case, by the order of its index, or by one sign."""
+    parted = re.fullmatch(r"([A-Za-z]+)([0-9]+)", plain)
+    if parted and parted[1] in known.exact:
+        return f"write {parted[1]}^{parted[2]} for a power, {parted[2]}*{parted[1]} for a multiple"
+    for key, (kind, name) in sorted(known.exact.items()):
+        if kind == "name" and sorted(key.lower()) == sorted(plain.lower()):  # V for v, v0A for vA0
+            return f"did you mean {name}?"
+    near = sorted(key for key in known.exact if abs(len(key) - len(plain)) <= 1 and _one_apart(key, plain))
+    near = [key for key in near if key[0] == plain[0]] or [key for key in near if len(key) > 2]
+    if near:
+        return f"did you mean {known.exact[near[0]][1]}?"
+    return "use only the letters of the exercise"
+
+
+def _one_apart(left: str, right: str) -> bool:
+    """Whether one letter put in, left out or exchanged makes them equal."""
+    short, long = sorted((left, right), key=len)
+    same = next((place for place, (a, b) in enumerate(zip(short, long, strict=False)) if a != b), len(short))
+    return short[same + (len(short) == len(long)) :] == long[same + 1 :]

@@ -1,0 +1,73 @@
+"""Formulas as students and authors write them, read into trees; what has two readings is asked about, never guessed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import partial
+
+from corollary.formula.ast import Expr
+from corollary.formula.degrees import in_degrees
+from corollary.formula.errors import ParseError, refused, sentence
+from corollary.formula.functions import SPELLINGS
+from corollary.formula.lexer import LONGEST, MOST_TOKENS, tokens
+from corollary.formula.numerals import PLAIN
+from corollary.formula.parser import Lean, formula
+from corollary.formula.symbols import APART, RUN, Piece, letters, read_run
+from corollary.formula.tex import moved, without_tex
+
+LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
+
+
+def parse(
+    text: str, names: Iterable[str], *, degrees: bool = False, left: str | None = None, lean: Lean = "ask"
+) -> Expr | ParseError:
+    """A student's formula in the letters `names`; `lean` says what becomes of places that have two readings.
+
+    A left side (`p = m v`) may be repeated: any one letter, or only `left` when it is given. With `degrees`, a bare number
+    inside sin, cos or tan is in degrees; letters stand for angles themselves.
+    """
+    if len(text) > LONGEST:
+        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+    if (plain := without_tex(text)) != text:
+        tree = parse(plain, names, degrees=degrees, left=left, lean=lean)
+        return moved(tree, text, plain) if isinstance(tree, ParseError) else tree
+    found = LEFT.match(text.translate(PLAIN))
+    start = 0
+    if found:
+        start = found.end()
+        if left is not None and isinstance(read_run(found[1], 0, letters(frozenset({left}))), ParseError):
+            return refused(f"{found[1]} stands on the left, but {left} is asked for", found.start(1), f"begin with {left} =")
+    known = letters(frozenset(names))
+    # Blanks stand for what was skipped, so that a place found is a place in what was typed.
+    line = " " * start + (text[start:] if "Delta" in known.names else APART.sub(r"\2\1", text[start:]))
+    read = tokens(line, partial(read_run, known=known))
+    if isinstance(read, ParseError):
+        return read
+    tree = formula(read, student=True, lean=lean)
+    return in_degrees(tree) if degrees and not isinstance(tree, ParseError) else tree
+
+
+def author_formula(text: str, names: Iterable[str] | None = None) -> Expr:
+    """A formula, a law or a condition of an author: every product written with `*`, letters exactly as declared.
+
+    Raises ValueError with a sentence that quotes the text.
+    """
+    declared = None if names is None else frozenset(names)
+    read = tokens(text, partial(_author_run, declared=declared), longest=20 * LONGEST, most=20 * MOST_TOKENS)
+    tree = read if isinstance(read, ParseError) else formula(read, student=False)
+    if isinstance(tree, ParseError):
+        raise ValueError(f"formula {text!r}, {sentence(tree)}")
+    return tree
+
+
+def _author_run(run: str, at: int, declared: frozenset[str] | None) -> list[Piece] | ParseError:
+    if declared is not None and run in declared:
+        return [Piece("name", run, at)]
+    if run in SPELLINGS:
+        return [Piece("function", SPELLINGS[run], at)]
+    if run == "log":
+        return refused("log can be the natural or the decimal logarithm", at, "write ln or log10")
+    if declared is None or run == "pi":
+        return [Piece("name", run, at)]
+    return refused(f"{run} is not among the letters here ({', '.join(sorted(declared))})", at)

@@ -1,0 +1,106 @@
+r"""Answers typed in TeX, as one would type them without it: `\frac{m v}{\Delta t}` is ((m v)/(Delta t))."""
+
+from __future__ import annotations
+
+import re
+
+from corollary.formula.errors import ParseError
+
+SAID = {
+    "cdot": "*", "times": "*", "ast": "*", "div": "/", "pm": "±", "approx": "≈", "simeq": "≈", "sim": "≈", "circ": "°", "degree": "°",
+    "langle": "(", "rangle": ")", "lvert": "|", "rvert": "|", "vert": "|", "quad": " ", "qquad": " ", "left": "", "right": "", "big": "",
+    "Big": "", "bigl": "", "bigr": "", "displaystyle": "", "limits": "", "varphi": "phi", "varepsilon": "epsilon", "vartheta": "theta",
+    "imath": "i", "jmath": "j", "per": "/", "newton": "N", "joule": "J", "watt": "W", "metre": "m", "meter": "m", "second": "s",
+    "kilogram": "kg", "gram": "g", "radian": "rad", "squared": "^2", "kilo": "k", "milli": "m", "centi": "c", "percent": "%",
+}  # fmt: skip
+WRAPPED = frozenset({
+    "mathrm", "text", "textrm", "textit", "textbf", "mathit", "mathbf", "mathsf", "rm", "operatorname", "unit", "si", "num", "boxed",
+    "underline", "vec", "overrightarrow", "bar",
+})  # fmt: skip
+COMMAND = re.compile(r"\\([A-Za-z]+)\*?\s*|\\(.)")
+SPACES = re.compile(r"\\[,;:!> ]|~|\$|\\\(|\\\)|\\\[|\\\]|\\(?:begin|end)\{[pbv]?(?:matrix|array)\}")
+INDEX = re.compile(r"_\{([^{}]*)\}")
+PLAIN_POWER = re.compile(r"\s*(?:[0-9]+|°)\s*")
+DEEPEST = 20
+
+
+def without_tex(text: str) -> str:
+    """The text as it would be typed without TeX; as it is where it holds none."""
+    if "\\" not in text and "$" not in text and "^{" not in text:
+        return text
+    plain = text.replace("{,}", ",").replace("\\\\", ";")
+    plain = _plain(SPACES.sub(lambda found: _bracket(found[0]), plain), 0)
+    return re.sub(r"\^\s*°", "°", re.sub(r"\s+", " ", plain)).strip()
+
+
+def moved(trouble: ParseError, typed: str, plain: str) -> ParseError:
+    """What is amiss, without its place when the text was rewritten before it was read."""
+    return trouble if typed == plain else ParseError(trouble.status, trouble.why, None, trouble.suggestion, trouble.choices)
+
+
+def _bracket(found: str) -> str:
+    return (
+        "" if found in ("\\!", "$", "\\(", "\\)", "\\[", "\\]") else "(" if "begin" in found else ")" if "end" in found else " "
+    )
+
+
+def _plain(text: str, depth: int) -> str:
+    if depth > DEEPEST:
+        return text
+    done = ""
+    while found := COMMAND.search(text):
+        done, name, rest = done + text[: found.start()], found[1], text[found.end() :]
+        match name:
+            case "frac" | "dfrac" | "tfrac":
+                above, rest = _argument(rest)
+                below, rest = _argument(rest)
+                above, below = _plain(above, depth + 1), _plain(below, depth + 1)
+                done += f"(({above})/{below if below.isalnum() else f'({below})'})"
+            case "sqrt":
+                inner, rest = _argument(rest)
+                done += f"sqrt({_plain(inner, depth + 1)})"
+            case "hat":
+                inner, rest = _argument(rest)
+                done += {"i": "î", "j": "ĵ", "x": "x̂", "y": "ŷ"}.get(_plain(inner, depth + 1).strip(), inner)
+            case "dot":
+                inner, rest = _argument(rest)
+                done += f"{_plain(inner, depth + 1)}dot"
+            case "SI" | "qty":
+                inner, rest = _argument(rest)
+                its_unit, rest = _argument(rest)
+                done += f"{_plain(inner, depth + 1)} {_plain(its_unit, depth + 1)}"
+            case None:
+                done += found[2] if found[2] in "%|{}" else " "
+            case _ if name in WRAPPED:
+                inner, rest = _argument(rest)
+                done += _plain(inner, depth + 1)
+            case _:
+                word = SAID.get(name, name)
+                apart = word[:1].isalpha() and done[-1:].isalnum()
+                done += f"{' ' if apart else ''}{word}{' ' if word[-1:].isalpha() and rest[:1].isalnum() else ''}"
+        text = rest
+    return _round_brackets(done + text)
+
+
+def _round_brackets(text: str) -> str:
+    """Curly brackets group: after ^ they become round ones, an index keeps them, others are left out."""
+    text = INDEX.sub("_\0\\1\1", text.replace("\0", "").replace("\1", ""))
+    text = re.sub(
+        r"\^\s*\{([^{}]*)\}", lambda found: f"^{found[1]} " if PLAIN_POWER.fullmatch(found[1]) else f"^({found[1]})", text
+    )
+    return re.sub(r"(?<!\^)\{([^{}]*)\}", r"\1", text).replace("\0", "{").replace("\1", "}")
+
+
+def _argument(text: str) -> tuple[str, str]:
+    """What a command is about, and the rest: a group in curly brackets, a command, or one sign."""
+    text = text.lstrip()
+    if not text.startswith("{"):
+        command = re.match(r"\\[A-Za-z]+", text)
+        cut = command.end() if command else 1
+        return text[:cut], text[cut:]
+    open_ones = 0
+    for place, sign in enumerate(text):
+        open_ones += (sign == "{") - (sign == "}")
+        if open_ones == 0:
+            return text[1:place], text[place + 1 :]
+    return text[1:], ""

@@ -1,0 +1,45 @@
+"""From a formula as written to sympy, letter by letter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+import sympy
+
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+
+FUNCTIONS = {
+    "sqrt": sympy.sqrt, "abs": sympy.Abs, "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan,
+    "asin": sympy.asin, "acos": sympy.acos, "atan": sympy.atan, "atan2": sympy.atan2,
+    "exp": sympy.exp, "ln": sympy.log, "gamma": sympy.gamma, "min": sympy.Min, "max": sympy.Max,
+    "sinh": sympy.sinh, "cosh": sympy.cosh, "tanh": sympy.tanh,
+    "log10": lambda x: sympy.log(x) / sympy.log(10),
+}  # fmt: skip
+
+
+def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
+    """The tree in sympy, with `meaning` for its letters. Raises KeyError for a letter without meaning."""
+    match tree:
+        case Number(value):
+            return sympy.Rational(value.numerator, value.denominator)
+        case Name("pi"):
+            return sympy.pi
+        case Name(name):
+            return meaning[name]
+        case Negative(term):
+            return -expression(term, meaning)
+        case Sum(terms):
+            return sympy.Add(*(expression(term, meaning) for term in terms))
+        case Product(factors):
+            return sympy.Mul(*(expression(factor, meaning) for factor in factors))
+        case Quotient(top, bottom):
+            return expression(top, meaning) / expression(bottom, meaning)
+        case Power(base, exponent):
+            return expression(base, meaning) ** expression(exponent, meaning)
+        case Call(function, arguments):
+            return FUNCTIONS[function](*(expression(argument, meaning) for argument in arguments))
+        case Relation():
+            raise TypeError("a relation is no expression; take its sides")
+        case _:
+            assert_never(tree)

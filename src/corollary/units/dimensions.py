@@ -1,0 +1,120 @@
+"""What a formula measures, found from what its letters measure: metres are never added to seconds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.errors import ParseError, refused
+from corollary.formula.exact import HALF, constant
+from corollary.formula.text import text
+from corollary.units.unit import ONE, Dimension, called, show, si_unit
+
+Found = Dimension | None  # None is the dimension of 0: it may be added to whatever it stands beside
+
+
+class _Mismatch(Exception):
+    def __init__(self, why: str) -> None:
+        self.why = why
+
+
+def dimension_of(tree: Expr, dimensions: Mapping[str, Dimension]) -> Dimension | ParseError:
+    """The dimension of a formula; of a comparison, that of its sides. 0 counts as a plain number.
+
+    Letters that are not in `dimensions` raise KeyError.
+    """
+    try:
+        return _dimension(tree, dimensions) or ONE
+    except _Mismatch as mismatch:
+        return refused(mismatch.why, None, "look at the units of each term")
+
+
+def wrong_dimension(tree: Expr, dimensions: Mapping[str, Dimension], expected: Dimension) -> ParseError | None:
+    """What is wrong with the dimension of an answer; None when it is the expected one, or the answer is 0."""
+    try:
+        found = _dimension(tree, dimensions)
+    except _Mismatch as mismatch:
+        return refused(mismatch.why, None, "look at the units of each term")
+    if found is None or found == expected:
+        return None
+    return refused(f"{called(expected)} is expected, but this is {called(found)}", None, "look at the units of each factor")
+
+
+def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:
+    match tree:
+        case Number(value):
+            return ONE if value else None
+        case Name(name):
+            return ONE if name == "pi" and name not in of else of[name]
+        case Negative(term):
+            return _dimension(term, of)
+        case Sum(terms):
+            return _same(terms, of, "added")
+        case Product(factors):
+            found = [_dimension(factor, of) for factor in factors]
+            product = ONE
+            for each in found:
+                product = product * (each or ONE)
+            return None if None in found else product
+        case Quotient(top, bottom):
+            above, below = _dimension(top, of), _dimension(bottom, of)
+            return None if above is None else above / (below or ONE)
+        case Power(base, exponent):
+            return _power(base, exponent, of)
+        case Call(function, arguments):
+            return _call(function, arguments, of)
+        case Relation(_, left, right):
+            return _same((left, right), of, "compared")
+        case _:
+            assert_never(tree)
+
+
+def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], how: str) -> Found:
+    common: Found = None
+    first = terms[0]
+    for term in terms:
+        found = _dimension(term, of)
+        if common is None:
+            common, first = found, term
+        elif found is not None and found != common:
+            raise _Mismatch(f"{_shown(first, common)} and {_shown(term, found)} cannot be {how}")
+    return common
+
+
+def _shown(tree: Expr, dimension: Dimension) -> str:
+    bare = tree.term if isinstance(tree, Negative) else tree
+    return f"{text(bare)} ({show(si_unit(dimension)) or 'a plain number'})"
+
+
+def _plain(tree: Expr, of: Mapping[str, Dimension], where: str) -> None:
+    found = _dimension(tree, of)
+    if found is not None and found != ONE:
+        raise _Mismatch(f"{_shown(tree, found)} cannot be {where}")
+
+
+def _power(base: Expr, exponent: Expr, of: Mapping[str, Dimension]) -> Found:
+    _plain(exponent, of, "an exponent")
+    below, power = _dimension(base, of), constant(exponent)
+    if below is None or below == ONE:
+        return None if below is None and power != 0 else ONE
+    if power is None:
+        raise _Mismatch(f"{_shown(base, below)} can only have a number as its exponent")
+    return below**power
+
+
+def _call(function: str, arguments: tuple[Expr, ...], of: Mapping[str, Dimension]) -> Found:
+    match function:
+        case "sqrt":
+            inner = _dimension(arguments[0], of)
+            return None if inner is None else inner**HALF
+        case "abs":
+            return _dimension(arguments[0], of)
+        case "min" | "max":
+            return _same(arguments, of, "compared")
+        case "atan2":
+            _same(arguments, of, "compared")
+            return ONE
+        case _:
+            _plain(arguments[0], of, f"inside {function}")
+            return ONE

@@ -1,0 +1,52 @@
+"""Vectors in words, as texts of their components."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.answers.components import length_and_angle, pieces_of
+from corollary.formula.errors import ParseError
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "(3, 4) N", "[3; 4] N", "<3, 4> N", "{3, 4} N", "(3 | 4) N", "3 N and 4 N", "3 N; 4 N", "3 i + 4 j N", "3 ex + 4 ey N",
+        "p_y = 4 N, p_x = 3 N", "y: 4 N; x: 3 N", "vx = 3 N, vy = 4 N",
+    ],
+)  # fmt: skip
+def test_the_components_in_their_order(typed):
+    found = pieces_of(typed, 2, ("x", "y"))
+    assert isinstance(found, list), found
+    assert [piece.lstrip("+") for piece in found] == ["3 N", "4 N"]
+
+
+def test_names_that_are_none_of_the_components_keep_their_order():
+    assert pieces_of("v1 = 3 N, v2 = 4 N", 2, ("A", "B")) == ["v1 = 3 N", "v2 = 4 N"]
+    assert isinstance(pieces_of("x = 3 N, x = 4 N", 2, ("x", "y")), ParseError)
+    assert pieces_of("4 unknowns, 3 equations", 2, ("unknowns", "equations")) == ["4", "3"]
+
+
+def test_a_factor_before_the_brackets_goes_to_each():
+    assert pieces_of("m v (cos(a), sin(a))", 2) == ["m v*(cos(a))", "m v*(sin(a))"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "length", "angle"),
+    [
+        ("5 N at 30°", "5 N", "30°"),
+        ("5 N, 30°", "5 N", "30°"),
+        ("5 N (30 deg)", "5 N", "30 deg"),
+        ("5∠30° N", "5 N", "30°"),
+        ("5 N at 30° above the horizontal", "5 N", "30°"),
+        ("5 N, 30° below the x-axis", "5 N", "-30°"),
+        ("5 N at 30 degrees to the horizontal", "5 N", "30 degrees"),
+    ],
+)
+def test_a_length_and_an_angle(typed, length, angle):
+    assert length_and_angle(typed) == (length, angle)
+
+
+@pytest.mark.parametrize("typed", ["(40 cos 30°, 40 sin 30°) N", "(3, 4) N", "3 N; 4 N"])
+def test_what_is_none(typed):
+    assert length_and_angle(typed) is None

@@ -1,0 +1,40 @@
+"""What stands around an answer is left out; what would change it is not."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.answers.preamble import answer_in
+from corollary.formula.numerals import PLAIN
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "8.6 N", "= 8.6 N", "≈ 8.6 N", "~8.6 N", "ca. 8.6 N", "about 8.6 N", "ungefähr 8.6 N", "environ 8.6 N", "F = 8.6 N",
+        "Δp ≈ 8.6 N", "delta p = 8.6 N", "|p| = 8.6 N", "p_1 - p_0 = m v = 8.6 N", "0.43*20 = 8.6 N", "Answer: 8.6 N", "a) 8.6 N",
+        "(b) 8.6 N", "The force is 8.6 N", "“8.6 N”", "**8.6 N**", "8.6 N.", "8.6 N;", "8.6 N ± 0.1 N", "8.6 N (g = 9.81 m/s²)",
+        "8.6 N, with g = 9.8",
+    ],
+)  # fmt: skip
+def test_the_answer_is_found(written):
+    found, before = answer_in(written.translate(PLAIN))
+    assert found.strip() == "8.6 N"
+    assert written[before:].startswith("8.6")
+
+
+@pytest.mark.parametrize(
+    "written",
+    ["8.6 or 9 N", "not 8.6 N", "less than 9 N", "between 8 and 9 N", "8.6 N if v = 3", "> 8 N", "half of 8.6 N", "x = 3, y = 4"],
+)
+def test_what_changes_an_answer_stays(written):
+    found, _ = answer_in(written.translate(PLAIN))
+    assert found.strip() != "8.6 N"
+    assert any(word in found for word in ("or", "not", "less", "between", "if", ">", "half", "y = 4"))
+
+
+@pytest.mark.parametrize(
+    ("written", "answer"), [("minus 3 m/s", "-3 m/s"), ("8.6 ± 0.1 N", "8.6 N"), ("(8.6 ± 0.1) N", "(8.6 ) N")]
+)
+def test_a_minus_in_words_and_an_uncertainty(written, answer):
+    assert " ".join(answer_in(written)[0].split()) == answer

@@ -1,0 +1,267 @@
+"""A student's number and unit, read once and shown back."""
+
+from __future__ import annotations
+
+import math
+import time
+import tracemalloc
+from fractions import Fraction
+
+import pytest
+
+from corollary.answers.quantity import Reading, describe, in_si, read_quantities, read_quantity
+from corollary.formula.errors import ParseError
+from corollary.units.unit import unit
+
+IMPULSE = unit("kg*m/s")
+
+
+@pytest.mark.parametrize(
+    ("text", "si", "shown"),
+    [
+        ("8.6 kg m/s", "8.6", "8.6 kg m/s"),
+        ("8,6 Ns", "8.6", "8.6 N s"),
+        ("8.6N s", "8.6", "8.6 N s"),
+        ("p = 8.6 kg·m/s", "8.6", "8.6 kg m/s"),
+        ("Δp ≈ 8.60 kgm/s", "8.6", "8.60 kg m/s"),
+        ("8.6 kg*m/s", "8.6", "8.6 kg m/s"),
+        ("1,2·10^3 Ns", "1200", "1200 N s"),
+        ("1.2e-5 N s", "0.000012", "1.2e-5 N s"),
+        ("8600 g m/s", "8.6", "8600 g m/s"),
+        ("0.43 kg*72 km/h", "8.6", "8.6 kg m/s"),
+        ("1/2 kg m/s", "1/2", "0.5 kg m/s"),
+        ("−8.6 kN ms", "-8.6", "-8.6 kN ms"),
+    ],
+)
+def test_equivalent_units_convert(text, si, shown):
+    found = read_quantity(text, IMPULSE)
+    if si is None:
+        assert isinstance(found, ParseError)
+        return
+    assert isinstance(found, Reading)
+    assert (found.si, found.fit, found.shown) == ((Fraction(si), 0), "fits", shown)
+    assert describe(found) == f"read as {shown}"
+
+
+def test_a_comma_before_an_exponent_is_a_decimal_comma():
+    found = read_quantity("1,2e3 N", unit("N"))
+    assert isinstance(found, Reading)
+    assert found.si == (1200, 0)
+
+
+def test_a_wrong_dimension_says_what_was_expected_and_how_it_was_read():
+    found = read_quantity("8.6 N", IMPULSE)
+    assert isinstance(found, Reading)
+    assert found.fit == "wrong dimension"
+    assert found.why == "a momentum or an impulse is expected, for example in kg m/s; 8.6 N is a force"
+
+
+def test_a_missing_unit_is_its_own_result():
+    found = read_quantity("8.6", IMPULSE)
+    assert isinstance(found, Reading)
+    assert (found.fit, found.unit) == ("unit missing", None)
+    assert found.why == "the unit is missing; write for example 8.6 kg m/s"
+
+
+def test_nothing_needs_no_unit():
+    found = read_quantity("0", IMPULSE)
+    assert isinstance(found, Reading)
+    assert (found.fit, found.si) == ("fits", (0, 0))
+
+
+def test_a_full_stop_ends_a_sentence():
+    found = read_quantity("p = 8.6 kg m/s.", IMPULSE)
+    assert isinstance(found, Reading)
+    assert found.shown == "8.6 kg m/s"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected", "si", "fit"),
+    [
+        ("30°", "rad", (Fraction(1, 6), 1), "fits"),
+        ("30 deg", "rad", (Fraction(1, 6), 1), "fits"),
+        ("0.5", "rad", (Fraction(1, 2), 0), "fits"),
+        ("30", "deg", (Fraction(1, 6), 1), "unit missing"),
+        ("85 %", "1", (Fraction(17, 20), 0), "fits"),
+        ("0.85", "1", (Fraction(17, 20), 0), "fits"),
+        ("5 m", "1", (Fraction(5), 0), "wrong dimension"),
+        ("72 km/h", "m/s", (Fraction(20), 0), "fits"),
+        ("5 /s", "Hz", (Fraction(5), 0), "fits"),
+        ("5 1/s", "Hz", (Fraction(5), 0), "fits"),
+    ],
+)
+def test_angles_ratios_and_rates(text, expected, si, fit):
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, Reading)
+    assert (found.si, found.fit) == (si, fit)
+
+
+def test_si_as_a_float():
+    found = read_quantity("90 deg", None)
+    assert isinstance(found, Reading)
+    assert in_si(found) == pytest.approx(math.pi / 2, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "3 m - 4 m",
+        "nan m",
+        "inf m",
+        "1e400 m",
+        "3 m 5",
+        "9**9**9",
+        "10**10**10 m",
+        "1e999999999",
+        "",
+        "m",
+        "8.6 n s",
+        "5 K",
+        "1e300 km^9",
+    ],
+)
+def test_what_is_no_quantity_is_refused(text):
+    found = read_quantity(text, None)
+    assert isinstance(found, ParseError)
+    assert found.status == "refused"
+    assert found.position is None or 0 <= found.position <= len(text)
+
+
+@pytest.mark.parametrize(("text", "at"), [("8.6 J/kg m", 9), ("p = 1,234 N", 4), ("5 ms^-1", 2)])
+def test_two_readings_are_asked_about(text, at):
+    found = read_quantity(text, IMPULSE)
+    assert isinstance(found, ParseError)
+    assert (found.status, found.position) == ("asked", at)
+    assert len(found.choices) == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("(3, 4) m/s", (3, 4)),
+        ("[3; 4] m/s", (3, 4)),
+        ("(3 4) m/s", (3, 4)),
+        ("v = (3, 4) m/s", (3, 4)),
+        ("(-3.5,-4.25) m/s", (-3.5, -4.25)),
+        ("(3,5; 4,2) m/s", (3.5, 4.2)),
+        ("(1,5, 2,5) m/s", (1.5, 2.5)),
+        ("3 m/s, 4 m/s", (3, 4)),
+        ("3 m/s; 400 cm/s", (3, 4)),
+        ("3; 4 m/s", (3, 4)),
+        ("3 i + 4 j m/s", (3, 4)),
+        ("(3 i - 4 j) m/s", (3, -4)),
+        ("3 m/s i + 4 m/s j", (3, 4)),
+        ("(3î+4ĵ) m/s", (3, 4)),
+        ("-4j m/s", (0, -4)),
+        ("i - j m/s", (1, -1)),
+        ("5 m/s at 90°", (0, 5)),
+        ("5 m/s ∠ 180 deg", (-5, 0)),
+    ],
+)
+def test_a_vector_in_words(text, values):
+    found = read_quantities(text, unit("m/s"), 2)
+    assert isinstance(found, tuple), found
+    assert [each.si for each in found] == [(Fraction(str(value)), 0) for value in values]
+    assert all(each.fit == "fits" for each in found)
+
+
+def test_a_length_and_an_angle():
+    found = read_quantities("5,0 m/s at 30 deg", unit("m/s"), 2)
+    assert isinstance(found, tuple)
+    assert [in_si(each) for each in found] == pytest.approx([5 * math.cos(math.pi / 6), 2.5], rel=1e-15)
+    assert [each.shown for each in found] == ["4.33 m/s", "2.50 m/s"]
+
+
+def test_components_without_units_say_so():
+    found = read_quantities("(3, 4)", unit("m/s"), 2)
+    assert isinstance(found, tuple)
+    assert [each.fit for each in found] == ["unit missing"] * 2
+
+
+def test_three_components():
+    found = read_quantities("(1, 2, 3) N", unit("N"), 3)
+    assert isinstance(found, tuple)
+    assert [each.si[0] for each in found] == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("3 m/s", "refused"),
+        ("(3, 4, 5) m/s", "refused"),
+        ("(1,5,2,5) m/s", "asked"),
+        ("(3, x) m/s", "refused"),
+        ("5 m/s at 30", "refused"),
+        ("3 i + 4 i", "refused"),
+        ("3 k + 1 j", "refused"),
+        ("", "refused"),
+        ("at", "refused"),
+        (" at 3 deg at 4 deg", "refused"),
+        ("()", "refused"),
+        ("i" * 190, "refused"),
+    ],
+)
+def test_what_is_no_vector(text, status):
+    found = read_quantities(text, unit("m/s"), 2)
+    assert isinstance(found, ParseError)
+    assert found.status == status
+
+
+HOSTILE = [
+    "9**9**9",
+    "10**10**10 m",
+    "1e999999999",
+    "9" * 1_000_000,
+    "(" * 3000,
+    "-" * 100_000,
+    "1" + " 000" * 60,
+    "1/" * 90,
+    "m" * 79,
+    "m*" * 39,
+    "m/" * 39,
+    "N" * 9,
+    "1 " + "mmmmmmmmm" * 8,
+    "1," * 90,
+    "1." * 90,
+    "i " * 90,
+    "3 i + " * 30,
+    "at " * 60,
+    ";" * 200,
+    "__import__('os').getpid()",
+    "\x00" * 200,
+    "𝟏𝟐𝟑",
+    "é" * 200,
+    "1e" + "9" * 190,
+    "m^" + "9" * 70,
+    "m⁹⁹⁹⁹⁹⁹⁹",
+    "½" * 190,
+    "1" * 40 + "e300 Gm^9",
+    "[[[[3;4]]]] m/s",
+    "\u202e8.6",
+    "a=1" * 60,
+    "√" * 190,
+    "\\frac{" * 30,
+    "(1 " * 60,
+    "1 " + "newton" * 30,
+    "9^9*" * 45,
+    "1e300*1e300",
+    "the " * 49,
+    "1 m/s at " + "3°" * 80,
+]
+
+
+@pytest.mark.parametrize("text", HOSTILE, ids=[repr(text[:20]) for text in HOSTILE])
+def test_hostile_text_is_read_or_refused_soon_and_small(text):
+    spent = []
+    for _ in range(3):
+        start = time.perf_counter()
+        assert isinstance(read_quantity(text, IMPULSE), Reading | ParseError)
+        assert isinstance(read_quantities(text, IMPULSE, 2), tuple | ParseError)
+        spent.append(time.perf_counter() - start)
+    assert min(spent) < 0.1
+    tracemalloc.start()
+    read_quantity(text, IMPULSE)
+    read_quantities(text, IMPULSE, 2)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 50e6

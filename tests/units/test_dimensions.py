@@ -1,0 +1,106 @@
+"""What a formula measures."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from corollary.formula.errors import ParseError
+from corollary.formula.syntax import author_formula
+from corollary.units.dimensions import dimension_of, wrong_dimension
+from corollary.units.unit import ONE, UNITS, Dimension, unit
+
+OF = {
+    name: unit(text).dimension
+    for name, text in {
+        "m": "kg",
+        "M": "kg",
+        "v": "m/s",
+        "w": "m/s",
+        "dt": "s",
+        "g": "m/s^2",
+        "h": "m",
+        "theta": "rad",
+        "k": "N/m^1.5",
+        "r": "1",
+    }.items()
+}
+
+
+@pytest.mark.parametrize(
+    ("formula", "measures"),
+    [
+        ("m*v/dt", "N"),
+        ("m*v^2/2", "J"),
+        ("sqrt(2*g*h)", "m/s"),
+        ("-v*ln(m/M)", "m/s"),
+        ("m*(v - w)", "kg*m/s"),
+        ("(1 - r^2)*m", "kg"),
+        ("k*h^1.5", "N"),
+        ("k*h^(3/2)", "N"),
+        ("m^(4/4)", "kg"),
+        ("2*m*v*sin(theta)", "N*s"),
+        ("atan2(v, w)", "rad"),
+        ("abs(v) + max(v, w)", "m/s"),
+        ("0", "1"),
+        ("v + 0", "m/s"),
+        ("0 + v", "m/s"),
+        ("v + 0*m", "m/s"),
+        ("r^theta", "1"),
+        ("m*v = M*w", "kg*m/s"),
+        ("v > 0", "m/s"),
+        ("exp(-v/w)*pi", "1"),
+    ],
+)
+def test_a_formula_measures_what_its_letters_give(formula, measures):
+    assert dimension_of(author_formula(formula), OF) == unit(measures).dimension
+
+
+@pytest.mark.parametrize(
+    ("formula", "why"),
+    [
+        ("m*v + h", "m*v (kg m/s) and h (m) cannot be added"),
+        ("v - h/2", "v (m/s) and h/2 (m) cannot be added"),
+        ("v + 1", "v (m/s) and 1 (a plain number) cannot be added"),
+        ("sin(m)", "m (kg) cannot be inside sin"),
+        ("ln(v)", "v (m/s) cannot be inside ln"),
+        ("r^h", "h (m) cannot be an exponent"),
+        ("v^theta", "v (m/s) can only have a number as its exponent"),
+        ("atan2(v, h)", "v (m/s) and h (m) cannot be compared"),
+        ("v = h", "v (m/s) and h (m) cannot be compared"),
+        ("sqrt(v^2 + 2*g)", "v^2 (m²/s²) and 2*g (m/s²) cannot be added"),
+    ],
+)
+def test_metres_are_not_added_to_seconds(formula, why):
+    found = dimension_of(author_formula(formula), OF)
+    assert isinstance(found, ParseError)
+    assert found.why == why
+
+
+def test_an_answer_of_the_wrong_dimension():
+    speed = unit("m/s").dimension
+    assert wrong_dimension(author_formula("sqrt(2*g*h)"), OF, speed) is None
+    assert wrong_dimension(author_formula("0"), OF, speed) is None
+    found = wrong_dimension(author_formula("m*v"), OF, speed)
+    assert isinstance(found, ParseError)
+    assert found.why == "a velocity is expected, but this is a momentum or an impulse"
+
+
+def test_a_letter_nobody_declared_is_an_error_of_the_caller():
+    with pytest.raises(KeyError):
+        dimension_of(author_formula("q"), OF)
+
+
+powers = st.lists(st.tuples(st.sampled_from(sorted(OF)), st.integers(-3, 3)), min_size=1, max_size=5)
+
+
+@given(powers)
+def test_a_product_of_powers_has_the_product_of_dimensions(parts):
+    expected = ONE
+    for name, power in parts:
+        expected = expected * OF[name] ** power
+    formula = "*".join(f"{name}^({power})" for name, power in parts)
+    assert dimension_of(author_formula(formula), OF) == expected
+    assert isinstance(expected, Dimension)
+    assert UNITS["N"].dimension == OF["m"] * OF["v"] / OF["dt"]
