@@ -22,22 +22,22 @@ from rich.console import Console
 from rich.table import Table
 from students import FIXED, SORTS, Tallies, simulate, wild
 
-from corollary.derive.failing import NotDerivable
+from corollary.answers.equality import Different, Equal, Undecided, compare
+from corollary.answers.registry import KINDS
+from corollary.derive.errors import NotDerivable
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
 from corollary.formula.value import Real, Text, Value
-from corollary.kind.equality import Different, Equal, Undecided, compare
-from corollary.kind.kinds import KINDS
 from corollary.mark.judge import verdict_on
 from corollary.mark.key import Key
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import chapter_order, files, open_bank
-from corollary.problem.complaint import Malformed
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.problem.read import read_problem
+from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter, size
 from corollary.units.unit import canonical
 

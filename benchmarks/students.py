@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from corollary.derive.solution import Formulas, Solution
+from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.value import Items, Text, Value
@@ -20,8 +20,8 @@ from corollary.mark.judge import judge
 from corollary.mark.key import Key, make_key
 from corollary.mark.replay import Deviation, Numbers, number, replay
 from corollary.mark.verdict import Follows, Mistaken, Right, word
-from corollary.problem.draw import sample
 from corollary.problem.part import Part
+from corollary.problem.sampling import sample
 from corollary.units.unit import canonical
 
 FIXED = (0.01, 0.02, 0.05)
@@ -182,7 +182,7 @@ def by_operation(solution: Solution, givens: Mapping[str, RationalPi], figures: 
     short = rounded(figures)
     values, found = dict(givens), []
     for find in solution.finds:
-        if isinstance(find.local, Formulas):
+        if isinstance(find.local, ClosedForms):
             numbers = tuple(short(number(_worked(tree, values, short), values)) for tree in find.local.trees)
         else:
             numbers = replay(solution, givens, Deviation(held=dict(enumerate(found))), len(found))[len(found)]

@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, neglected, step, supposed, unknowns
+from corollary.author import derivation, mistake, neglected, step, supposed, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import after_elastic, in_the_limit, law, seen_from
+from corollary.laws import after_elastic, in_the_limit, law, seen_from
 
 
 def derive(vA, vB):

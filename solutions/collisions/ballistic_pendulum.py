@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, neglected, printed, route, step, supposed, unknowns
+from corollary.author import derivation, mistake, neglected, printed, route, step, supposed, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy, falling, law, rope_height, sticking
+from corollary.laws import change_of_kinetic_energy, falling, law, rope_height, sticking
 
 
 def derive(mA, mB, h, L, g):

@@ -1,8 +1,8 @@
 """Bullet and a block: work and energy on the rough table, momentum in the hit."""
 
-from corollary.derive.author import derivation, mistake, route, step, unknowns
+from corollary.author import derivation, mistake, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy, law, level_floor, sliding_to_rest, sticking
+from corollary.laws import change_of_kinetic_energy, law, level_floor, sliding_to_rest, sticking
 
 
 def derive(m, M, mu, d, g):

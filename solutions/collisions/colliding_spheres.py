@@ -4,11 +4,11 @@ import math
 
 import sympy
 
-from corollary.derive.author import choice, code, derivation, explain, mistake, plot, step, unknowns, vector
+from corollary.author import choice, code, derivation, explain, mistake, plot, step, unknowns, vector
 from corollary.derive.programs.spheres import judge_spheres, sphere_inputs
 from corollary.derive.programs.spheres_plot import judge_spheres_plot
 from corollary.derive.simulation import simulate
-from corollary.law import distance, overlap, sphere_contact, within
+from corollary.laws import distance, overlap, sphere_contact, within
 
 
 def derive(R, mA, mB, dx, dy, ux, uy, k, eta):

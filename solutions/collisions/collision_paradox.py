@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import choice, derivation, explain, mistake, route, step, unknowns
+from corollary.author import choice, derivation, explain, mistake, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy, law, sticking
+from corollary.laws import change_of_kinetic_energy, law, sticking
 
 
 def derive(m, v0, u, m2, w):

@@ -1,8 +1,8 @@
 """General elastic collision: momentum and energy, with both blocks moving."""
 
-from corollary.derive.author import derivation, mistake, reject, route, step, unknowns
+from corollary.author import derivation, mistake, reject, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import conservation_of_momentum, elastic, law, restitution
+from corollary.laws import conservation_of_momentum, elastic, law, restitution
 
 
 def derive(mA, mB, vA, vB):

@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, reject, route, step, unknowns, vector
+from corollary.author import derivation, mistake, reject, route, step, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.law import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, momentum, restitution
+from corollary.laws import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, momentum, restitution
 
 
 def derive(mA, mB, vA):

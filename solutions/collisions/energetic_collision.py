@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import choice, derivation, example, explain, mistake, step, unknowns
+from corollary.author import choice, derivation, example, explain, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import law, momentum, sticking
+from corollary.laws import law, momentum, sticking
 
 
 def derive(m1, v1, m2):

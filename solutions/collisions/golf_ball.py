@@ -4,9 +4,9 @@ import math
 
 import sympy
 
-from corollary.derive.author import derivation, explain, mistake, neglected, reject, step, unknowns
+from corollary.author import derivation, explain, mistake, neglected, reject, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, restitution
+from corollary.laws import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, restitution
 
 
 def derive(v, M, m, r):

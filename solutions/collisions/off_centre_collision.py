@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, proof, reject, step, unknown, unknowns, vector
+from corollary.author import derivation, mistake, proof, reject, step, unknown, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.law import Law, angle_between, conservation_of_momentum, elastic, law, line_of_centres, magnitude
+from corollary.laws import Law, angle_between, conservation_of_momentum, elastic, law, line_of_centres, magnitude
 
 
 def plane_energy(m, v0, A, B) -> Law:

@@ -2,9 +2,9 @@
 
 import math
 
-from corollary.derive.author import derivation, mistake, neglected, reject, step, supposed, unknowns, vector
+from corollary.author import derivation, mistake, neglected, reject, step, supposed, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.law import conservation_of_momentum, elastic, falling, law
+from corollary.laws import conservation_of_momentum, elastic, falling, law
 
 
 def derive(m, M, L, g):

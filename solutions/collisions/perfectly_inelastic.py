@@ -1,8 +1,8 @@
 """Perfectly inelastic collision: momentum alone, and what it costs in kinetic energy."""
 
-from corollary.derive.author import derivation, mistake, route, step, unknowns
+from corollary.author import derivation, mistake, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy, law, sticking
+from corollary.laws import change_of_kinetic_energy, law, sticking
 
 
 def derive(mA, mB, vA, vB):

@@ -1,8 +1,8 @@
 """Coefficient of restitution from data: from velocities, from heights, and from the force itself."""
 
-from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import damped_frequency, damped_rebound, damping_rate, law, restitution
+from corollary.laws import damped_frequency, damped_rebound, damping_rate, law, restitution
 
 
 def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):

@@ -4,9 +4,9 @@ import math
 
 import sympy
 
-from corollary.derive.author import choice, derivation, mistake, neglected, route, step, supposed, unknown, unknowns
+from corollary.author import choice, derivation, mistake, neglected, route, step, supposed, unknown, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy, falling, law, restitution
+from corollary.laws import change_of_kinetic_energy, falling, law, restitution
 
 
 def derive(m, v0, r, h0, n, g):

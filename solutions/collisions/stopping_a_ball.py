@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import choice, derivation, explain, mistake, neglected, step, supposed, unknowns
+from corollary.author import choice, derivation, explain, mistake, neglected, step, supposed, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import conservation_of_momentum, law, restitution
+from corollary.laws import conservation_of_momentum, law, restitution
 
 
 def derive(v0):

@@ -4,9 +4,9 @@ import math
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, neglected, reject, route, step, supposed, unknowns, vector
+from corollary.author import derivation, mistake, neglected, reject, route, step, supposed, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.law import after_elastic, conservation_of_momentum, elastic, falling, in_the_limit, law, restitution
+from corollary.laws import after_elastic, conservation_of_momentum, elastic, falling, in_the_limit, law, restitution
 
 
 def derive(mA, mB, h0, g):

@@ -1,8 +1,8 @@
 """Toppling a book: a ball that comes back has changed its momentum more than one that stays."""
 
-from corollary.derive.author import choice, derivation, explain, mistake, neglected, reject, step, supposed, unknowns
+from corollary.author import choice, derivation, explain, mistake, neglected, reject, step, supposed, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import conservation_of_momentum, elastic, elastic_on_hinge, hit_on_hinge, law, momentum, sticking
+from corollary.laws import conservation_of_momentum, elastic, elastic_on_hinge, hit_on_hinge, law, momentum, sticking
 
 
 def derive(m, M, v, h, I):

@@ -2,9 +2,9 @@
 
 import math
 
-from corollary.derive.author import derivation, mistake, optimum, proof, route, step, unknowns
+from corollary.author import derivation, mistake, optimum, proof, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy, conservation_of_momentum, law, restitution
+from corollary.laws import change_of_kinetic_energy, conservation_of_momentum, law, restitution
 
 
 def derive(mA, mB, vA, vB, r):

@@ -1,9 +1,9 @@
 """Two ions: a collision without touching, ruled by energy, angular momentum and the reduced mass."""
 
-from corollary.derive.author import code, derivation, mistake, step, unknown, unknowns, vector
+from corollary.author import code, derivation, mistake, step, unknown, unknowns, vector
 from corollary.derive.programs.ions import ion_inputs, judge_ions
 from corollary.derive.simulation import simulate
-from corollary.law import distance, ionic, law, reduced_mass
+from corollary.laws import distance, ionic, law, reduced_mass
 
 
 def derive(C, mA, mB, v, r0, s, dx, dy):

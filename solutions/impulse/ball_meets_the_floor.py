@@ -1,8 +1,8 @@
 """Ball colliding with the floor: energy gives the velocity after it, momentum the mean force."""
 
-from corollary.derive.author import derivation, mistake, reject, step, unknowns
+from corollary.author import derivation, mistake, reject, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
+from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
 
 
 def derive(m, v0, dt, g):

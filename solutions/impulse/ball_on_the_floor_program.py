@@ -2,11 +2,11 @@
 
 import sympy
 
-from corollary.derive.author import code, derivation, mistake, plot, reject, simulated, step, unknowns
+from corollary.author import code, derivation, mistake, plot, reject, simulated, step, unknowns
 from corollary.derive.programs.floor import bounce_inputs, judge_bounce
 from corollary.derive.programs.floor_plot import judge_bounce_plot
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
+from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
 
 
 def derive(g, R, m, y0, v0, k):

@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import HALF_PI, derivation, mistake, optimum, step, unknown, vector
+from corollary.author import HALF_PI, derivation, mistake, optimum, step, unknown, vector
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, law, mean_force, third_law
+from corollary.laws import change_of_momentum, law, mean_force, third_law
 
 
 def derive(m, v0, theta, dt):

@@ -4,9 +4,9 @@ import math
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, neglected, printed, step, unknowns, vector
+from corollary.author import derivation, mistake, neglected, printed, step, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, direction, impulse_momentum, impulse_of_constant_force, law, mean_force
+from corollary.laws import change_of_momentum, direction, impulse_momentum, impulse_of_constant_force, law, mean_force
 
 
 def derive(m, v0, v1, w, alpha, dt, g):

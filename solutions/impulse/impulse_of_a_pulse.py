@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, step, unknown, unknowns
+from corollary.author import derivation, mistake, step, unknown, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import impulse_of, law, mean_force
+from corollary.laws import impulse_of, law, mean_force
 
 
 def derive(F0, T):

@@ -1,8 +1,8 @@
 """Jump from a window: the fall fixes the change of momentum, the landing only shares it out over time or way."""
 
-from corollary.derive.author import derivation, explain, mistake, route, step, unknowns
+from corollary.author import derivation, explain, mistake, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, falling, force_on_standing, law, mean_force, work_of_net_force
+from corollary.laws import change_of_momentum, falling, force_on_standing, law, mean_force, work_of_net_force
 
 
 def derive(h, m, dt, s, g):

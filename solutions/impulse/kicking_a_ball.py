@@ -1,8 +1,8 @@
 """Kicking a ball: an impulse is a change of momentum, and a force is how fast it comes."""
 
-from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, impulse_momentum, law, mean_force
+from corollary.laws import change_of_momentum, impulse_momentum, law, mean_force
 
 
 def derive(m, v, w, dt):

@@ -1,8 +1,8 @@
 """Stopping a car: the same change of velocity, and a seatbelt that takes its time."""
 
-from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_momentum, law, mean_force
+from corollary.laws import change_of_momentum, law, mean_force
 
 
 def derive(v, M, dt, md, td):

@@ -1,7 +1,7 @@
 """A bike and a car: the same momentum at very different speeds."""
 
-from corollary.derive.author import derivation, mistake, step, unknowns
-from corollary.law import kinetic_energy, law, momentum
+from corollary.author import derivation, mistake, step, unknowns
+from corollary.laws import kinetic_energy, law, momentum
 
 
 def derive(mb, M, V):

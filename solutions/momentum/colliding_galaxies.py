@@ -1,6 +1,6 @@
 """Colliding galaxies: what the total momentum remembers of the past, and what it does not."""
 
-from corollary.derive.author import derivation, explain
+from corollary.author import derivation, explain
 
 
 def derive():

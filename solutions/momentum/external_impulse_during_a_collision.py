@@ -2,9 +2,9 @@
 
 import math
 
-from corollary.derive.author import choice, derivation, explain, mistake, step, unknowns
+from corollary.author import choice, derivation, explain, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import external_impulse, impulse_of_constant_force, law, total_momentum
+from corollary.laws import external_impulse, impulse_of_constant_force, law, total_momentum
 
 
 def derive(mA, mB, vAy, vBy, dt, g):

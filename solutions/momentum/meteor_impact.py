@@ -2,9 +2,9 @@
 
 import math
 
-from corollary.derive.author import derivation, explain, mistake, route, step, unknown, vector
+from corollary.author import derivation, explain, mistake, route, step, unknown, vector
 from corollary.derive.simulation import simulate
-from corollary.law import change_of_kinetic_energy_in_plane, law, sticking
+from corollary.laws import change_of_kinetic_energy_in_plane, law, sticking
 
 
 def derive(mA, mB, vAx, vAy, vBx, vBy):

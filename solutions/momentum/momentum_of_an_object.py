@@ -1,7 +1,7 @@
 """Momentum of an object: a vector along the velocity, and what becomes of Newton's second law when a mass changes."""
 
-from corollary.derive.author import choice, derivation, mistake, step, unknown, vector
-from corollary.law import kinetic_energy, law, magnitude, momentum
+from corollary.author import choice, derivation, mistake, step, unknown, vector
+from corollary.laws import kinetic_energy, law, magnitude, momentum
 
 
 def derive(m, vx, vy):

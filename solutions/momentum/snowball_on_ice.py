@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, step, unknown, vector
+from corollary.author import derivation, mistake, step, unknown, vector
 from corollary.derive.simulation import simulate
-from corollary.law import conservation_of_momentum, law, momentum, same, sticking
+from corollary.laws import conservation_of_momentum, law, momentum, same, sticking
 
 
 def derive(M, Ms, m, v, theta):

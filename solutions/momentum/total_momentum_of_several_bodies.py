@@ -1,7 +1,7 @@
 """Total momentum of several bodies: vectors are added, each with its own mass and its own signs."""
 
-from corollary.derive.author import derivation, mistake, step, vector
-from corollary.law import law, total_momentum
+from corollary.author import derivation, mistake, step, vector
+from corollary.laws import law, total_momentum
 
 
 def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):

@@ -1,6 +1,6 @@
 """Newton's cradle: what the conservation laws fix, what they leave open, and what the contact decides."""
 
-from corollary.derive.author import (
+from corollary.author import (
     code,
     derivation,
     example,
@@ -17,7 +17,7 @@ from corollary.derive.author import (
 from corollary.derive.programs.row import cradle_inputs, judge_contact, judge_cradle
 from corollary.derive.programs.row_plot import judge_velocity_plot
 from corollary.derive.simulation import simulate
-from corollary.law import (
+from corollary.laws import (
     conservation_of_momentum,
     elastic,
     falling,

@@ -1,8 +1,8 @@
 """A rocket burns its fuel: the last kilogram gives more speed than the first."""
 
-from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import burnt, law
+from corollary.laws import burnt, law
 
 
 def derive(m0, m1, vrel, v0, dv):

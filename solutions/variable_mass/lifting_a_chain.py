@@ -2,9 +2,9 @@
 
 import sympy
 
-from corollary.derive.author import derivation, mistake, proof, route, step, unknowns
+from corollary.author import derivation, mistake, proof, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import law, rocket_equation
+from corollary.laws import law, rocket_equation
 
 
 def derive(m, L, v0, y, g):

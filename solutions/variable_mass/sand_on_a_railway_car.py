@@ -1,8 +1,8 @@
 """Sand on a railway car: a force is needed to keep a velocity, when there is ever more to move."""
 
-from corollary.derive.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.law import law, rocket_equation
+from corollary.laws import law, rocket_equation
 
 
 def derive(v, R, ux, m0, t):

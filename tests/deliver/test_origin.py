@@ -9,7 +9,7 @@ import pytest
 
 from corollary.deliver.course import Course, NotACourse, create_course
 from corollary.deliver.origin import read_origin, set_of, write_origin
-from corollary.problem.bank import Bank, Unknown, chapter_bank
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.roster import Student
 
 SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
@@ -42,7 +42,7 @@ def test_the_bank_it_was_dealt_from_needs_no_naming(course: Course, foreign: Ban
 def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(course: Course, foreign: Bank, tmp_path: Path) -> None:
     write_origin(course, "kicks", foreign)
     moved = foreign.folder.rename(tmp_path / "moved")
-    with pytest.raises(Unknown, match=r"kicks was dealt from is no longer in .*theirs; say where it is with --bank"):
+    with pytest.raises(UnknownCode, match=r"kicks was dealt from is no longer in .*theirs; say where it is with --bank"):
         set_of(course, "kicks")
     assert set_of(course, "kicks", moved)[0].folder == moved
 

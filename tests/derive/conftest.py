@@ -8,11 +8,11 @@ from textwrap import dedent, indent
 
 import pytest
 
-from corollary.derive.failing import NotDerivable
+from corollary.derive.errors import NotDerivable
 from corollary.derive.solution import Solution
 from corollary.derive.solve import solve
 from corollary.problem.bank import Bank
-from corollary.problem.read import read_problem
+from corollary.problem.reader import read_problem
 
 FRONT = """\
 code: X1.1
@@ -30,8 +30,8 @@ ASKS = '## Momentum {#a .value unit="kg*m/s" points=1}\nHow large?\n'
 OPENING = """\
 \"\"\"A cart.\"\"\"
 import sympy
-from corollary.derive.author import *
-from corollary.law import *
+from corollary.author import *
+from corollary.laws import *
 
 def derive(m, v, t):
     p, q, F = unknowns("p q F")

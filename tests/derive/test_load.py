@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.derive.failing import NotDerivable
+from corollary.derive.errors import NotDerivable
 from corollary.derive.load import load, source
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.bank import load as load_problems
-from corollary.problem.read import read_problem
+from corollary.problem.reader import read_problem
 
 
 @pytest.mark.parametrize(
@@ -29,8 +29,8 @@ from corollary.problem.read import read_problem
         ("def derive(m):\n    y = 1\n    return m.nothing\n", 3, "derive fails: AttributeError"),
         ("def inner(m):\n    return 1 / 0\ndef derive(m):\n    return inner(m)\n", 2, "derive fails: ZeroDivisionError"),
         ("def derive(m):\n    raise SystemExit\n", 2, "derive fails: SystemExit"),
-        ("from corollary.law import law\ndef derive(m):\n    law('A', 'x = y', x=m)\n", 3, "what does y mean"),
-        ("from corollary.law import law\ndef derive(m):\n    law('A', 'x y', x=m)\n", 3, "derive fails: ValueError"),
+        ("from corollary.laws import law\ndef derive(m):\n    law('A', 'x = y', x=m)\n", 3, "what does y mean"),
+        ("from corollary.laws import law\ndef derive(m):\n    law('A', 'x y', x=m)\n", 3, "derive fails: ValueError"),
         ("def derive(m):\n    pass\n", 1, "derive must return derivation(…)"),
     ],
 )  # fmt: skip
@@ -50,8 +50,8 @@ def test_a_missing_solution(make, tmp_path):
 def test_givens_that_derive_does_not_need(solved):
     found = solved(
         whole="""\
-from corollary.derive.author import *
-from corollary.law import momentum
+from corollary.author import *
+from corollary.laws import momentum
 def derive(v, m):
     p = unknown("p")
     return derivation(step(p, "Both.", momentum(p, m, v), answers="a"))

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from corollary.derive.solution import Formulas
+from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import RationalPi, evaluate
 from corollary.formula.text import text
 
@@ -22,7 +22,7 @@ def closed(solution, part: str) -> list[str]:
 
 def local(solution, part: str) -> list[str]:
     rule = solution.answer(part).local
-    assert isinstance(rule, Formulas)
+    assert isinstance(rule, ClosedForms)
     return [text(tree) for tree in rule.trees]
 
 
@@ -220,8 +220,8 @@ def test_routes_and_mistakes_are_rules_of_their_own(solved):
     ).answer("a")
     assert found is not None
     (way,), (wrong,) = found.routes, found.mistakes
-    assert isinstance(way, Formulas)
-    assert isinstance(wrong.rule, Formulas)
+    assert isinstance(way, ClosedForms)
+    assert isinstance(wrong.rule, ClosedForms)
     assert [text(tree) for tree in (*way.trees, *wrong.rule.trees)] == ["m*v/t", "p*t"]
 
 
@@ -231,7 +231,7 @@ def test_a_mistake_may_have_a_root_that_where_excludes(solved):
             mistakes=[mistake("Wrong sign.", law("Root", "p = -m*v", p=p, m=m, v=v))]))""").answer("a")
     assert find is not None
     (wrong,) = find.mistakes
-    assert isinstance(wrong.rule, Formulas)
+    assert isinstance(wrong.rule, ClosedForms)
     assert text(wrong.rule.trees[0]) == "-m*v"
 
 
@@ -256,7 +256,7 @@ def test_an_optimum(solved, of, between, largest, answer, words):
     front = "code: X1.1\ntitle: A\ngiven:\n  m: {is: m, value: 0.5, from: 0.1, to: 0.9, step: 0.1}\n"
     front += "  v: {is: v, value: 3, from: 1, to: 5, step: 1}\n"
     whole = f"""\
-from corollary.derive.author import *
+from corollary.author import *
 import sympy
 def derive(m, v):
     x, best = unknowns("x best")

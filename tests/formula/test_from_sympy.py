@@ -9,7 +9,7 @@ import pytest
 from corollary.derive.solve import solve
 from corollary.formula.ball import certified
 from corollary.problem.bank import chapter_bank, find
-from corollary.problem.draw import sample
+from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
 
 BANK = chapter_bank()

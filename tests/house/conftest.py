@@ -71,7 +71,7 @@ def _read(path: Path, known: set[str]) -> Module:
             found += [(alias.name, node.lineno) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             module = _absolute(path, node) if node.level else node.module or ""
-            for alias in node.names:  # `from corollary.law import law` may name a module or what is in one
+            for alias in node.names:  # `from corollary.laws import law` may name a module or what is in one
                 inside = f"{module}.{alias.name}"
                 found.append((inside if inside.removeprefix("corollary.") in known else module, node.lineno))
     guarded = [node for node in ast.walk(tree) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"]

@@ -34,8 +34,8 @@ How large is its momentum?
 """
 SOLUTION = '''\
 """A cart."""
-from corollary.derive.author import *
-from corollary.law import *
+from corollary.author import *
+from corollary.laws import *
 
 
 def derive(m, v):

@@ -66,8 +66,8 @@ SOLUTION = '''
 
     import sympy
 
-    from corollary.derive.author import choice, derivation, example, explain, mistake, proof, step, unknown, unknowns, vector
-    from corollary.law import conservation_of_momentum, law, momentum
+    from corollary.author import choice, derivation, example, explain, mistake, proof, step, unknown, unknowns, vector
+    from corollary.laws import conservation_of_momentum, law, momentum
 
 
     def derive(m, v, theta, g):

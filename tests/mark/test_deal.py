@@ -15,7 +15,7 @@ from corollary.mark.solutions import Solutions
 from corollary.mark.tolerance import MOST
 from corollary.mark.verdict import Follows, Right
 from corollary.problem.bank import home
-from corollary.problem.draw import sample
+from corollary.problem.sampling import sample
 
 SECRET = b"a course"
 
@@ -56,8 +56,8 @@ def four(tmp_path_factory):
             '''
             """A push."""
 
-            from corollary.derive.author import derivation, step, unknown
-            from corollary.law import law
+            from corollary.author import derivation, step, unknown
+            from corollary.laws import law
 
 
             def derive(m, a):

@@ -8,13 +8,13 @@ from fractions import Fraction
 import pytest
 import sympy
 
-from corollary.derive.solution import Formulas
+from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import Undefined
 from corollary.formula.text import text
 from corollary.mark.key import make_key
 from corollary.mark.replay import Deviation, replay
 from corollary.mark.tolerance import LEAST, MOST
-from corollary.problem.draw import sample
+from corollary.problem.sampling import sample
 
 CODES = ("X12.5", "X12.7", "X12.8", "X12.10", "P12.14")
 
@@ -67,7 +67,7 @@ def test_what_is_held_is_carried_on(solution, key):
 def test_a_rule_exchanged_changes_what_comes_after(solution, key):
     solved, own = solution("X12.5"), key("X12.5")
     wrong = solved.finds[0].mistakes[0].rule  # the kinetic energy in the place of the momentum
-    assert isinstance(wrong, Formulas)
+    assert isinstance(wrong, ClosedForms)
     found = replay(solved, own.variant.exact, Deviation(rules={0: wrong}))
     assert found[2][0] == pytest.approx(0.43 * 20**2 / 2 / 0.1)
 

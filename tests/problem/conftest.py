@@ -8,9 +8,9 @@ from textwrap import dedent
 
 import pytest
 
-from corollary.problem.complaint import Malformed
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem import Problem
-from corollary.problem.read import read_problem
+from corollary.problem.reader import read_problem
 
 FRONT = """\
 code: X1.1

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.problem.bank import Bank, Unknown, chapter_bank, find, home, load, open_bank
-from corollary.problem.complaint import Malformed
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank, find, home, load, open_bank
+from corollary.problem.diagnostic import Malformed
 
 FRONT = "code: {code}\ntitle: A cart\ngiven:\n  m: {{is: mass, value: 1, unit: kg}}"
 
@@ -32,7 +32,7 @@ def test_found_by_path(bank, tmp_path, monkeypatch):
 
 
 def test_a_code_that_begins_like_another(bank):
-    with pytest.raises(Unknown, match=r"no problem is called X1\.1;"):
+    with pytest.raises(UnknownCode, match=r"no problem is called X1\.1;"):
         find(bank, "X1.1")
 
 
@@ -69,21 +69,21 @@ def test_complaints_of_every_file(bank, write):
 
 @pytest.mark.parametrize("code", ["nothing.md", "X9", "", "../../etc/passwd", "sets"])
 def test_what_is_not_there(bank, code):
-    with pytest.raises(Unknown):
+    with pytest.raises(UnknownCode):
         find(bank, code)
 
 
 def test_a_path_outside_the_bank(bank, tmp_path):
     alone = tmp_path / "alone.md"
     alone.write_text("---\n" + FRONT.format(code="X9.9") + "\n---\n## M {#a .value}\n", encoding="utf-8")
-    with pytest.raises(Unknown, match="does not lie in"):
+    with pytest.raises(UnknownCode, match="does not lie in"):
         find(bank, str(alone))
-    with pytest.raises(Unknown, match="lies in no bank"):
+    with pytest.raises(UnknownCode, match="lies in no bank"):
         home(None, str(alone))
 
 
 def test_a_folder_that_is_no_bank(tmp_path):
-    with pytest.raises(Unknown, match="no folder problems/"):
+    with pytest.raises(UnknownCode, match="no folder problems/"):
         open_bank(tmp_path / "nowhere")
 
 

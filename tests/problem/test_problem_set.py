@@ -6,8 +6,8 @@ from datetime import UTC, datetime
 
 import pytest
 
-from corollary.problem.bank import Bank, Unknown, chapter_bank
-from corollary.problem.complaint import Malformed
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem_set import ProblemSet, Scheme, find_set
 
 
@@ -80,7 +80,7 @@ def test_a_set_with_a_broken_problem_names_its_fault(bank, write):
 
 def test_a_set_that_is_not_there(bank):
     a_set(bank, "title: W\nproblems: [X1.1]")
-    with pytest.raises(Unknown, match="no problem set week_2; the bank has: week_1"):
+    with pytest.raises(UnknownCode, match="no problem set week_2; the bank has: week_1"):
         find_set(bank, "week_2")
 
 

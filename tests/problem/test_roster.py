@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.problem.complaint import Malformed
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.roster import Student, read_roster
 
 

@@ -20,10 +20,10 @@ def refuse(sentence: str) -> NoReturn:
 def expected() -> tuple[type[BaseException], ...]:
     """What the lower floors raise when a request or an author's file is wrong; looked up only when something was raised."""
     names = {
-        "corollary.problem.complaint": ["Malformed"],
+        "corollary.problem.diagnostic": ["Malformed"],
         "corollary.problem.bank": ["Unknown"],
         "corollary.problem.variant": ["OutOfRange"],
-        "corollary.derive.failing": ["NotDerivable"],
+        "corollary.derive.errors": ["NotDerivable"],
         "corollary.mark.deal": ["NoVariant"],
         "corollary.formula.compiled": ["Undefined"],
         "corollary.scene.run": ["BadSetting"],

@@ -11,7 +11,7 @@ from typing import Any
 from corollary.answers.quantity import read_quantity
 from corollary.cli.failure import refuse
 from corollary.formula.errors import ParseError, sentence
-from corollary.problem.node import exact
+from corollary.problem.front_matter import exact
 from corollary.problem.problem import Problem
 from corollary.problem.variant import OutOfRange, Variant, chosen
 from corollary.units.unit import show

@@ -13,10 +13,10 @@ from corollary.mark.verify.checked import Checked
 from corollary.mark.verify.programs import unstarted
 from corollary.mark.verify.verify import verify
 from corollary.problem.bank import Bank, doubles, files, home, open_bank
-from corollary.problem.complaint import Malformed
 from corollary.problem.count import written
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem import Problem
-from corollary.problem.read import read_problem
+from corollary.problem.reader import read_problem
 
 
 def run(codes: list[str], bank: Path | None, variants: int, json: bool, extremes: bool = False) -> int:

@@ -8,7 +8,7 @@ from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
-from corollary.derive.failing import NotDerivable
+from corollary.derive.errors import NotDerivable
 from corollary.derive.solve import solve
 from corollary.mark.plainly import finite
 from corollary.mark.verify.extremes import Pushed, push

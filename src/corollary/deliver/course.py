@@ -14,7 +14,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
-from corollary.problem.complaint import Malformed
+from corollary.problem.diagnostic import Malformed
 from corollary.problem.roster import Student, read_roster
 
 KEY_BYTES = 32

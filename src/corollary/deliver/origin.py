@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from corollary.deliver.course import Course, NotACourse, write_atomically
-from corollary.problem.bank import Bank, Unknown, chapter_bank, open_bank
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 
 
@@ -46,7 +46,7 @@ def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
             f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
         ) from None
     if place is not None and not (Path(place) / "problems").is_dir():
-        raise Unknown(
+        raise UnknownCode(
             f"the bank that {set_name} was dealt from is no longer in {place}; say where it is with --bank, "
             f"or generate {set_name} again from there (everybody keeps their numbers)"
         )
@@ -60,5 +60,5 @@ def _path(course: Course, set_name: str) -> Path:
 def _is_chapters(bank: Bank) -> bool:
     try:
         return bank.folder.resolve() == chapter_bank().folder.resolve()
-    except Unknown:
+    except UnknownCode:
         return False

@@ -6,11 +6,11 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from corollary.answers.answer import Numbers
+from corollary.answers.registry import KINDS
 from corollary.deliver.tally import WITHIN, Shared
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
-from corollary.kind.answer import Numbers
-from corollary.kind.kinds import KINDS
 from corollary.mark.close import close
 from corollary.mark.replay import replay
 from corollary.mark.solutions import Solutions

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from corollary.derive.entries import Derivation
-from corollary.derive.failing import NotDerivable
+from corollary.derive.errors import NotDerivable
+from corollary.derive.statements import Derivation
 from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem

@@ -10,7 +10,7 @@ from corollary.derive.point import Point, at
 from corollary.derive.roots import NoRoot
 from corollary.formula.from_sympy import tree
 from corollary.formula.latex import latex
-from corollary.law.put import put
+from corollary.laws.substitute import put
 
 
 def best(

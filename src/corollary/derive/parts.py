@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import assert_never
 
-from corollary.derive.entries import (
+from corollary.derive.statements import (
     Choice,
     Code,
     Derivation,

@@ -13,7 +13,7 @@ import sympy
 from corollary.formula.ast import Expr
 from corollary.formula.ball import RationalPi, Undefined, evaluate
 from corollary.formula.from_sympy import NoTree, tree
-from corollary.law.put import as_expression, put
+from corollary.laws.substitute import as_expression, put
 
 DIGITS, BITS = 30, 128
 

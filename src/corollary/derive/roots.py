@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 import sympy
 
-from corollary.derive.entries import Mistake, Rejected
 from corollary.derive.point import Point, at
+from corollary.derive.statements import Mistake, Rejected
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree
 from corollary.formula.latex import latex
-from corollary.law.law import Law, sides, symbols
-from corollary.law.put import put
+from corollary.laws.law import Law, sides, symbols
+from corollary.laws.substitute import put
 
 Root = Mapping[sympy.Symbol, sympy.Expr]
 

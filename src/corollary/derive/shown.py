@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from corollary.answers.quantity import read_quantity
-from corollary.derive.entries import Supposed
 from corollary.derive.solution import LawShown, SupposedValue
+from corollary.derive.statements import Supposed
 from corollary.formula.ast import Relation, substitute
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import tree
-from corollary.law.law import Law, component
+from corollary.laws.law import Law, component
 from corollary.units.dimensions import Dimension
 from corollary.units.unit import unit
 

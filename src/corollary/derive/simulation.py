@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.derive.failing import NotDerivable
+from corollary.derive.errors import NotDerivable
 from corollary.derive.load import line_in, load
 from corollary.problem.bank import Bank
 from corollary.problem.variant import Variant

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from corollary.derive.entries import Entry
+from corollary.derive.statements import Entry
 from corollary.formula.ast import Expr, Relation
 from corollary.problem.problem import Problem
 from corollary.units.dimensions import Dimension
 
 
 @dataclass(frozen=True, slots=True)
-class Formulas:
+class ClosedForms:
     """A find as formulas, one for each component, of givens and earlier finds."""
 
     trees: tuple[Expr, ...]
@@ -28,7 +28,7 @@ class Measured:
     observe: str
 
 
-Rule = Formulas | Measured
+Rule = ClosedForms | Measured
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class RouteShown:
 
 
 @dataclass(frozen=True, slots=True)
-class Find:
+class SolvedUnknown:
     """One thing found. `local` and `routes` compute it from givens and earlier finds, `closed` from givens alone (None: simulated)."""
 
     names: tuple[str, ...]
@@ -124,7 +124,7 @@ class LeftOut:
     """What an answer neglects, and how to find the most it can change; `bound` answers the part whose answer it is about."""
 
     what: str
-    bound: Find
+    bound: SolvedUnknown
     supposing: tuple[SupposedValue, ...]
     asked: bool
 
@@ -134,13 +134,13 @@ class Solution:
     """All that is true of a problem. `entries` are those that need no solving: code, plot, explain, printed."""
 
     problem: Problem
-    finds: tuple[Find, ...]
+    finds: tuple[SolvedUnknown, ...]
     choices: Mapping[str, ChoiceTruth]
     examples: Mapping[str, ExampleTruth]
     proofs: Mapping[str, ProofTruth]
     entries: tuple[Entry, ...]
     neglected: tuple[LeftOut, ...] = ()
 
-    def answer(self, part: str) -> Find | None:
+    def answer(self, part: str) -> SolvedUnknown | None:
         """The find that answers a part."""
         return next((find for find in self.finds if find.answers == part), None)

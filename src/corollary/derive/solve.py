@@ -7,7 +7,26 @@ from typing import Any, assert_never
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.entries import (
+from corollary.derive.errors import NotDerivable
+from corollary.derive.load import Loaded, line_of, load, symbol_of
+from corollary.derive.optimum import best
+from corollary.derive.parts import answered, misfits, unsolved, words
+from corollary.derive.point import Point, at, learn, point
+from corollary.derive.roots import NoRoot, Root, exchanged, pick, roots, simplest
+from corollary.derive.shown import shown, supposed_value
+from corollary.derive.solution import (
+    ChoiceTruth,
+    ClosedForms,
+    ExampleTruth,
+    LeftOut,
+    Measured,
+    ProofTruth,
+    RouteShown,
+    Solution,
+    SolvedUnknown,
+    WrongRule,
+)
+from corollary.derive.statements import (
     Choice,
     Code,
     Example,
@@ -22,33 +41,14 @@ from corollary.derive.entries import (
     Simulated,
     Step,
 )
-from corollary.derive.failing import NotDerivable
-from corollary.derive.load import Loaded, line_of, load, symbol_of
-from corollary.derive.optimum import best
-from corollary.derive.parts import answered, misfits, unsolved, words
-from corollary.derive.point import Point, at, learn, point
-from corollary.derive.roots import NoRoot, Root, exchanged, pick, roots, simplest
-from corollary.derive.shown import shown, supposed_value
-from corollary.derive.solution import (
-    ChoiceTruth,
-    ExampleTruth,
-    Find,
-    Formulas,
-    LeftOut,
-    Measured,
-    ProofTruth,
-    RouteShown,
-    Solution,
-    WrongRule,
-)
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import relation, tree
-from corollary.law.law import Law, sides
-from corollary.law.put import as_expression, put
+from corollary.laws.law import Law, sides
+from corollary.laws.substitute import as_expression, put
 from corollary.problem.bank import Bank
-from corollary.problem.draw import sample
 from corollary.problem.problem import Problem
+from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
 from corollary.scene.catalogue import SCENES
 from corollary.units.dimensions import dimension_of
@@ -142,7 +142,7 @@ class _Solver:
         """The line of the solution that holds these words, or of derive."""
         return line_of(self.loaded.path, about) or self.loaded.line
 
-    def find(self, entry: Step | Optimum | Simulated) -> Find:
+    def find(self, entry: Step | Optimum | Simulated) -> SolvedUnknown:
         for symbol in entry.finds:
             if symbol.name in self.dimensions:
                 raise NoRoot(f"{symbol} is given or found already; give the new find another letter")
@@ -156,7 +156,7 @@ class _Solver:
         self.dimensions |= dict(zip(found.names, found.dimensions, strict=True))
         return found
 
-    def step(self, entry: Step) -> Find:
+    def step(self, entry: Step) -> SolvedUnknown:
         picked = pick(self.roots(entry, entry.laws), self.numbers(), entry.where, entry.rejected)
         local = self.formulas(entry.finds, picked.root)
         routes = [
@@ -168,7 +168,7 @@ class _Solver:
             wrong.append(self.wrong(entry, slip, exchanged(entry.laws, slip), entry.where))
         self.close(entry.finds, picked.root)
         self.aside |= {symbol: simplest(put(picked.root[symbol], self.closed)) for symbol in entry.also}
-        return Find(
+        return SolvedUnknown(
             names=tuple(symbol.name for symbol in entry.finds), answers=entry.answers, because=entry.because,
             laws=tuple(map(shown, entry.laws)), local=local, closed=self.closed_trees(entry.finds), routes=tuple(routes),
             routes_shown=tuple(RouteShown(way.because, tuple(map(shown, way.laws))) for way in entry.routes),
@@ -176,20 +176,20 @@ class _Solver:
             scale=None if entry.scale is None else tree(put(entry.scale, self.closed)), check=entry.check, note="",
         )  # fmt: skip
 
-    def optimum(self, entry: Optimum) -> Find:
+    def optimum(self, entry: Optimum) -> SolvedUnknown:
         goal = put(as_expression(entry.of), self.closed)
         value, note = best(goal, entry.over, entry.between, entry.largest, self.points)
         root = {entry.finds[0]: value}
         local = self.formulas(entry.finds, root)
         wrong = tuple(self.wrong(entry, slip, slip.laws, True) for slip in entry.mistakes)
         self.close(entry.finds, root)
-        return Find(
+        return SolvedUnknown(
             names=(entry.finds[0].name,), answers=entry.answers, because=entry.because, laws=(), local=local,
             closed=self.closed_trees(entry.finds), routes=(), routes_shown=(), mistakes=wrong, rejected=(),
             dimensions=self.checked(entry, local.trees), scale=None, check=entry.check, note=note,
         )  # fmt: skip
 
-    def simulated(self, entry: Simulated) -> Find:
+    def simulated(self, entry: Simulated) -> SolvedUnknown:
         if entry.scene not in SCENES:
             raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(SCENES)}")
         if strange := entry.settings.keys() - {setting.name for setting in SCENES[entry.scene].settings}:
@@ -198,7 +198,7 @@ class _Solver:
         part = self.problem.part(entry.answers)
         wrong = tuple(self.wrong(entry, slip, slip.laws, True) for slip in entry.mistakes)
         self.measured |= set(entry.finds)
-        return Find(
+        return SolvedUnknown(
             names=tuple(symbol.name for symbol in entry.finds), answers=entry.answers, because=entry.because, laws=(),
             local=Measured(entry.scene, settings, entry.observe), closed=None, routes=(), routes_shown=(), mistakes=wrong, rejected=(),
             dimensions=(part.unit.dimension,) * len(entry.finds), scale=None, check=entry.check, note="",
@@ -271,8 +271,8 @@ class _Solver:
                     learn(each, find, value)
         return self.points
 
-    def formulas(self, finds: tuple[sympy.Symbol, ...], root: Root) -> Formulas:
-        return Formulas(tuple(tree(simplest(root[symbol])) for symbol in finds))
+    def formulas(self, finds: tuple[sympy.Symbol, ...], root: Root) -> ClosedForms:
+        return ClosedForms(tuple(tree(simplest(root[symbol])) for symbol in finds))
 
     def close(self, finds: tuple[sympy.Symbol, ...], root: Root) -> None:
         for symbol in finds:

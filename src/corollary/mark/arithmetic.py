@@ -18,7 +18,7 @@ from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.formula.double_double import PI, DoubleDouble
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import chapter_bank, load
-from corollary.problem.draw import sample
+from corollary.problem.sampling import sample
 
 QUICK = ("X12.5", "X12.2", "X12.7", "X12.12")
 VARIANTS = 64

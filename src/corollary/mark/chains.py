@@ -5,16 +5,16 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 
+from corollary.answers.answer import Chain
 from corollary.formula.ast import Name, Negative, Relation, Sum, names
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.text import text
-from corollary.kind.answer import Chain
 from corollary.mark.examples import holds_nearly
 from corollary.mark.key import Key
 from corollary.mark.replay import as_exact, number, replay
 from corollary.mark.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
-from corollary.problem.draw import sample
 from corollary.problem.part import Part
+from corollary.problem.sampling import sample
 
 EXACT = 1e-9
 POINTS = 6

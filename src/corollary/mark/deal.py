@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from corollary.derive.solution import Find, Formulas, Rule, Solution
+from corollary.derive.solution import ClosedForms, Rule, Solution, SolvedUnknown
 from corollary.formula.ast import names
 from corollary.formula.ball import Undefined
 from corollary.mark.close import close
 from corollary.mark.key import Key, make_key
 from corollary.mark.replay import Deviation, ancestors, replay
 from corollary.mark.tolerance import MOST
-from corollary.problem.draw import draws
 from corollary.problem.problem import Problem
+from corollary.problem.sampling import draws
 from corollary.problem.variant import Variant, chapter
 
 APART = 0.005
@@ -144,7 +144,7 @@ def _unasked_way(solution: Solution, start: int, end: int) -> bool:
     return False
 
 
-def _letters(find: Find) -> frozenset[str]:
-    if isinstance(find.local, Formulas):
+def _letters(find: SolvedUnknown) -> frozenset[str]:
+    if isinstance(find.local, ClosedForms):
         return frozenset().union(*map(names, find.local.trees))
     return frozenset().union(*map(names, find.local.settings.values()))

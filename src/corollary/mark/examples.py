@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from corollary.answers.answer import Numbers
 from corollary.formula.ast import Expr, Negative, Product, Quotient, Relation, Sum
 from corollary.formula.ball import RationalPi, Undefined
-from corollary.kind.answer import Numbers
 from corollary.mark.close import close
 from corollary.mark.key import Key, named
 from corollary.mark.replay import as_exact, number

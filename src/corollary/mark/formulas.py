@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.derive.solution import Formulas as Closed
+from corollary.answers.answer import Formulas
+from corollary.answers.answer import Numbers as Said
+from corollary.answers.equality import Different, Equal, Undecided, compare, hint
+from corollary.derive.solution import ClosedForms
 from corollary.derive.solution import Rule
 from corollary.formula.ast import Expr, Name, Number, names, substitute, walk
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.formula.degrees import in_degrees
-from corollary.kind.answer import Formulas
-from corollary.kind.answer import Numbers as Said
-from corollary.kind.equality import Different, Equal, Undecided, compare, hint
 from corollary.mark.close import close
 from corollary.mark.key import Key
 from corollary.mark.numbers import judge_numbers
@@ -84,7 +84,7 @@ def values_of(key: Key, answer: Formulas) -> Numbers | None:
 
 
 def wrong_forms(key: Key, place: int) -> list[tuple[tuple[Expr, ...], str]]:
-    """Closed forms of a find by each known mistake, at its own step and at the steps nobody was asked about."""
+    """ClosedForms forms of a find by each known mistake, at its own step and at the steps nobody was asked about."""
     solution = key.solution
     forms = []
     for at in sorted(ancestors(solution, place) | {place}, reverse=True):
@@ -100,7 +100,7 @@ def _closed(key: Key, place: int, at: int, rule: Rule) -> tuple[Expr, ...] | Non
     meaning: dict[str, Expr] = {}
     for index, find in enumerate(key.solution.finds[: place + 1]):
         local = rule if index == at else find.local
-        if not isinstance(local, Closed):
+        if not isinstance(local, ClosedForms):
             return None
         trees = tuple(substitute(tree, meaning) for tree in local.trees)
         if index == place:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import assert_never
 
-from corollary.derive.entries import Explain
+from corollary.answers.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
+from corollary.answers.registry import KINDS
+from corollary.derive.statements import Explain
 from corollary.formula.value import Nothing, Value
-from corollary.kind.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
-from corollary.kind.kinds import KINDS
 from corollary.mark.chains import judge_chain
 from corollary.mark.examples import judge_example
 from corollary.mark.formulas import judge_formulas, values_of

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.derive.solution import Find, Measured, Solution
+from corollary.derive.solution import Measured, Solution, SolvedUnknown
 from corollary.formula.ball import Undefined, certified, holds
 from corollary.mark.replay import as_exact, compute, simulated
 from corollary.mark.replay import number as plain_number
@@ -44,7 +44,7 @@ class Key:
     truths: Mapping[str, Truth]
     choices: Mapping[str, str]
 
-    def find(self, truth: Truth) -> Find:
+    def find(self, truth: Truth) -> SolvedUnknown:
         return self.solution.finds[truth.place]
 
 
@@ -77,7 +77,7 @@ def make_key(solution: Solution, variant: Variant) -> Key:
 
 
 def answer(
-    solution: Solution, find: Find, variant: Variant, before: list[tuple[float, ...]]
+    solution: Solution, find: SolvedUnknown, variant: Variant, before: list[tuple[float, ...]]
 ) -> tuple[tuple[float, ...], bool, float]:
     """A find's values from its closed form, certified; or from its scene, with the error the run states."""
     if find.closed is not None:
@@ -104,7 +104,7 @@ def named(solution: Solution, values: list[tuple[float, ...]]):
     }
 
 
-def scale_of(find: Find, values: tuple[float, ...], known) -> float:
+def scale_of(find: SolvedUnknown, values: tuple[float, ...], known) -> float:
     """The length of the answer; where the answer is zero, what the solution names, or the largest given of its dimension."""
     length = math.hypot(*values)
     if length > 0 or find.scale is None:

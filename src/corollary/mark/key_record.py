@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from corollary.derive.entries import Code, Explain, Plot
+from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.text import text
 from corollary.mark.key import Key
 from corollary.mark.plainly import finite

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from corollary.answers.answer import Numbers
 from corollary.formula.ball import Undefined
-from corollary.kind.answer import Numbers
 from corollary.mark.close import close, coarse, same_signs
 from corollary.mark.earlier import Carried, carried, size
 from corollary.mark.key import Key, Truth

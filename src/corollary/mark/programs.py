@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import assert_never
 
-from corollary.derive.entries import Code, Plot
+from corollary.answers.answer import Numbers, Unclear
+from corollary.answers.numbers import vector
 from corollary.derive.programs.called import Called
 from corollary.derive.said import Remark, Said
 from corollary.derive.solution import Solution
+from corollary.derive.statements import Code, Plot
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
-from corollary.kind.answer import Numbers, Unclear
-from corollary.kind.number import vector
 from corollary.mark.said import Shown
 from corollary.mark.verdict import Mistaken, Right, Unread, Verdict, Wrong
-from corollary.problem.draw import digest
 from corollary.problem.part import Part
+from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
 from corollary.submission.job import Argument, Ask
 from corollary.units.unit import unit

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 
-from corollary.derive.solution import Find, Formulas, Measured, Rule, Solution
+from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, SolvedUnknown
 from corollary.formula.ast import Expr, names
 from corollary.formula.ball import RationalPi, Undefined, evaluate
 from corollary.scene.run import BadSetting, GuardFailed
@@ -38,7 +38,7 @@ def replay(
         numbers = deviation.held.get(place)
         if numbers is None:
             numbers = compute(deviation.rules.get(place, find.local), values)
-            if deviation.rounding is not None and isinstance(find.local, Formulas):
+            if deviation.rounding is not None and isinstance(find.local, ClosedForms):
                 numbers = tuple(map(deviation.rounding, numbers))
         for name, number in zip(find.names, numbers, strict=True):
             values[name] = as_exact(number)
@@ -51,7 +51,7 @@ def replay(
 def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Numbers:
     """What a rule gives for these values. Raises Undefined."""
     match rule:
-        case Formulas(trees):
+        case ClosedForms(trees):
             return tuple(number(tree, values) for tree in trees)
         case Measured(scene, settings, observe):
             return observed(scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe)
@@ -119,11 +119,11 @@ def _ancestors(solution: Solution, place: int) -> frozenset[int]:
     return frozenset(seen)
 
 
-def uses(find: Find) -> frozenset[str]:
+def uses(find: SolvedUnknown) -> frozenset[str]:
     """Every letter that the rules of a find mention."""
     found: set[str] = set()
     for rule in (find.local, *find.routes, *(wrong.rule for wrong in find.mistakes)):
-        trees = rule.trees if isinstance(rule, Formulas) else tuple(rule.settings.values())
+        trees = rule.trees if isinstance(rule, ClosedForms) else tuple(rule.settings.values())
         for tree in trees:
             found |= names(tree)
     return frozenset(found)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from corollary.derive.solution import Formulas, Rule
+from corollary.derive.solution import ClosedForms, Rule
 from corollary.formula.ast import Call, Expr, children, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.mark.earlier import Carried
@@ -70,9 +70,9 @@ def _replayed(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Numbers, 
             yield from _with(key, truth, base.deviation, givens | {given.symbol: bare}, _unconverted(given))
     if any(_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
-            place: Formulas(tuple(map(_swapped, find.local.trees)))
+            place: ClosedForms(tuple(map(_swapped, find.local.trees)))
             for place, find in enumerate(key.solution.finds)
-            if isinstance(find.local, Formulas)
+            if isinstance(find.local, ClosedForms)
         }
         deviation = Deviation(base.deviation.held, swapped | dict(base.deviation.rules))
         yield from _with(

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from corollary.derive.kept import solution_of
+from corollary.derive.cache import solution_of
 from corollary.derive.load import source
 from corollary.derive.solution import Solution
-from corollary.derive.story import story
+from corollary.derive.worked_solution import story
 from corollary.mark.deal import Dealt, deal
 from corollary.mark.key import Key, make_key
 from corollary.mark.neglect import neglects

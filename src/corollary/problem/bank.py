@@ -6,14 +6,14 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from corollary.problem.complaint import Complaint, Malformed
+from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.problem import Problem
-from corollary.problem.read import read_problem
+from corollary.problem.reader import read_problem
 
 CODE_LINE = re.compile(r"""^code:[ \t]*["']?([\w.]+)["']?[ \t]*(?:#.*)?$""", re.MULTILINE)
 
 
-class Unknown(LookupError):
+class UnknownCode(LookupError):
     """Nothing in the bank has this name; one sentence says what has."""
 
 
@@ -40,7 +40,7 @@ def chapter_bank() -> Bank:
     for folder in (package / "bank", package.parent.parent):
         if (folder / "problems").is_dir() and (folder / "solutions").is_dir():
             return Bank(folder)
-    raise Unknown(f"the chapter's bank is missing beside {package}; reinstall corollary or name a bank with --bank DIR")
+    raise UnknownCode(f"the chapter's bank is missing beside {package}; reinstall corollary or name a bank with --bank DIR")
 
 
 def open_bank(folder: Path | None) -> Bank:
@@ -48,7 +48,7 @@ def open_bank(folder: Path | None) -> Bank:
     if folder is None:
         return chapter_bank()
     if not (folder / "problems").is_dir():
-        raise Unknown(f"{folder} is no bank: it has no folder problems/")
+        raise UnknownCode(f"{folder} is no bank: it has no folder problems/")
     return Bank(folder.resolve())
 
 
@@ -72,17 +72,17 @@ def load(bank: Bank) -> list[Problem]:
     return sorted(problems, key=lambda problem: chapter_order(problem.code))
 
 
-def doubles(problems: list[Problem]) -> list[Complaint]:
+def doubles(problems: list[Problem]) -> list[Diagnostic]:
     """One complaint for each problem whose code or name another has already: neither would be found."""
     complaints, codes, names = [], {}, {}
     for problem in problems:
         if (other := codes.setdefault(problem.code.lower(), problem)) is not problem:
             complaints.append(
-                Complaint(problem.path, 2, f"{other.path.name} has the code {problem.code} already; change one of them")
+                Diagnostic(problem.path, 2, f"{other.path.name} has the code {problem.code} already; change one of them")
             )
         if (other := names.setdefault(problem.name, problem)) is not problem:
             complaints.append(
-                Complaint(problem.path, 1, f"there is another {problem.path.name} in {other.topic}/; rename one of them")
+                Diagnostic(problem.path, 1, f"there is another {problem.path.name} in {other.topic}/; rename one of them")
             )
     return complaints
 
@@ -98,9 +98,9 @@ def find(bank: Bank, code: str) -> Problem:
     if code.endswith(".md"):
         path = Path(code).resolve()
         if not path.is_file():
-            raise Unknown(f"there is no file {code}")
+            raise UnknownCode(f"there is no file {code}")
         if bank.problems.resolve() not in path.parents:
-            raise Unknown(f"{code} does not lie in {bank.problems}; name its own bank with --bank, or leave --bank out")
+            raise UnknownCode(f"{code} does not lie in {bank.problems}; name its own bank with --bank, or leave --bank out")
         return read_problem(path)
     for path in files(bank):
         if path.stem == code:
@@ -108,7 +108,7 @@ def find(bank: Bank, code: str) -> Problem:
     for path in files(bank):
         if _code_at_a_glance(path).lower() == code.lower():
             return read_problem(path)
-    raise Unknown(f"no problem is called {code or 'by an empty name'}; `corollary list` shows the codes")
+    raise UnknownCode(f"no problem is called {code or 'by an empty name'}; `corollary list` shows the codes")
 
 
 def _code_at_a_glance(path: Path) -> str:
@@ -123,7 +123,7 @@ def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:
         path = Path(code).resolve()
         above = next((parent for parent in path.parents if parent.name == "problems"), None)
         if path.is_file() and above is None:
-            raise Unknown(
+            raise UnknownCode(
                 f"{code} lies in no bank: a problem's file lies somewhere below a folder problems/, its solution below solutions/"
             )
         if above is not None:

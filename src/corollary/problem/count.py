@@ -11,8 +11,8 @@ import numpy as np
 from corollary.formula.ast import names
 from corollary.formula.exact import RationalPi
 from corollary.problem.given import Given
+from corollary.problem.interval_filter import Letter, kept
 from corollary.problem.problem import Condition, Problem
-from corollary.problem.rounded import Letter, kept
 
 MOST = 300_000  # numbers worked out for one condition
 MOST_TOGETHER = 6_000_000  # points of a grid held in memory, a byte each

@@ -8,9 +8,9 @@ from datetime import datetime
 from fractions import Fraction
 from pathlib import Path
 
-from corollary.problem.bank import Bank, Unknown, find
-from corollary.problem.complaint import Complaint, Malformed
-from corollary.problem.node import Reader, Table, Text, split
+from corollary.problem.bank import Bank, UnknownCode, find
+from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.front_matter import Reader, Table, Text, split
 from corollary.problem.problem import Problem
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
@@ -54,14 +54,14 @@ def find_set(bank: Bank, name: str) -> ProblemSet:
     path = Path(name) if name.endswith(".md") else bank.sets / f"{name}.md"
     if not path.is_file():
         have = ", ".join(sorted(file.stem for file in bank.sets.glob("*.md"))) or "none"
-        raise Unknown(f"there is no problem set {name}; the bank has: {have}")
+        raise UnknownCode(f"there is no problem set {name}; the bank has: {have}")
     return read_set(bank, path)
 
 
 def read_set(bank: Bank, path: Path) -> ProblemSet:
     """The problem set a file holds. Raises Malformed with every complaint found."""
     table, body, _ = split(path)
-    complaints: list[Complaint] = []
+    complaints: list[Diagnostic] = []
     front = Reader(path, table, "the problem set", complaints)
     if not NAME.match(path.stem):
         front.complain(1, f"the file's name becomes a folder's; {path.stem!r} will not do, use letters, digits, _ and -")
@@ -79,7 +79,7 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     chosen = _problems(bank, front)
     front.finish()
     if not front.list_of("problems"):
-        complaints.append(Complaint(path, table.line, "holds no problems; list them under problems:, one `- X12.5` a line"))
+        complaints.append(Diagnostic(path, table.line, "holds no problems; list them under problems:, one `- X12.5` a line"))
     if complaints:
         raise Malformed(complaints)
     problems, weights = zip(*chosen, strict=True)
@@ -101,7 +101,7 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
             continue
         try:
             problem = find(bank, code)
-        except (Unknown, Malformed) as error:
+        except (UnknownCode, Malformed) as error:
             front.complain(node.line, str(error))
             continue
         if any(problem.code == other.code for other, _ in chosen):
@@ -112,7 +112,7 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
     return chosen
 
 
-def _scheme(path: Path, table: Table, complaints: list[Complaint]) -> Scheme:
+def _scheme(path: Path, table: Table, complaints: list[Diagnostic]) -> Scheme:
     row = Reader(path, table, "credit", complaints)
     shares = {}
     for name, default in (("follows", "1"), ("slip", "0.5"), ("mistaken", "0.25"), ("late", "1")):

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from corollary.problem.complaint import Complaint, Malformed
+from corollary.problem.diagnostic import Diagnostic, Malformed
 
 COLUMNS = ("id", "first_name", "last_name", "email")
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.@-]{0,99}$")
@@ -29,18 +29,18 @@ def read_roster(path: Path) -> tuple[Student, ...]:
     """The students of a CSV file with the column `id`, in its order. Raises Malformed."""
     columns, rows = _rows(path)
     if not rows:
-        raise Malformed([Complaint(path, 1, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})")])
+        raise Malformed([Diagnostic(path, 1, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})")])
     if "id" not in columns:
-        raise Malformed([Complaint(path, 1, f"has no column `id`; its columns are {', '.join(columns)}")])
+        raise Malformed([Diagnostic(path, 1, f"has no column `id`; its columns are {', '.join(columns)}")])
     complaints, students, lines = [], [], {}
     for line, row in rows:
         student = Student(*(row.get(name, "") for name in COLUMNS))
         if not ID.match(student.id):
             sentence = f"id {student.id!r} will not do as a folder's name; use letters, digits, _ . @ -"
-            complaints.append(Complaint(path, line, sentence))
+            complaints.append(Diagnostic(path, line, sentence))
         elif (first := lines.setdefault(student.id, line)) != line:
             sentence = f"id {student.id} stands on line {first} already; every student needs an id of their own"
-            complaints.append(Complaint(path, line, sentence))
+            complaints.append(Diagnostic(path, line, sentence))
         students.append(student)
     if complaints:
         raise Malformed(complaints)
@@ -55,7 +55,7 @@ def _rows(path: Path) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
             columns = [name.strip() for name in next(table, [])]
             cells = [(table.line_num, row) for row in table if any(row)]
     except OSError as error:
-        raise Malformed([Complaint(path, 1, f"cannot be read: {error.strerror}")]) from None
+        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error.strerror}")]) from None
     except (UnicodeDecodeError, csv.Error) as error:
-        raise Malformed([Complaint(path, 1, f"cannot be read: {error}; save it as CSV in UTF-8")]) from None
+        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error}; save it as CSV in UTF-8")]) from None
     return columns, [(line, dict(zip(columns, map(str.strip, row), strict=False))) for line, row in cells]

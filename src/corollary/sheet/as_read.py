@@ -11,11 +11,11 @@ from fractions import Fraction
 from types import FunctionType
 from typing import Literal
 
+from corollary.answers.direction import direction_of
 from corollary.answers.quantity import Reading, describe, read_quantities, read_quantity
+from corollary.answers.remark import axes_of
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.numerals import decimal_text
-from corollary.kind.direction import direction_of
-from corollary.kind.remark import axes_of
 from corollary.units.unit import Unit
 
 FUNCTIONS = "sqrt|sin|cos|tan|exp|ln|abs|pi"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from corollary.kind.remark import has_axes
+from corollary.answers.remark import has_axes
 from corollary.problem.part import Part
 from corollary.sheet.as_read import Shape
 from corollary.sheet.readers import readers

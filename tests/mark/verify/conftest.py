@@ -32,9 +32,9 @@ How large?
 """
 OPENING = '''\
 """A cart."""
-from corollary.derive.author import *
+from corollary.author import *
 from corollary.derive.simulation import simulate
-from corollary.law import *
+from corollary.laws import *
 
 def derive(m, v, t):
     p, F = unknowns("p F")

@@ -7,7 +7,7 @@ import pytest
 from corollary.mark.neglect import neglected_in, neglects
 from corollary.mark.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find, load
-from corollary.problem.draw import sample
+from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
 
 BANK = chapter_bank()

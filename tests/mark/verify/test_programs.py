@@ -29,7 +29,7 @@ Program it, and draw it.
 """
 SOLUTION = '''\
 """A cart."""
-from corollary.derive.author import *
+from corollary.author import *
 from corollary.derive.said import Said
 
 

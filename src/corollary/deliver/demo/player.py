@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from corollary.derive.entries import Code, Explain, Plot
+from corollary.derive.statements import Code, Explain, Plot
 from corollary.mark.key import Key, named
 from corollary.mark.replay import number
 from corollary.problem.roster import Student

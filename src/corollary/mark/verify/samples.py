@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
+from corollary.answers.answer_type import Sample
 from corollary.answers.quantity import read_quantity
-from corollary.derive.entries import Printed
+from corollary.answers.registry import KINDS
 from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
+from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
 from corollary.formula.text import text
-from corollary.kind.kind import Sample
-from corollary.kind.kinds import KINDS
 from corollary.mark.close import coarse
 from corollary.mark.judge import judge
 from corollary.mark.key import Key, make_key, named

@@ -17,7 +17,7 @@ from corollary.mark.neglect import neglected_in, neglects
 from corollary.mark.verdict import Right, word
 from corollary.mark.verify.checked import Tally
 from corollary.problem.bank import Bank
-from corollary.problem.draw import sample
+from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
 from corollary.scene.catalogue import run
 from corollary.scene.run import BadSetting, GuardFailed

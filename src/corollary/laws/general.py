@@ -1,0 +1,15 @@
+"""Definitions that belong to no chapter: equalities, Newton's law of friction, the normal force on a level floor."""
+
+from __future__ import annotations
+
+from corollary.laws.law import Law, law
+
+
+def same(x: object, y: object, because: str = "") -> Law:
+    """Two names for one quantity."""
+    return law("Equality", "x = y", holds=because, x=x, y=y)
+
+
+def level_floor(N: object, m: object, g: object) -> Law:
+    """On a level floor the normal force carries the weight."""
+    return law("Newton's second law", "N = m*g", source="(12.16)", holds="nothing accelerates vertically", N=N, m=m, g=g)

@@ -1,0 +1,96 @@
+"""A law: the equation as the textbook has it, what its letters mean here, and when it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import sympy
+
+from corollary.formula.ast import Expr, Relation, names
+from corollary.formula.syntax import author_formula
+from corollary.formula.to_sympy import expression
+from corollary.laws.substitute import as_expression
+
+Meaning = sympy.Expr | tuple[sympy.Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """`textbook` keeps the form of the book; `letters` say what each of its letters means in this problem.
+
+    A letter that means a tuple makes the law a vector law: one equation for each component, scalars in all of them.
+    """
+
+    name: str
+    textbook: Relation
+    letters: Mapping[str, Meaning]
+    source: str
+    holds: str
+
+    @property
+    def components(self) -> int:
+        """How many scalar equations the law states."""
+        lengths = {len(meaning) for meaning in self.letters.values() if isinstance(meaning, tuple)}
+        return lengths.pop() if lengths else 1
+
+    @property
+    def vectors(self) -> frozenset[str]:
+        """The textbook letters that stand for vectors here."""
+        return frozenset(letter for letter, meaning in self.letters.items() if isinstance(meaning, tuple))
+
+
+def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters: object) -> Law:
+    """A law from its textbook formula, such as "J = dp", and the meaning of every letter in it.
+
+    Raises ValueError when a letter has no meaning, a meaning has no letter, or components do not match.
+    """
+    relation = _relation(formula)
+    here = {letter: _meaning(value) for letter, value in letters.items()}
+    used = names(relation) - {"pi"}
+    if missing := used - here.keys():
+        raise ValueError(f"{name}: what does {', '.join(sorted(missing))} mean in {formula!r}?")
+    if extra := here.keys() - used:
+        raise ValueError(f"{name}: {', '.join(sorted(extra))} does not occur in {formula!r}")
+    if len({len(meaning) for meaning in here.values() if isinstance(meaning, tuple)}) > 1:
+        raise ValueError(f"{name}: the vectors in {formula!r} have different numbers of components")
+    return Law(name, relation, here, source, holds)
+
+
+def sides(stated: Law) -> list[tuple[sympy.Expr, sympy.Expr]]:
+    """Left and right side of each scalar equation, in the letters of the problem."""
+    return [
+        (expression(stated.textbook.left, letters), expression(stated.textbook.right, letters))
+        for letters in (component(stated, i) for i in range(stated.components))
+    ]
+
+
+def component(stated: Law, index: int) -> dict[str, sympy.Expr]:
+    """What the letters mean in one scalar equation of the law."""
+    return {
+        letter: meaning[index] if isinstance(meaning, tuple) else meaning for letter, meaning in stated.letters.items()
+    }
+
+
+def symbols(stated: Law) -> frozenset[sympy.Symbol]:
+    """Every symbol of the problem that the law speaks of."""
+    found: set[sympy.Symbol] = set()
+    for meaning in stated.letters.values():
+        for part in meaning if isinstance(meaning, tuple) else (meaning,):
+            found |= {symbol for symbol in part.free_symbols if isinstance(symbol, sympy.Symbol)}
+    return frozenset(found)
+
+
+def _meaning(value: object) -> Meaning:
+    if isinstance(value, (tuple, list)):
+        return tuple(as_expression(part) for part in value)
+    return as_expression(value)  # authors' own Python objects only: numbers and sympy expressions
+
+
+@lru_cache(maxsize=512)
+def _relation(formula: str) -> Relation:
+    tree: Expr = author_formula(formula)
+    if not isinstance(tree, Relation) or tree.sign != "=":
+        raise ValueError(f"a law is an equation; {formula!r} has no = sign")
+    return tree

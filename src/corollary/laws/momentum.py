@@ -1,0 +1,78 @@
+"""Momentum: its definition, its change, and its conservation in an isolated system."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from corollary.laws.law import Law, law
+
+
+def momentum(p: object, m: object, v: object) -> Law:
+    """The momentum of one object: p = m v (12.15); vectors allowed."""
+    return law("Momentum", "p = m*v", source="(12.15)", p=p, m=m, v=v)
+
+
+def change_of_momentum(dp: object, m: object, *, before: object, after: object) -> Law:
+    """The change is what it is after less what it was before (12.29)."""
+    return law("Change of momentum", "dp = m*v_1 - m*v_0", source="(12.29)", dp=dp, m=m, v_1=after, v_0=before)
+
+
+def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
+    """The total momentum of an isolated system is the same before and after (12.52), (12.58).
+
+    `before` and `after` list (mass, velocity) of every object; an object that comes to be, or to be part of another, may differ.
+    """
+    letters: dict[str, Any] = {}
+
+    def total(bodies: list[tuple], moment: int) -> str:
+        terms = []
+        for place, (mass, velocity) in enumerate(bodies):
+            body = "ABCDEFGH"[place]
+            m, v = f"m_{body}" if same else f"m_{body}{moment}", f"v_{body}{moment}"
+            letters[m], letters[v] = mass, velocity
+            terms.append(f"{m}*{v}")
+        return " + ".join(terms)
+
+    same = [mass for mass, _ in before] == [mass for mass, _ in after]
+    formula = f"{total(before, 0)} = {total(after, 1)}"
+    return law(
+        "Conservation of momentum", formula, source="(12.52), (12.58)",
+        holds="no net external force acts along this direction", **letters,
+    )  # fmt: skip
+
+
+def sticking(*, before: list[tuple], together: object) -> Law:
+    """Conservation of momentum when all objects move on as one (12.81)."""
+    letters: dict[str, Any] = {"v_1": together}
+    left, masses = [], []
+    for place, (mass, velocity) in enumerate(before):
+        body = "ABCDEFGH"[place]
+        letters[f"m_{body}"], letters[f"v_{body}0"] = mass, velocity
+        left.append(f"m_{body}*v_{body}0")
+        masses.append(f"m_{body}")
+    return law(
+        "Conservation of momentum", f"{' + '.join(left)} = ({' + '.join(masses)})*v_1", source="(12.14), (12.81)",
+        holds="no net external force acts along this direction, and the objects move as one afterwards", **letters,
+    )  # fmt: skip
+
+
+def total_momentum(P: object, bodies: list[tuple]) -> Law:
+    """The total momentum is the sum over all objects (12.49), (12.56); `bodies` lists (mass, velocity), vectors allowed."""
+    letters: dict[str, Any] = {"P": P}
+    terms = []
+    for place, (mass, velocity) in enumerate(bodies, 1):
+        letters[f"m_{place}"], letters[f"v_{place}"] = mass, velocity
+        terms.append(f"m_{place}*v_{place}")
+    return law("Total momentum", f"P = {' + '.join(terms)}", source="(12.49), (12.56)", holds="", **letters)
+
+
+def external_impulse(J: object, *, before: object, after: object) -> Law:
+    """Only external forces change the total momentum (12.53)."""
+    return law("External impulse", "J = P_1 - P_0", source="(12.53)",
+               holds="J is the impulse of all external forces; internal forces cancel in pairs",
+               J=J, P_0=before, P_1=after)  # fmt: skip
+
+
+def magnitude(p: object, components: tuple) -> Law:
+    """The length of a vector in a plane, by Pythagoras."""
+    return law("Magnitude", "p = sqrt(p_x^2 + p_y^2)", p=p, p_x=components[0], p_y=components[1])

@@ -1,0 +1,183 @@
+"""Front matter read node by node: every value is text with a line number, so YAML never guesses a type."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+import yaml
+
+from corollary.problem.diagnostic import Diagnostic, Malformed
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    text: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    entries: dict[str, Node]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class List:
+    items: tuple[Node, ...]
+    line: int
+
+
+Node = Text | Table | List
+
+
+def split(path: Path) -> tuple[Table, str, int]:
+    """The front matter of a Markdown file, the body, and the line on which the body begins.
+
+    Raises Malformed when the file cannot be read, has no front matter, or the front matter is not YAML.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error}")]) from None
+    if not lines or lines[0].strip() != "---":
+        raise Malformed([Diagnostic(path, 1, "begins without front matter; the first line must be ---")])
+    end = next((i for i, line in enumerate(lines[1:], 1) if line.strip() == "---"), None)
+    if end is None:
+        raise Malformed([Diagnostic(path, 1, "has front matter that never ends; close it with a line ---")])
+    return _table(path, "\n".join(lines[1:end])), "\n".join(lines[end + 1 :]), end + 2
+
+
+def _table(path: Path, source: str) -> Table:
+    try:
+        root = yaml.compose(source, Loader=yaml.SafeLoader)
+    except RecursionError:
+        raise Malformed([Diagnostic(path, 2, "front matter is nested too deeply")]) from None
+    except yaml.MarkedYAMLError as error:
+        line = error.problem_mark.line + 2 if error.problem_mark else 1
+        raise Malformed([Diagnostic(path, line, f"front matter is not YAML: {error.problem}")]) from None
+    except yaml.YAMLError as error:
+        raise Malformed([Diagnostic(path, 1, f"front matter is not YAML: {error}")]) from None
+    if root is None:
+        return Table({}, 2)
+    complaints: list[Diagnostic] = []
+    node = _node(path, root, complaints, depth=0)
+    if not isinstance(node, Table):
+        complaints.append(Diagnostic(path, 2, "front matter must be a list of `name: value` lines"))
+    if complaints or not isinstance(node, Table):
+        raise Malformed(complaints)
+    return node
+
+
+def _node(path: Path, node: yaml.Node, complaints: list[Diagnostic], depth: int) -> Node:
+    line = node.start_mark.line + 2  # the mark counts from 0, and line 1 is ---
+    match node:
+        case _ if depth > 6:
+            complaints.append(Diagnostic(path, line, "front matter is nested too deeply (or refers to itself)"))
+            return Text("", line)
+        case yaml.ScalarNode():
+            return Text(node.value, line)
+        case yaml.SequenceNode():
+            return List(tuple(_node(path, item, complaints, depth + 1) for item in node.value), line)
+        case yaml.MappingNode():
+            entries: dict[str, Node] = {}
+            for key, value in node.value:
+                name, at = key.value if isinstance(key, yaml.ScalarNode) else "", key.start_mark.line + 2
+                if not name:
+                    complaints.append(Diagnostic(path, at, "a name on the left of a colon must be one word"))
+                elif name in entries:
+                    complaints.append(Diagnostic(path, at, f"`{name}` is given twice; keep one of them"))
+                else:
+                    entries[name] = _node(path, value, complaints, depth + 1)
+            return Table(entries, line)
+        case _:
+            complaints.append(Diagnostic(path, line, "this kind of YAML node has no meaning here"))
+            return Text("", line)
+
+
+class Reader:
+    """Takes entries out of one table, collecting complaints instead of stopping at the first."""
+
+    def __init__(self, path: Path, table: Table, what: str, complaints: list[Diagnostic]):
+        self.path, self.table, self.what, self.complaints = path, table, what, complaints
+        self.seen: set[str] = set()
+
+    def complain(self, line: int, sentence: str) -> None:
+        self.complaints.append(Diagnostic(self.path, line, sentence))
+
+    def text(self, name: str, default: str | None = None) -> str:
+        return self.line_of(name, default)[0]
+
+    def line_of(self, name: str, default: str | None = None) -> tuple[str, int]:
+        self.seen.add(name)
+        match self.table.entries.get(name):
+            case Text(text, line) if text.strip() or default == "":
+                return text, line
+            case Text(_, line):
+                self.complain(line, f"`{name}` of {self.what} is empty; say what it is, or leave the line out")
+                return default or "", line
+            case None if default is not None:
+                return default, self.table.line
+            case None:
+                self.complain(self.table.line, f"{self.what} has no `{name}`")
+            case Table(_, line) | List(_, line):
+                self.complain(line, f"`{name}` of {self.what} must be one value")
+        return "", self.table.line
+
+    def fraction(self, name: str, default: str | None = None) -> Fraction | None:
+        text, line = self.line_of(name, default)
+        if text == "" and default == "":
+            return None
+        number = exact(text)
+        if number is None and text:
+            self.complain(line, f"`{name}: {text}` of {self.what} is not a number; write it as 0.43, -2, 1/3 or 1.2e3")
+        return number
+
+    def table_of(self, name: str) -> Table:
+        self.seen.add(name)
+        match self.table.entries.get(name):
+            case Table() as table:
+                return table
+            case None:
+                return Table({}, self.table.line)
+            case Text(_, line) | List(_, line):
+                self.complain(line, f"`{name}` of {self.what} must hold `name: value` lines")
+                return Table({}, line)
+
+    def list_of(self, name: str) -> tuple[Node, ...]:
+        self.seen.add(name)
+        match self.table.entries.get(name):
+            case List(items, _):
+                return items
+            case None:
+                return ()
+            case Text() as one:
+                return (one,)
+            case Table(_, line):
+                self.complain(line, f"`{name}` of {self.what} must be a list of `- …` lines")
+                return ()
+
+    def finish(self) -> None:
+        """Complains about every entry nobody asked for."""
+        for name, node in self.table.entries.items():
+            if name not in self.seen:
+                known = ", ".join(sorted(self.seen))
+                self.complain(node.line, f"`{name}` of {self.what} is not known; known are {known}")
+
+
+def exact(text: str) -> Fraction | None:
+    """The exact rational a plain decimal or fraction stands for, or None. Bounded: no exponent beyond 400."""
+    text = text.strip().replace("−", "-")
+    if len(text) > 60 or not text.isascii():
+        return None
+    _, mark, power = text.lower().partition("e")
+    if mark and not (re.fullmatch(r"[+-]?\d{1,9}", power) and abs(int(power)) <= 400):
+        return None
+    if "_" in text:
+        return None
+    try:
+        return Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        return None

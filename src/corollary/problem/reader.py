@@ -1,0 +1,144 @@
+"""From a Markdown file to a problem; every failing is a complaint with its line."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from pathlib import Path
+
+from corollary.formula.ast import Relation, names
+from corollary.formula.functions import SPELLINGS
+from corollary.formula.syntax import author_formula
+from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.front_matter import List, Reader, Table, Text, split
+from corollary.problem.given import Given, Grid, decimal_places
+from corollary.problem.parts_markdown import read_parts
+from corollary.problem.problem import Condition, Problem
+from corollary.problem.statement import HOLE, holes
+from corollary.units.unit import unit
+
+CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
+SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+TAKEN = {*SPELLINGS, *keyword.kwlist, "pi", "log", "answer"}
+"""Words that formulas and solutions need for themselves."""
+
+
+def read_problem(path: Path) -> Problem:
+    """The problem a file holds. Raises Malformed with every complaint found."""
+    table, body, line = split(path)
+    complaints: list[Diagnostic] = []
+    front = Reader(path, table, "the front matter", complaints)
+    (code, code_line), (title, title_line), source = front.line_of("code"), front.line_of("title"), front.text("source", "")
+    if code and not CODE.match(code):
+        front.complain(code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5")
+    rows = front.table_of("given").entries
+    givens = tuple(given for symbol, node in rows.items() if (given := _given(path, symbol, node, complaints)) is not None)
+    known = frozenset(rows)  # those with a fault too: one fault is one complaint
+    conditions = [
+        condition
+        for name, hard in (("where", False), ("require", True))
+        for node in front.list_of(name)
+        if (condition := _condition(path, node, known, hard, complaints)) is not None
+    ]
+    (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
+    front.finish()
+    if figure and not alt:
+        front.complain(figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it")
+    statement, parts = read_parts(path, body, line, complaints)
+    for text, first in ((body, line), (figure, figure_line + ("\n" in figure)), (alt, alt_line)):
+        _check_holes(path, text, first, known, complaints)
+    for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
+        if holes(text):
+            complaints.append(Diagnostic(path, at, f"the title {text!r} has a hole; numbers stand in the text below it"))
+    if not parts:
+        complaints.append(Diagnostic(path, line, 'asks nothing; add a part: ## Title {#a .value unit="m/s" points=1}'))
+    if complaints:
+        raise Malformed(complaints)
+    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path,
+                   figure_line)  # fmt: skip
+
+
+def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Diagnostic]) -> Given | None:
+    if not isinstance(node, Table):
+        complaints.append(
+            Diagnostic(path, node.line, f"{symbol} must be a table: {{is: …, value: …, from: …, to: …, step: …, unit: …}}")
+        )
+        return None
+    before = len(complaints)
+    row = Reader(path, node, symbol, complaints)
+    if not SYMBOL.match(symbol):
+        row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
+    elif symbol in TAKEN:
+        row.complain(node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter")
+    meaning, (unit_text, unit_line) = row.text("is"), row.line_of("unit", "1")
+    value = row.fraction("value")
+    first, last, step = (row.fraction(name, "") for name in ("from", "to", "step"))
+    row.finish()
+    try:
+        measured_in = unit(unit_text)
+    except ValueError as error:
+        row.complain(unit_line, f"unit of {symbol}: {error}")
+        return None
+    if len(complaints) > before or value is None:
+        return None
+    if first is None and last is None and step is None:
+        return Given(symbol, meaning, measured_in, value, Grid(value, type(value)(0), 1), node.line, decimal_places(value))
+    if first is None or last is None or step is None:
+        row.complain(node.line, f"{symbol} needs all of from, to and step, or none of them (then it is always {value})")
+        return None
+    if step <= 0 or last < first:
+        row.complain(
+            node.line,
+            f"{symbol} has no values from {first} to {last} in steps of {step}; from must not exceed to, and step be positive",
+        )
+        return None
+    count = (last - first) // step + 1
+    if first + (count - 1) * step != last:
+        row.complain(
+            node.line,
+            f"{symbol} does not reach `to` in whole steps; the last value would be {float(first + (count - 1) * step):g}",
+        )
+        return None
+    return Given(symbol, meaning, measured_in, value, Grid(first, step, int(count)), node.line, decimal_places(first, step))
+
+
+def _condition(
+    path: Path, node: Table | Text | List, known: frozenset[str], hard: bool, complaints: list[Diagnostic]
+) -> Condition | None:
+    if not isinstance(node, Text):
+        complaints.append(Diagnostic(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5"))
+        return None
+    try:
+        relation = author_formula(node.text)
+    except ValueError as error:
+        complaints.append(Diagnostic(path, node.line, f"condition {node.text!r}: {error}"))
+        return None
+    if not isinstance(relation, Relation):
+        complaints.append(
+            Diagnostic(path, node.line, f"condition {node.text!r} compares nothing; write a relation with <, <=, >, >= or !=")
+        )
+        return None
+    if unknown := sorted(names(relation) - known - {"pi"}):
+        complaints.append(
+            Diagnostic(
+                path, node.line, f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})"
+            )
+        )
+        return None
+    if not names(relation) - {"pi"}:
+        complaints.append(Diagnostic(path, node.line, f"condition {node.text!r} is about none of the givens; leave it out"))
+        return None
+    return Condition(relation, node.text, hard, node.line)
+
+
+def _check_holes(path: Path, text: str, line: int, known: frozenset[str], complaints: list[Diagnostic]) -> None:
+    for symbol, style, at in holes(text):
+        if symbol not in known:
+            complaints.append(
+                Diagnostic(path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})")
+            )
+        if style not in {"", "number"}:
+            complaints.append(Diagnostic(path, line + at, f"{{{{{symbol}|{style}}}}}: the only style is number"))
+    for at, words in enumerate(HOLE.sub("", text).splitlines()):
+        if "{{" in words and "}}" in words:
+            complaints.append(Diagnostic(path, line + at, "a hole must hold one symbol: {{m}} or {{m|number}}"))

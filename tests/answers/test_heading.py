@@ -1,0 +1,58 @@
+"""Directions in words behind a number."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from corollary.answers.answer import Formulas, Numbers, Unclear
+from corollary.answers.registry import KINDS
+from corollary.formula.value import Text
+from corollary.problem.reader import read_problem
+from corollary.units.unit import unit
+
+PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
+VALUE = PROBLEM.part("a")
+
+
+def read(typed, part=VALUE):
+    return KINDS[part.kind].read(Text(typed), part, PROBLEM)
+
+
+@pytest.mark.parametrize(
+    ("typed", "value"),
+    [
+        ("3 kg m/s to the right", 3), ("3 kg m/s to the left", -3), ("-3 kg m/s to the left", -3), ("3 Ns downwards", -3), ("3 Ns (up)", 3),
+        ("3 Ns in the positive direction", 3), ("3 Ns in the negative x-direction", -3), ("3 Ns, backwards.", -3),
+    ],
+)  # fmt: skip
+def test_a_direction_is_a_sign(typed, value):
+    found = read(typed)
+    assert isinstance(found, Numbers), found
+    assert found.values == (value,)
+    assert found.in_words
+
+
+def test_a_formula_turns_too():
+    assert isinstance(read("m v to the left"), Formulas)
+
+
+@pytest.mark.parametrize(
+    "typed", ["-3 Ns to the right", "3 Ns in the direction of the kick", "3 Ns away from the wall", "3 Ns lost"]
+)
+def test_words_that_do_not_tell_the_sign_have_two_readings(typed):
+    found = read(typed)
+    assert isinstance(found, Unclear)
+    assert {reading.values[0] for reading in found.readings if isinstance(reading, Numbers)} == {3, -3}
+
+
+def test_an_energy_has_no_direction_but_may_be_lost():
+    energy = replace(VALUE, unit=unit("J"))
+    turned = read("3 J to the left", energy)
+    assert isinstance(turned, Unclear)
+    assert not turned.readings
+    found = read("a loss of 3 J", energy)
+    assert isinstance(found, Unclear)
+    assert len(found.readings) == 2
