@@ -30,9 +30,9 @@ from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
 from corollary.formula.value import Real, Text, Value
-from corollary.mark.judge import verdict_on
-from corollary.mark.key import Key
-from corollary.mark.solutions import Solutions
+from corollary.grading.judge import verdict_on
+from corollary.grading.key import Key
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_order, files, open_bank
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.part import Part

@@ -14,12 +14,12 @@ from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.value import Items, Text, Value
-from corollary.mark.close import close
-from corollary.mark.deal import admitted, differs, first_asked
-from corollary.mark.judge import judge
-from corollary.mark.key import Key, make_key
-from corollary.mark.replay import Deviation, Numbers, number, replay
-from corollary.mark.verdict import Follows, Mistaken, Right, word
+from corollary.grading.assign import admitted, differs, first_asked
+from corollary.grading.closeness import within
+from corollary.grading.judge import judge
+from corollary.grading.key import Key, make_key
+from corollary.grading.replay import Values, WhatIf, number, replay
+from corollary.grading.verdict import Follows, Mistaken, Right, word
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.units.unit import canonical
@@ -146,19 +146,19 @@ def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -
                 tallies.worst[f"{solution.problem.code} ({first}) accepted, {word(verdict)}: {wrong.text[:60]}"] += 1
 
 
-def _numbers(key: Key, found: Sequence[Numbers]) -> Answers:
+def _numbers(key: Key, found: Sequence[Values]) -> Answers:
     """The numbers of a student's derivation by part, where a number is asked for."""
     problem = key.variant.problem
     return {part: found[truth.place] for part, truth in key.truths.items() if problem.part(part).kind != "expression"}
 
 
-def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Numbers, *, accepted: bool) -> None:
+def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Values, *, accepted: bool) -> None:
     """What fixed tolerances would have said: counted where they are wrong."""
     truth = key.truths[part]
     if tallies.drawn > 0 and truth.scale:
         tallies.fixed_answers[sort] += 1
         for limit in FIXED:
-            tallies.fixed_failed[sort, limit] += close(values, truth.values, limit, truth.scale) == accepted
+            tallies.fixed_failed[sort, limit] += within(values, truth.values, limit, truth.scale) == accepted
 
 
 def _givens(key: Key, dice: random.Random) -> Mapping[str, RationalPi]:
@@ -168,8 +168,8 @@ def _givens(key: Key, dice: random.Random) -> Mapping[str, RationalPi]:
     return givens | {"g": RationalPi(other)} if other is not None and dice.random() < 0.3 else givens
 
 
-def _by_step(key: Key, givens: Mapping[str, RationalPi], figures: int, rules=None) -> list[Numbers]:
-    return replay(key.solution, givens, Deviation(rules=rules or {}, rounding=rounded(figures)))
+def _by_step(key: Key, givens: Mapping[str, RationalPi], figures: int, rules=None) -> list[Values]:
+    return replay(key.solution, givens, WhatIf(rules=rules or {}, rounding=rounded(figures)))
 
 
 def rounded(figures: int) -> Callable[[float], float]:
@@ -177,7 +177,7 @@ def rounded(figures: int) -> Callable[[float], float]:
     return lambda x: float(f"{x:.{figures - 1}e}")
 
 
-def by_operation(solution: Solution, givens: Mapping[str, RationalPi], figures: int) -> list[Numbers]:
+def by_operation(solution: Solution, givens: Mapping[str, RationalPi], figures: int) -> list[Values]:
     """The derivation by a student who writes down every intermediate result rounded."""
     short = rounded(figures)
     values, found = dict(givens), []
@@ -185,7 +185,7 @@ def by_operation(solution: Solution, givens: Mapping[str, RationalPi], figures: 
         if isinstance(find.local, ClosedForms):
             numbers = tuple(short(number(_worked(tree, values, short), values)) for tree in find.local.trees)
         else:
-            numbers = replay(solution, givens, Deviation(held=dict(enumerate(found))), len(found))[len(found)]
+            numbers = replay(solution, givens, WhatIf(held=dict(enumerate(found))), len(found))[len(found)]
         values |= {name: RationalPi(Fraction(value)) for name, value in zip(find.names, numbers, strict=True)}
         found.append(numbers)
     return found
@@ -215,7 +215,7 @@ def _judged(key: Key, answers: Answers, figures: int) -> Iterator[tuple[str, Any
     return ((part, judged[part]) for part in answers)
 
 
-def written(part: Part, values: Numbers, figures: int) -> Value:
+def written(part: Part, values: Values, figures: int) -> Value:
     """Numbers as a student types them, with the part's unit."""
     size = float(part.unit.factor) * math.pi**part.unit.pi
     unit = "" if part.unit.text == "1" else f" {canonical(part.unit)}"

@@ -5,10 +5,10 @@ import math
 import sympy
 
 from corollary.author import choice, code, derivation, explain, mistake, plot, simulated, step, unknown, unknowns, vector
-from corollary.derive.programs.atom_plot import judge_orbit_plot, judge_potential_plot
-from corollary.derive.programs.catch import catch_inputs, judge_catch
-from corollary.derive.programs.orbit import judge_orbit, orbit_inputs
 from corollary.derive.simulation import simulate
+from corollary.grading.programs.atom_plot import judge_orbit_plot, judge_potential_plot
+from corollary.grading.programs.catch import catch_inputs, judge_catch
+from corollary.grading.programs.orbit import judge_orbit, orbit_inputs
 from corollary.laws import (
     depth_of_well,
     distance,

@@ -14,9 +14,9 @@ from corollary.author import (
     unknowns,
     vector,
 )
-from corollary.derive.programs.row import cradle_inputs, judge_contact, judge_cradle
-from corollary.derive.programs.row_plot import judge_velocity_plot
 from corollary.derive.simulation import simulate
+from corollary.grading.programs.row import cradle_inputs, judge_contact, judge_cradle
+from corollary.grading.programs.row_plot import judge_velocity_plot
 from corollary.laws import (
     conservation_of_momentum,
     elastic,

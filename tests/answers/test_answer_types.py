@@ -229,7 +229,7 @@ def test_lists_in_lists_however_deep():
     ],
 )
 def test_samples_are_read_as_they_are_named(part, truth):
-    from corollary.mark.plainly import plainly
+    from corollary.grading.from_json import plainly
 
     samples = KINDS[part.kind].samples(truth, part)
     assert {"unread"} < {sample.verdict for sample in samples}

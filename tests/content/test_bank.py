@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.mark.verify.verify import verify
 from corollary.problem.bank import Bank, chapter_bank, load
 from corollary.problem.problem import Problem
+from corollary.verify.verify import verify
 
 BANK: Bank = chapter_bank()
 PROBLEMS = load(BANK)

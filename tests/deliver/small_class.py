@@ -9,7 +9,7 @@ from pathlib import Path
 from corollary.deliver.demo.player import right_sources
 from corollary.deliver.generating import variants_of
 from corollary.deliver.order import Handed, Order
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student

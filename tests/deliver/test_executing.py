@@ -17,8 +17,8 @@ import pytest
 
 from corollary.deliver.executing import Execute, here, in_turn, side_by_side
 from corollary.deliver.order import Handed, Order, Returned
-from corollary.mark.solutions import Solutions
-from corollary.mark.verdict import Unmarked
+from corollary.grading.solutions import Solutions
+from corollary.grading.verdict import Unmarked
 from corollary.submission.isolation import WeakIsolation
 from corollary.submission.take import Job, Runner
 

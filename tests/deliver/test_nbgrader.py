@@ -25,8 +25,8 @@ from nbgrader.api import Gradebook
 
 from corollary.deliver.course import Course, create_course, write_atomically
 from corollary.deliver.nbgrader import GradebookLocked, NotOurs, NotRegistered, manual_scores, record, register
-from corollary.mark.grade import Grade, Marked, PartGrade
-from corollary.mark.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
+from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student

@@ -22,7 +22,7 @@ from corollary.deliver.generating import generate, variants_of
 from corollary.deliver.grading import grade_set, read_record
 from corollary.deliver.keeping import history
 from corollary.deliver.one_writer import one_writer
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.sheet.notebook import file_text

@@ -16,8 +16,8 @@ from rich.console import Console
 from corollary.deliver.report import as_json, handed_in, report, rows, summary, terminal
 from corollary.deliver.tally import HandedIn, Row
 from corollary.deliver.verdict_look import LOOKS
-from corollary.mark.grade import Grade
-from corollary.mark.verdict import Right
+from corollary.grading.grade import Grade
+from corollary.grading.verdict import Right
 
 SAMPLE = runpy.run_path(str(Path(__file__).with_name("sample.py")))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.deliver.sharing import sharing
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.variant import at

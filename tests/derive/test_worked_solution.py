@@ -8,8 +8,8 @@ import pytest
 
 from corollary.derive.solve import solve
 from corollary.derive.worked_solution import story
-from corollary.mark.key import make_key
-from corollary.mark.neglect import neglects
+from corollary.grading.key import make_key
+from corollary.grading.neglect import neglects
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import at, chapter
 

@@ -8,11 +8,11 @@ import pytest
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Sum
 from corollary.formula.ball import Certified, RationalPi, Undefined, certified
-from corollary.mark.solutions import Solutions
-from corollary.mark.verify.extremes import Pushed, push, pushed, ulps
-from corollary.mark.verify.scene_extremes import Extreme, Met, extremes, meets, play
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
+from corollary.verify.extremes import Pushed, push, pushed, ulps
+from corollary.verify.scene_extremes import Extreme, Met, extremes, meets, play
 
 CODES = ("X12.2", "X12.5", "X12.7", "X12.12", "E12.7.2", "E12.7.1", "E12.3.1")
 

@@ -22,7 +22,7 @@ from corollary.deliver.demo.player import Hand, right_sources
 from corollary.deliver.demo.stage import hand_in
 from corollary.deliver.generating import generate, variants_of
 from corollary.deliver.keeping import history, read_record, settle
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student

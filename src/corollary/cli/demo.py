@@ -10,7 +10,7 @@ from corollary.cli.failure import FAILS, HOLDS, answer, refuse
 from corollary.cli.progress import bar
 from corollary.deliver.demo.players import PLAYERS
 from corollary.deliver.demo.stage import Demonstration, NotFresh, perform
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 

@@ -24,7 +24,7 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.problem.bank": ["Unknown"],
         "corollary.problem.variant": ["OutOfRange"],
         "corollary.derive.errors": ["NotDerivable"],
-        "corollary.mark.deal": ["NoVariant"],
+        "corollary.grading.assign": ["NoVariant"],
         "corollary.formula.compiled": ["Undefined"],
         "corollary.scene.run": ["BadSetting"],
         "corollary.deliver.course": ["NotACourse"],

@@ -15,7 +15,7 @@ from corollary.deliver.grading import Outcome, grade_set
 from corollary.deliver.one_writer import one_writer
 from corollary.deliver.origin import set_of
 from corollary.deliver.regrading import Change
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.submission.take import Runner
 
 

@@ -9,12 +9,12 @@ from typing import Any
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.given import from_case, read_cases
 from corollary.formula.ball import Undefined
-from corollary.mark.judge import judge
-from corollary.mark.plain_programs import run_programs
-from corollary.mark.plainly import plainly
-from corollary.mark.points import grade
-from corollary.mark.record import grade_record
-from corollary.mark.solutions import Solutions
+from corollary.grading.from_json import plainly
+from corollary.grading.judge import judge
+from corollary.grading.points import grade
+from corollary.grading.record import grade_record
+from corollary.grading.run_programs import run_programs
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home
 from corollary.problem.problem import Problem
 from corollary.problem.variant import OutOfRange

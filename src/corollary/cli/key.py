@@ -8,8 +8,8 @@ from typing import Any
 from corollary.cli.failure import HOLDS, answer, refuse
 from corollary.cli.given import from_case, from_options, read_cases
 from corollary.formula.ball import Undefined
-from corollary.mark.key_record import key_record
-from corollary.mark.solutions import Solutions
+from corollary.grading.key_record import key_record
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer, refuse, say
-from corollary.mark.plainly import finite
+from corollary.grading.from_json import finite
 from corollary.scene.catalogue import run as play
 from corollary.scene.run import GuardFailed
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from corollary.cli.failure import HOLDS, refuse, say
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank, home
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet, Scheme
@@ -50,7 +50,7 @@ def _variant(place: Bank, problem: Problem, student: str | None, course: Path | 
     if student is None:
         return chapter(problem)
     if course is None:
-        return Solutions(place).deal(problem, b"", student, ()).variant
+        return Solutions(place).assign_variant(problem, b"", student, ()).variant
     from corollary.deliver.course import dealt_anywhere, open_course
 
     row = dealt_anywhere(open_course(course), student)

@@ -29,7 +29,7 @@ def run(scenes: list[str], output: Path | None, json: bool, quick: bool) -> int:
     begin = time.perf_counter()
     todo = _chosen(scenes)
     raced = [race(case, quick) for case in steps(todo, lambda case: case.name, "racing")]
-    from corollary.mark.arithmetic import measured  # after the races: it brings the bank's formulas and their solver
+    from corollary.verify.arithmetic import measured  # after the races: it brings the bank's formulas and their solver
 
     found: dict[str, Any] = {"scenes": [record(each) for each in raced], "closed_forms": [] if scenes else measured(quick)}
     found["seconds"] = round(time.perf_counter() - begin, 2)

@@ -9,14 +9,14 @@ from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
-from corollary.mark.verify.checked import Checked
-from corollary.mark.verify.programs import unstarted
-from corollary.mark.verify.verify import verify
 from corollary.problem.bank import Bank, doubles, files, home, open_bank
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.reader import read_problem
+from corollary.verify.checked import Checked
+from corollary.verify.programs import unstarted
+from corollary.verify.verify import verify
 
 
 def run(codes: list[str], bank: Path | None, variants: int, json: bool, extremes: bool = False) -> int:

@@ -10,11 +10,11 @@ from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.derive.errors import NotDerivable
 from corollary.derive.solve import solve
-from corollary.mark.plainly import finite
-from corollary.mark.verify.extremes import Pushed, push
-from corollary.mark.verify.scene_extremes import Met, extremes, play
+from corollary.grading.from_json import finite
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
+from corollary.verify.extremes import Pushed, push
+from corollary.verify.scene_extremes import Met, extremes, play
 
 
 def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, json: bool) -> int:

@@ -11,8 +11,8 @@ from markupsafe import Markup
 from corollary.deliver.drawing import drawing
 from corollary.deliver.page import page
 from corollary.deliver.verdict_look import Look, look
-from corollary.mark.grade import Grade, Marked, PartGrade
-from corollary.mark.verdict import Unmarked, Unread
+from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.verdict import Unmarked, Unread
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.sheet import Prompt, exercise
 from corollary.submission.taken import CellRun, Figure

@@ -9,7 +9,7 @@ from pathlib import Path
 from corollary.deliver.course import Course, create_course, read_dealt, write_atomically, write_dealt
 from corollary.deliver.nbgrader_book import NoNbgrader, need_nbgrader
 from corollary.deliver.origin import write_origin
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -50,7 +50,7 @@ def generate(
         for student in roster:
             row = dealt.setdefault(student.id, {})
             if problem.code not in row and size(problem) > 1:
-                found = solutions.deal(problem, course.key, student.id, taken)
+                found = solutions.assign_variant(problem, course.key, student.id, taken)
                 assert found.variant.index is not None
                 row[problem.code] = found.variant.index
                 passed[problem.code] = passed.get(problem.code, 0) + found.passed_over

@@ -19,7 +19,7 @@ from corollary.deliver.report_kept import report_of
 from corollary.deliver.report_page import report_page
 from corollary.deliver.sharing import sharing
 from corollary.deliver.tally import Report
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
 from corollary.submission.file import bytes_of
 from corollary.submission.take import Runner

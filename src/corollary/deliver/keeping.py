@@ -17,9 +17,9 @@ from corollary.deliver.feedback_page import feedback_page
 from corollary.deliver.report import handed_in as row_of
 from corollary.deliver.report import rows
 from corollary.deliver.tally import Shared
-from corollary.mark.grade import Marked
-from corollary.mark.record import marked_record
-from corollary.mark.solutions import Solutions
+from corollary.grading.grade import Marked
+from corollary.grading.record import marked_record
+from corollary.grading.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
 from corollary.submission.file import content_of
 

@@ -23,7 +23,7 @@ from corollary.deliver.nbgrader_book import (
 from corollary.deliver.nbgrader_config import NotOurs, write_config
 from corollary.deliver.nbgrader_notebook import marked_notebook, notebook_text
 from corollary.deliver.nbgrader_record import record_one
-from corollary.mark.grade import Marked
+from corollary.grading.grade import Marked
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.notebook import file_text
 

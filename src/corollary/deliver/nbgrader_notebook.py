@@ -10,7 +10,7 @@ from nbformat.v4 import new_code_cell, new_markdown_cell
 
 from corollary.deliver.nbgrader_safe import safe_attachments, safe_markdown, safe_outputs
 from corollary.deliver.verdict_look import look
-from corollary.mark.grade import Marked, PartGrade
+from corollary.grading.grade import Marked, PartGrade
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.cells import checksum
 from corollary.sheet.found import cells_by_id

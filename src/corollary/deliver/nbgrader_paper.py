@@ -15,7 +15,7 @@ from corollary.deliver.generating import variants_of
 from corollary.deliver.keeping import fingerprint, lateness
 from corollary.deliver.order import Handed, Order
 from corollary.deliver.origin import read_origin
-from corollary.mark.solutions import Solutions
+from corollary.grading.solutions import Solutions
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.sheet import Sheet, sheet

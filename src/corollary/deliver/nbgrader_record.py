@@ -17,8 +17,8 @@ from corollary.deliver.course import Course, handed_in, write_atomically
 from corollary.deliver.nbgrader_book import NotRegistered
 from corollary.deliver.nbgrader_notebook import answer_sources, part_grades
 from corollary.deliver.nbgrader_safe import safe_markdown
-from corollary.mark.grade import Marked, PartGrade
-from corollary.mark.verdict import Unread
+from corollary.grading.grade import Marked, PartGrade
+from corollary.grading.verdict import Unread
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.found import answer_id
 

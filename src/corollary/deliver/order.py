@@ -9,10 +9,10 @@ from corollary.deliver.feedback_page import feedback_page
 from corollary.deliver.generating import variants_of
 from corollary.deliver.nbgrader_notebook import marked_notebook, notebook_text
 from corollary.deliver.tamper import notes
-from corollary.mark.grade import Marked
-from corollary.mark.key import Key
-from corollary.mark.marking import mark, not_marked
-from corollary.mark.solutions import Solutions
+from corollary.grading.grade import Marked
+from corollary.grading.key import Key
+from corollary.grading.marking import mark, not_marked
+from corollary.grading.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.sheet.sheet import sheet

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from corollary.mark.grade import Marked
-from corollary.mark.record import marked_record
+from corollary.grading.grade import Marked
+from corollary.grading.record import marked_record
 
 CENT = 0.005
 

@@ -11,8 +11,8 @@ from typing import assert_never
 from corollary.deliver.report_table import terminal as terminal
 from corollary.deliver.tally import SHARING, HandedIn, Met, PartTally, Report, Row, Shared, Waiting
 from corollary.deliver.verdict_look import LOOKS
-from corollary.mark.grade import Marked
-from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
+from corollary.grading.grade import Marked
+from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 
 
 def summary(marked: Iterable[Marked], *, roster: Iterable[str] = ()) -> Report:

@@ -11,9 +11,9 @@ from corollary.answers.registry import KINDS
 from corollary.deliver.tally import WITHIN, Shared
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
-from corollary.mark.close import close
-from corollary.mark.replay import replay
-from corollary.mark.solutions import Solutions
+from corollary.grading.closeness import within
+from corollary.grading.replay import replay
+from corollary.grading.solutions import Solutions
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
@@ -43,7 +43,7 @@ def sharing(
             width = _width(truths.get(part.id, {}))
             for other, truth in others.items():
                 length = math.hypot(*truth)
-                if length > 0 and close(values, truth, WITHIN, length):
+                if length > 0 and within(values, truth, WITHIN, length):
                     met.setdefault((student, other), {}).setdefault(problem.code, []).append((problem.answer_name(part), width))
     shared = []
     for (student, other), problems in met.items():

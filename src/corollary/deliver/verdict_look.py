@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Final
 
 from corollary.figure.colour import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION
-from corollary.mark.verdict import Unread, Verdict, word
+from corollary.grading.verdict import Unread, Verdict, word
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ if TYPE_CHECKING:  # what is solved already is used without any algebra, and sym
     import sympy
     from sympy.logic.boolalg import Boolean
 
-    from corollary.derive.said import Remark, Said
+    from corollary.grading.programs.remarks import Remark, Said
     from corollary.laws.law import Law
 
 

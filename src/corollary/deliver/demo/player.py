@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from corollary.derive.statements import Code, Explain, Plot
-from corollary.mark.key import Key, named
-from corollary.mark.replay import number
+from corollary.grading.key import Key, named
+from corollary.grading.replay import number
 from corollary.problem.roster import Student
 from corollary.sheet.sheet import Prompt, Sheet
 

@@ -9,8 +9,8 @@ from dataclasses import replace
 from corollary.deliver.demo.player import Hand, Player, right_sources
 from corollary.formula.numerals import decimal_text
 from corollary.formula.text import text
-from corollary.mark.key import Key
-from corollary.mark.replay import Deviation, replay
+from corollary.grading.key import Key
+from corollary.grading.replay import WhatIf, replay
 from corollary.problem.roster import Student
 from corollary.sheet.sheet import Prompt, Sheet
 from corollary.units.unit import Unit, canonical, show, unit
@@ -41,7 +41,7 @@ def all_right(sheet: Sheet, keys: Keys) -> Hand:
 def rounding(sheet: Sheet, keys: Keys) -> Hand:
     """Every step rounded to three figures, and the next step done with the rounded number."""
     rounded = {
-        code: replay(key.solution, key.variant.exact, Deviation(rounding=lambda x: float(f"{x:.3g}")))
+        code: replay(key.solution, key.variant.exact, WhatIf(rounding=lambda x: float(f"{x:.3g}")))
         for code, key in keys.items()
     }
 

@@ -14,9 +14,9 @@ from corollary.deliver.demo.player import Hand, Player
 from corollary.deliver.demo.players import PLAYERS
 from corollary.deliver.generating import generate, variants_of
 from corollary.deliver.grading import Outcome, grade_set
-from corollary.mark.points import share
-from corollary.mark.solutions import Solutions
-from corollary.mark.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.grading.points import share
+from corollary.grading.solutions import Solutions
+from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.problem_set import ProblemSet
 from corollary.sheet.notebook import filled_in
 from corollary.sheet.sheet import Sheet, sheet

@@ -1,0 +1,150 @@
+"""Which variant a student gets: the first draw that is free, has a key, and on which no mistake looks like the truth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from corollary.derive.solution import ClosedForms, Rule, Solution, SolvedUnknown
+from corollary.formula.ast import names
+from corollary.formula.ball import Undefined
+from corollary.grading.closeness import within
+from corollary.grading.key import Key, make_key
+from corollary.grading.replay import WhatIf, ancestors, replay
+from corollary.grading.tolerance import MOST
+from corollary.problem.problem import Problem
+from corollary.problem.sampling import draws
+from corollary.problem.variant import Variant, chapter
+
+APART = 0.005
+
+
+class NoVariant(LookupError):
+    """No draw of a problem will do; one sentence says why the last ones did not."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assigned:
+    """A student's variant of one problem, and how many draws were passed over before it."""
+
+    key: Key
+    passed_over: int
+
+    @property
+    def variant(self) -> Variant:
+        return self.key.variant
+
+
+def assign_variant(solution: Solution, secret: bytes, student: str, taken: Iterable[int] = ()) -> Assigned:
+    """The student's own variant; `taken` are the indices other students have. Raises NoVariant."""
+    problem, occupied, reasons = solution.problem, set(taken), []
+    if all(given.grid.count == 1 for given in problem.givens):
+        return Assigned(make_key(solution, chapter(problem)), 0)
+    fallback: Assigned | None = None
+    for passed, variant in enumerate(draws(problem, secret, student)):
+        key, reason = admitted(solution, variant)
+        if key is None:
+            reasons.append(reason)
+        elif variant.index in occupied:
+            fallback = fallback or Assigned(key, passed)  # every variant may be taken: then students share
+        else:
+            return Assigned(key, passed)
+        if passed >= 300 and fallback is not None:
+            return fallback
+    if fallback is not None:
+        return fallback
+    raise NoVariant(
+        f"{problem.code}: none of the draws for {student} will do; {reasons[-1] if reasons else 'its conditions leave none'}"
+    )
+
+
+def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
+    """The key of a variant that may be dealt, or None and why it may not."""
+    try:
+        key = make_key(solution, variant)
+    except Undefined as error:
+        return None, f"an answer does not exist: {error}"
+    for part, truth in key.truths.items():
+        if truth.noise > MOST:
+            return None, f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}"
+        if truth.scale == 0:
+            return None, f"part {part}: the answer is zero, and nothing says compared with what"
+    for part, text in collisions(key):
+        return None, f"part {part}: the mistake {text!r} cannot be told from the truth"
+    return key, ""
+
+
+def collisions(key: Key) -> Iterable[tuple[str, str]]:
+    """Parts on which a known mistake falls within the tolerance (and half a per cent more) of the truth.
+
+    A mistake counts for the part of its own step, or, at a step nobody is asked about, for the parts reached from it
+    through such steps only. One that never changes a part is no mistake for it.
+    """
+    solution, givens = key.solution, key.variant.exact
+    for place, find in enumerate(solution.finds):
+        for wrong in find.mistakes:
+            for part in first_asked(solution, place):
+                truth = key.truths[part]
+                if not differs(solution, place, wrong.rule, truth.place):
+                    continue
+                try:
+                    values = replay(solution, givens, WhatIf(rules={place: wrong.rule}), truth.place)[truth.place]
+                except Undefined:
+                    continue
+                if within(values, truth.values, truth.tolerance + APART, truth.scale):
+                    yield part, wrong.text
+
+
+def first_asked(solution: Solution, place: int) -> list[str]:
+    """The parts where a mistake at a step shows first."""
+    find = solution.finds[place]
+    if find.answers:
+        return [find.answers]
+    shown = []
+    for later, other in enumerate(solution.finds[place + 1 :], place + 1):
+        if other.answers and place in ancestors(solution, later) and _unasked_way(solution, place, later):
+            shown.append(other.answers)
+    return shown
+
+
+def differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
+    """Whether exchanging a rule changes a find at all, on the chapter's own numbers (or where those are special, on a draw)."""
+    key = id(solution), place, id(rule), at
+    if key not in _DIFFERS:
+        _DIFFERS[key] = place == at or _changes(solution.problem, solution, place, rule, at)
+    return _DIFFERS[key]
+
+
+_DIFFERS: dict[tuple[int, int, int, int], bool] = {}
+
+
+def _changes(problem: Problem, solution: Solution, place: int, rule: Rule, at: int) -> bool:
+    try:
+        givens = chapter(problem).exact
+        truth = replay(solution, givens, until=at)[at]
+        other = replay(solution, givens, WhatIf(rules={place: rule}), at)[at]
+    except Undefined:
+        return False
+    return not within(other, truth, 1e-9, max(map(abs, truth), default=0.0) or 1.0)
+
+
+def _unasked_way(solution: Solution, start: int, end: int) -> bool:
+    """Whether a way of rules leads from one find to another over finds nobody is asked about."""
+    names_of: Mapping[str, int] = {name: place for place, find in enumerate(solution.finds) for name in find.names}
+    todo, seen = [end], set()
+    while todo:
+        place = todo.pop()
+        for name in _letters(solution.finds[place]):
+            above = names_of.get(name)
+            if above == start:
+                return True
+            if above is not None and above not in seen and not solution.finds[above].answers:
+                seen.add(above)
+                todo.append(above)
+    return False
+
+
+def _letters(find: SolvedUnknown) -> frozenset[str]:
+    if isinstance(find.local, ClosedForms):
+        return frozenset().union(*map(names, find.local.trees))
+    return frozenset().union(*map(names, find.local.settings.values()))

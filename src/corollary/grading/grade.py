@@ -1,0 +1,67 @@
+"""Verdicts turned into points, and into what the student reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from corollary.grading.verdict import Unmarked, Verdict
+from corollary.problem.part import Part
+from corollary.problem.roster import Student
+from corollary.problem.variant import Variant
+from corollary.submission.taken import CellRun, Figure
+
+
+@dataclass(frozen=True, slots=True)
+class PartGrade:
+    """`answer` is how the answer was read (or as typed, when it was not); `feedback` is Markdown for the student."""
+
+    part: Part
+    verdict: Verdict
+    points: float
+    out_of: float
+    answer: str
+    feedback: str
+
+    @property
+    def waits(self) -> bool:
+        return isinstance(self.verdict, Unmarked)
+
+
+@dataclass(frozen=True, slots=True)
+class Grade:
+    """One problem of one student."""
+
+    variant: Variant
+    parts: tuple[PartGrade, ...]
+
+    @property
+    def points(self) -> float:
+        return sum(part.points for part in self.parts)
+
+    @property
+    def out_of(self) -> float:
+        return sum(part.out_of for part in self.parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Marked:
+    """A whole submission, marked. `trouble` is a sentence when something went wrong with it as a whole; `late` in seconds;
+    `notes` are sentences on what was noticed, such as an edited statement: told, and not marked."""
+
+    student: Student
+    grades: tuple[Grade, ...]
+    runs: tuple[CellRun, ...]
+    figures: tuple[Figure, ...]
+    isolation: str
+    trouble: str
+    late: float
+    late_share: float
+    notes: tuple[str, ...] = ()
+
+    @property
+    def points(self) -> float:
+        return sum(grade.points for grade in self.grades) * self.late_share
+
+    @property
+    def out_of(self) -> float:
+        return sum(grade.out_of for grade in self.grades)

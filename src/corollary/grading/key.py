@@ -1,0 +1,123 @@
+"""The key of a variant: every answer with certified digits, its tolerance, and what mistakes and earlier slips would give."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from corollary.derive.solution import Measured, Solution, SolvedUnknown
+from corollary.formula.ball import Undefined, certified, holds
+from corollary.grading.replay import as_exact, compute, simulated
+from corollary.grading.replay import number as plain_number
+from corollary.grading.tolerance import LEAST, MOST, noise_of
+from corollary.problem.variant import Variant
+
+MARGIN, TINY = 1.25, 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """The answer to one part: SI values, whether their digits are certified, and what may be off.
+
+    `scale` is what the tolerance is relative to: the length of the answer, or what the problem names where that is zero.
+    `doubt` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
+    """
+
+    place: int
+    values: tuple[float, ...]
+    proven: bool
+    error: float
+    scale: float
+    tolerance: float
+    noise: float
+    doubt: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """Everything a variant can be marked with; `values` are the finds in the solution's order."""
+
+    solution: Solution
+    variant: Variant
+    values: tuple[tuple[float, ...], ...]
+    truths: Mapping[str, Truth]
+    choices: Mapping[str, str]
+
+    def find(self, truth: Truth) -> SolvedUnknown:
+        return self.solution.finds[truth.place]
+
+
+def make_key(solution: Solution, variant: Variant) -> Key:
+    """The key of one variant. Raises Undefined when an answer does not exist for these numbers."""
+    givens = variant.exact
+    values: list[tuple[float, ...]] = []
+    stated: dict[int, tuple[bool, float]] = {}
+    for place, find in enumerate(solution.finds):
+        try:
+            numbers, proven, error = answer(solution, find, variant, values)
+        except Undefined as why:
+            what = f"part {find.answers}" if find.answers else ", ".join(find.names)
+            raise Undefined(f"{what} has no value for these numbers: {why}") from why
+        values.append(numbers)
+        stated[place] = proven, error
+    noise = noise_of(solution, givens, values)
+    truths = {}
+    for place, find in enumerate(solution.finds):
+        if find.answers:
+            proven, error = stated[place]
+            scale = scale_of(find, values[place], givens | named(solution, values))
+            off = MARGIN * noise[place].distance / scale if scale else 0.0
+            doubt = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
+            truths[find.answers] = Truth(
+                place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, doubt
+            )
+    choices = {part: chosen(truth.options, givens, part) for part, truth in solution.choices.items()}
+    return Key(solution, variant, tuple(values), truths, choices)
+
+
+def answer(
+    solution: Solution, find: SolvedUnknown, variant: Variant, before: list[tuple[float, ...]]
+) -> tuple[tuple[float, ...], bool, float]:
+    """A find's values from its closed form, certified; or from its scene, with the error the run states."""
+    if find.closed is not None:
+        found = [certified(tree, variant.exact) for tree in find.closed]
+        return tuple(each.value for each in found), all(each.proven for each in found), 0.0
+    known = variant.exact | named(solution, before)
+    match find.local:
+        case Measured(scene, settings, observe):
+            at = tuple((name, plain_number(tree, known)) for name, tree in settings.items())
+            numbers, error = simulated(scene, at, observe)
+            return numbers, False, error
+        case rule:
+            return compute(rule, known), False, 1e-12
+
+
+def named(solution: Solution, values: list[tuple[float, ...]]):
+    """The finds so far, by their letters, as exact numbers."""
+
+    return {
+        name: as_exact(number)
+        for find, numbers in zip(solution.finds, values, strict=False)
+        for name, number in zip(find.names, numbers, strict=True)
+        if math.isfinite(number)
+    }
+
+
+def scale_of(find: SolvedUnknown, values: tuple[float, ...], known) -> float:
+    """The length of the answer; where the answer is zero, what the solution names, or the largest given of its dimension."""
+    length = math.hypot(*values)
+    if length > 0 or find.scale is None:
+        return length
+    try:
+        return abs(plain_number(find.scale, known))
+    except Undefined:
+        return 0.0
+
+
+def chosen(options, givens, part: str) -> str:
+    """The letter of the one option that holds. Raises Undefined when it is not exactly one."""
+    true = [letter for letter, held in options.items() if (held if isinstance(held, bool) else holds(held, givens))]
+    if len(true) != 1:
+        raise Undefined(f"part {part}: {len(true)} options hold ({', '.join(true)}); exactly one must")
+    return true[0]

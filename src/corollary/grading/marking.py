@@ -1,0 +1,122 @@
+"""A whole submission marked: its notebook run in isolation, its answers held against the key outside."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from corollary.formula.value import Nothing, Text, Value
+from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.judge import judge
+from corollary.grading.key import Key
+from corollary.grading.points import grade
+from corollary.grading.program_run import ProgramRun
+from corollary.grading.programs.judge import asks
+from corollary.grading.verdict import Unmarked, Unread
+from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
+from corollary.sheet.notebook import notebook as handed_out
+from corollary.sheet.sheet import Prompt, Sheet
+from corollary.submission.file import Unreadable
+from corollary.submission.job import Cell, Job
+from corollary.submission.notebook import Notebook
+from corollary.submission.take import Runner
+from corollary.submission.taken import CellRun, Taken
+
+Keys = Mapping[str, Key]
+
+
+def mark(sheet: Sheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float) -> Marked:
+    """The marks of one submission; `late` in seconds. Never raises for what is in it."""
+    if isinstance(notebook, Unreadable):
+        return _unreadable(sheet, keys, notebook.why, late)
+    taken = runner.take(_job(sheet, keys, notebook, secret))
+    grades = tuple(_grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises)
+    share = sheet.problem_set.scheme.late if late > 0 else 1.0
+    trouble = taken.trouble
+    return Marked(sheet.student, grades, taken.cells, taken.figures, taken.isolation.line, trouble, late, share)
+
+
+def _job(sheet: Sheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
+    """What is asked of the notebook: nothing in it comes from the key but inputs for the student's functions."""
+    calls = [
+        ask
+        for prompt in sheet.prompts
+        if "code" in prompt.part.kinds
+        for ask in asks(
+            keys[prompt.problem.code].solution, keys[prompt.problem.code].variant, prompt.part, secret, sheet.student.id
+        )
+    ]
+    cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, handed_out(sheet)))
+    names = tuple(prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds))
+    return Job(cells, names, tuple(calls), tuple(plot_cells(notebook.node, sheet).values()))
+
+
+def _grade(sheet: Sheet, keys: Keys, code: str, notebook: Notebook, taken: Taken, secret: bytes) -> Grade:
+    prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
+    plots = plot_cells(notebook.node, sheet)
+    answers = {prompt.part.id: _answer(prompt, notebook, taken) for prompt in prompts}
+    shown = {
+        prompt.part.id: ProgramRun(
+            taken.calls, tuple(figure for figure in taken.figures if figure.cell == plots.get(prompt.key)), True
+        )
+        for prompt in prompts
+    }
+    problem_set = sheet.problem_set
+    judged = judge(keys[code], answers, shown, secret=secret, student=sheet.student.id)
+    graded = grade(
+        keys[code], judged, problem_set.scheme, problem_set.weight(keys[code].variant.problem), reveal=problem_set.reveal
+    )
+    ran = _runs(notebook, taken)
+    return replace(graded, parts=tuple(_explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)))
+
+
+def _answer(prompt: Prompt, notebook: Notebook, taken: Taken) -> Value:
+    if prompt.part.kind == "explain":
+        text = explain_text(notebook.node, prompt.key)
+        return Text(text) if text else Nothing()
+    return taken.values.get(prompt.name, Nothing())
+
+
+def _runs(notebook: Notebook, taken: Taken) -> dict[str, CellRun]:
+    """How the cell of each answer fared, by the name it was handed out with."""
+    by_id = {run.id: run for run in taken.cells}
+    return {name: by_id[cell.id] for name, cell in cells_by_id(notebook.node).items() if cell.get("id") in by_id}
+
+
+def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> PartGrade:
+    """A part without an answer, whose cell failed: the student reads why."""
+    run = runs.get(answer_id(prompt.key, prompt.part))
+    if not (isinstance(part.verdict, Unread) and part.verdict.blank) or run is None or run.status == "ok":
+        return part
+    why = {
+        "error": f"its cell stopped with {run.error}",
+        "timeout": "its cell ran out of time",
+        "not run": "its cell was not reached any more",
+    }[run.status]
+    said = f"No answer came out of this part: {why}."
+    return replace(part, verdict=Unread(said, blank=True), feedback=said)
+
+
+def not_marked(sheet: Sheet, why: str, late: float) -> Marked:
+    """A submission that could not be marked through no fault of its student: no points yet, and a person decides on every part."""
+    grades = tuple(
+        Grade(
+            exercise.variant,
+            tuple(PartGrade(prompt.part, Unmarked(why), 0.0, prompt.out_of, "", why) for prompt in exercise.prompts),
+        )
+        for exercise in sheet.exercises
+    )
+    return Marked(sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0)
+
+
+def _unreadable(sheet: Sheet, keys: Keys, why: str, late: float) -> Marked:
+    """A file that is no notebook: nothing can be read, every part says so, and the report asks a person to look."""
+    said = f"The notebook could not be opened. {why}"
+    grades = tuple(
+        Grade(
+            keys[exercise.problem.code].variant,
+            tuple(PartGrade(prompt.part, Unread(said), 0.0, prompt.out_of, "", said) for prompt in exercise.prompts),
+        )
+        for exercise in sheet.exercises
+    )
+    return Marked(sheet.student, grades, (), (), "", said, late, 1.0)

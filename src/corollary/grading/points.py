@@ -1,0 +1,60 @@
+"""Verdicts turned into points by the problem set's scheme."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+from corollary.grading.feedback import revealed, sentence
+from corollary.grading.grade import Grade, PartGrade
+from corollary.grading.key import Key
+from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.problem.problem_set import Scheme
+
+PLAIN = Scheme()
+
+
+def share(verdict: Verdict, scheme: Scheme) -> float:
+    """What part of the points a verdict earns."""
+    match verdict:
+        case Right():
+            return 1.0
+        case Follows():
+            return scheme.follows
+        case Slip():
+            return scheme.slip
+        case Mistaken():
+            return scheme.mistaken
+        case Wrong() | Unread() | Unmarked():
+            return 0.0
+        case _:
+            assert_never(verdict)
+
+
+def grade(
+    key: Key,
+    judged: Mapping[str, tuple[tuple[Verdict, ...], str]],
+    scheme: Scheme = PLAIN,
+    weight: float = 1.0,
+    *,
+    reveal: bool = False,
+) -> Grade:
+    """Points and feedback for each part. Of two kinds each is worth half; the verdict shown is the first that is not right."""
+    parts = []
+    for part in key.variant.problem.parts:
+        verdicts, shown = judged[part.id]
+        out_of = part.points * weight
+        points = out_of * sum(share(verdict, scheme) for verdict in verdicts) / len(verdicts)
+        decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
+        said = _said(part.kinds, verdicts)
+        if reveal and not isinstance(decisive, Right) and (told := revealed(key, part)):
+            said = f"{said} {told}"
+        parts.append(PartGrade(part, decisive, round(points, 6), out_of, shown, said))
+    return Grade(key.variant, tuple(parts))
+
+
+def _said(kinds: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
+    if len(verdicts) == 1:
+        return sentence(verdicts[0])
+    titles = {"code": "Program", "plot": "Figure"}
+    return " ".join(f"{titles[kind]}: {sentence(verdict)}" for kind, verdict in zip(kinds, verdicts, strict=True))

@@ -1,0 +1,17 @@
+"""What a part's judge may be handed beside plain values: what the student's functions returned, and the figures drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from corollary.submission.taken import Answered, Figure
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramRun:
+    """What running the notebook brought for one code or plot part; `calls` by the key of each call."""
+
+    calls: Mapping[str, Answered] = field(default_factory=dict)
+    figures: tuple[Figure, ...] = ()
+    ran: bool = False

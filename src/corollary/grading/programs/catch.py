@@ -1,0 +1,76 @@
+"""Students' programs for an atom that meets another one in the well and sticks to it: how they are called and judged."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved
+from corollary.grading.programs.convergence import Family, Standard, judged
+from corollary.grading.programs.orbit import EULER, misfit, named, place_standard
+from corollary.grading.programs.remarks import Remark, Said
+from corollary.grading.programs.well import State, Walk, Well, forward_euler, half_a_swing, moved, start_of, stepped, well_of
+
+
+def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:
+    """A comes from outside and meets B at r = b, once along a radius, twice obliquely; `t1` is a whole number of steps."""
+    cases = []
+    for aside in (0.0, 0.3, 0.6):
+        m, k, b = round(draw(0.5, 4.0), 2), round(draw(40, 300)), round(draw(0.8, 1.6), 2)
+        d = round(draw(0.35, 0.6) * b, 3)
+        omega = math.sqrt(k / m)
+        x, y, vx, vy = (round(each, 4) for each in (b + 1.6 * d, aside * b, -draw(0.5, 0.9) * omega * d, 0.0))
+        case = {"m": m, "k": k, "b": b, "d": d, "x": x, "y": y, "vx": vx, "vy": vy}
+        well = well_of(case)
+        t1 = _arrival(well, (x, y, vx, vy))
+        dt = t1 / round(t1 / half_a_swing(well) * STEPS)
+        cases.append(case | {"t1": t1, "T": t1 + dt * round(5.0 / omega / dt), "dt": dt})
+    return halved(cases)
+
+
+def judge_catch(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+    """The place of both atoms at the time T, when A has met B at rest at the time t1."""
+    return judged(CATCH, called)
+
+
+def _standard(inputs: Inputs) -> Standard:
+    well, left = well_of(inputs), inputs["T"] - inputs["t1"]
+    x, y, u, w = moved(well, start_of(inputs), inputs["t1"])
+    truth = moved(well, (x, y, u / 2, w / 2), left)
+    return place_standard(well, truth, lambda dt: ended(inputs, dt))
+
+
+def ended(inputs: Inputs, dt: float, *, keeps: float = 0.5, pull: float = 1.0, walk: Walk = stepped) -> State:
+    """Where a method leads: at t1 the velocity keeps this share, and the pull on what moves on changes by this factor."""
+    well, t1, left = well_of(inputs), inputs["t1"], inputs["T"] - inputs["t1"]
+    x, y, u, w = walk(well, start_of(inputs), t1, round(t1 / dt))
+    return walk(Well(pull * well.pull, well.b, well.edge), (x, y, keeps * u, keeps * w), left, round(left / dt))
+
+
+def _wrong(called: Called) -> Said:
+    inputs, dt = called.inputs, called.inputs["dt"]
+    usual = {
+        "the velocity is not changed by the collision. B was at rest: momentum is shared by both.": ended(inputs, dt, keeps=1.0),
+        "you kept the kinetic energy. The atoms stick: momentum is kept, kinetic energy is not.": ended(inputs, dt, keeps=0.5**0.5),
+        "the mass has doubled, but not the force. The molecule pulls on A and on B.": ended(inputs, dt, pull=0.5),
+        "the force has doubled, but not the mass. The pair has the mass of two atoms.": ended(inputs, dt, pull=2.0),
+        EULER: ended(inputs, dt, walk=forward_euler),
+    }
+    return named(called, usual)
+
+
+CATCH = Family(misfit, _standard, _wrong)
+
+
+def _arrival(well: Well, start: State) -> float:
+    """When an atom from outside first reaches r = b, by halving."""
+    x, y, u, _ = start
+    low = (x - math.sqrt(well.edge**2 - y**2)) / -u
+    high = low + 2 * math.pi / math.sqrt(well.pull)
+    grid = [low + (high - low) * i / 200 for i in range(201)]
+    first = next(time for time in grid if math.hypot(*moved(well, start, time)[:2]) < well.b)
+    low, high = first - (high - low) / 200, first
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if math.hypot(*moved(well, start, middle)[:2]) < well.b else (middle, high)
+    return high

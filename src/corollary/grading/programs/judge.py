@@ -1,0 +1,117 @@
+"""The verdict on programs and figures: by what the student's functions return when called, and what the figures hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import assert_never
+
+from corollary.answers.answer import Numbers, Unclear
+from corollary.answers.numbers import vector
+from corollary.derive.solution import Solution
+from corollary.derive.statements import Code, Plot
+from corollary.formula.value import Exact, Items, Nothing, Real, Value
+from corollary.grading.program_run import ProgramRun
+from corollary.grading.programs.called import Called
+from corollary.grading.programs.remarks import Remark, Said
+from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong
+from corollary.problem.part import Part
+from corollary.problem.sampling import digest
+from corollary.problem.variant import Variant
+from corollary.submission.job import Argument, Ask
+from corollary.units.unit import unit
+
+
+def code_of(solution: Solution, part: Part) -> Code | None:
+    """The code entry of a part."""
+    return next((entry for entry in solution.entries if isinstance(entry, Code) and entry.part == part.id), None)
+
+
+def plot_of(solution: Solution, part: Part) -> Plot | None:
+    """The plot entry of a part."""
+    return next((entry for entry in solution.entries if isinstance(entry, Plot) and entry.part == part.id), None)
+
+
+def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[Ask]:
+    """The calls of a part's function, on inputs nobody knows beforehand."""
+    code = code_of(solution, part)
+    if code is None:
+        return []
+    return [
+        Ask(
+            f"{variant.problem.answer_name(part)}/{place}",
+            part.function,
+            tuple((name, _argument(value)) for name, value in inputs.items()),
+        )
+        for place, inputs in enumerate(inputs_of(code, variant, part, secret, student))
+    ]
+
+
+def inputs_of(code: Code, variant: Variant, part: Part, secret: bytes, student: str) -> Sequence[Mapping[str, object]]:
+    """The same inputs each time for one student and part, and different for others."""
+    count = iter(range(1 << 30))
+
+    def draw(low: float, high: float) -> float:
+        number = digest(secret, "call", variant.problem.code, part.id, student, str(next(count))) % (1 << 53)
+        return low + (high - low) * number / (1 << 53)
+
+    return code.inputs(variant.si, draw)
+
+
+def judge_code(solution: Solution, variant: Variant, part: Part, shown: ProgramRun, secret: bytes, student: str) -> Verdict:
+    """Every call must have come back; then the solution's judge looks at all of them together."""
+    code = code_of(solution, part)
+    assert code is not None
+    called = []
+    for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
+        answered = shown.calls.get(f"{variant.problem.answer_name(part)}/{place}")
+        if answered is None:
+            return Unread(f"There is no function {part.signature} to call.")
+        if answered.trouble:
+            return Unread(f"Calling {part.function}: {answered.trouble}")
+        if isinstance(answered.value, Nothing):
+            return Unread(f"{part.function} returns nothing yet.", blank=True)
+        returned = _numbers(answered.value, variant)
+        if isinstance(returned, str):
+            return Unread(f"{part.function} returns something that is no list of numbers: {returned}.")
+        called.append(Called(inputs, returned))
+    return _verdict(code.judge(variant.si, called))
+
+
+def judge_plot(solution: Solution, variant: Variant, part: Part, shown: ProgramRun) -> Verdict:
+    """The figures of the plot cell, axes by axes."""
+    plot = plot_of(solution, part)
+    assert plot is not None
+    axes = [each for figure in shown.figures for each in figure.axes]
+    if not axes:
+        return Unread("No figure was drawn.", blank=True)
+    return _verdict(plot.judge(variant.si, axes))
+
+
+def _verdict(said: Said | Remark | None) -> Verdict:
+    match said:
+        case None:
+            return Right()
+        case Remark(sentence):
+            return Right(sentence)
+        case Said(sentence, known):
+            return Mistaken(sentence) if known else Wrong(sentence)
+        case _:
+            assert_never(said)
+
+
+def _argument(value: object) -> Argument:
+    if isinstance(value, (int, float, str)):
+        return value
+    if isinstance(value, (tuple, list)):
+        return tuple(float(each) for each in value)
+    raise TypeError(f"a function cannot be called with {value!r}")
+
+
+def _numbers(value: Value, variant: Variant) -> tuple[float, ...] | str:
+    if isinstance(value, (Real, Exact)):
+        value = Items((value,), (1,))
+    count = len(value.items) if isinstance(value, Items) else 1
+    found = vector(value, unit("1"), count, variant.problem)
+    if isinstance(found, Numbers):
+        return found.misfit or found.values
+    return found.why if isinstance(found, Unclear) else found.shown

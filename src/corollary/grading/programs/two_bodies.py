@@ -1,0 +1,108 @@
+"""Two bodies in a plane that push each other: their motion step by step, and what a program for it is measured by."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from corollary.grading.programs.bound import NAMED, SAFETY, measured
+from corollary.grading.programs.called import Called, Inputs, miscounted
+from corollary.grading.programs.convergence import Standard
+from corollary.grading.programs.remarks import Said
+from corollary.scene.method.fixed_step import march
+from corollary.scene.method.tables import EULER_CROMER, RK4, Method
+
+FINEST = 1 << 15
+Force = Callable[[float, float, float, float], tuple[float, float]]  # on A, from r_B - r_A and v_B - v_A
+
+
+def misfit(called: Called) -> str:
+    return miscounted(called, 4, "the four velocities v_Ax, v_Ay, v_Bx, v_By")
+
+
+def speed(inputs: Inputs) -> float:
+    """The relative speed at the start: the scale of all errors."""
+    return math.dist(inputs["vA"], inputs["vB"])
+
+
+def stepped(
+    inputs: Inputs, force: Force, *, steps: int = 0, both: bool = True, euler: bool = False
+) -> tuple[float, ...]:  # fmt: skip
+    """Velocities (A x, A y, B x, B y) at the time T by Euler-Cromer's method, in `steps` or in steps of dt; inf when lost."""
+    count = steps or max(1, round(inputs["T"] / inputs["dt"]))
+    dt = inputs["T"] / count
+    (ax, ay), (bx, by), (au, aw), (bu, bw) = inputs["rA"], inputs["rB"], inputs["vA"], inputs["vB"]
+    to_a, to_b = dt / inputs["mA"], (dt / inputs["mB"] if both else 0.0)
+    for _ in range(count):
+        fx, fy = force(bx - ax, by - ay, bu - au, bw - aw)
+        if not math.isfinite(fx + fy) or abs(fx) + abs(fy) > 1e12:
+            return (math.inf,) * 4
+        if euler:
+            ax, ay, bx, by = ax + au * dt, ay + aw * dt, bx + bu * dt, by + bw * dt
+        au, aw, bu, bw = au + fx * to_a, aw + fy * to_a, bu - fx * to_b, bw - fy * to_b
+        if not euler:
+            ax, ay, bx, by = ax + au * dt, ay + aw * dt, bx + bu * dt, by + bw * dt
+    return au, aw, bu, bw
+
+
+def marched(inputs: Inputs, force: Force, method: Method, count: int) -> tuple[float, ...]:
+    """The velocities at the time T after so many steps of a method."""
+    m = (inputs["mA"], inputs["mA"], inputs["mB"], inputs["mB"])
+
+    def acceleration(x: Sequence[float], v: Sequence[float]) -> list[float]:
+        fx, fy = force(x[2] - x[0], x[3] - x[1], v[2] - v[0], v[3] - v[1])
+        return [push / mass for push, mass in zip((fx, fy, -fx, -fy), m, strict=True)]
+
+    places, velocities = [*inputs["rA"], *inputs["rB"]], [*inputs["vA"], *inputs["vB"]]
+    return march(method, acceleration, places, velocities, inputs["T"] / count, count).velocities[-1]
+
+
+def converged(inputs: Inputs, force: Force, tolerance: float) -> tuple[float, ...]:
+    """The velocities at the time T of a smooth force: steps of fourth order halved until they change by less than this (relative).
+
+    Raises ArithmeticError when that does not come about.
+    """
+    count = max(128, round(inputs["T"] / inputs["dt"] / 4))
+    coarse = marched(inputs, force, RK4, count)
+    while count < FINEST:
+        count *= 2
+        fine = marched(inputs, force, RK4, count)
+        if math.dist(coarse, fine) <= tolerance * speed(inputs):
+            return fine
+        coarse = fine
+    raise ArithmeticError("the reference motion of the two bodies does not settle")
+
+
+def standard(
+    inputs: Inputs, force: Force, truth: Sequence[float], *, order: int, unit: float, safety: float = SAFETY
+) -> Standard:  # fmt: skip
+    """Bounds measured for this case; `unit` is the time that steps are counted in."""
+
+    def errors(found: Sequence[float]) -> tuple[float, ...]:
+        return (math.dist(found, truth) / speed(inputs),)
+
+    def book(steps: float) -> tuple[float, ...]:
+        return errors(marched(inputs, force, EULER_CROMER, round(inputs["T"] / unit * steps)))
+
+    return Standard(errors, measured(order, book, safety), unit)
+
+
+def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -> Said:
+    """What is said of a program that ends too far away: the usual mistake it is nearest to, or what it does not keep."""
+    inputs, returned = called.inputs, called.returned
+    ends = {f"{case} {sentence}": stepped(inputs, force) for sentence, force in usual.items()}
+    ends[f"{case} this is forward Euler: the position is stepped with the old velocity. Step the velocity first, then the position "
+         f"with the new one."] = stepped(inputs, right, euler=True)  # fmt: skip
+    ends[f"{case} only A feels a force. What B does to A, A does to B, the other way."] = stepped(inputs, right, both=False)
+    sentence, end = min(ends.items(), key=lambda item: math.dist(returned, item[1]))
+    if math.dist(returned, end) <= NAMED * speed(inputs):
+        return Said(sentence, known=True)
+    if math.dist(returned, (*inputs["vA"], *inputs["vB"])) <= NAMED * speed(inputs):
+        return Said(f"{case} nothing has happened to the velocities. Step forward until the time T.")
+    mA, mB = inputs["mA"], inputs["mB"]
+    lost = [mA * (returned[i] - inputs["vA"][i]) + mB * (returned[i + 2] - inputs["vB"][i]) for i in (0, 1)]
+    if math.hypot(*lost) > 0.01 * mA * speed(inputs):
+        return Said(f"{case} the total momentum is not kept. The force on B is that on A, the other way, and each has "
+                    f"its own mass.", known=True)  # fmt: skip
+    return Said(f"{case} the total momentum is kept, but the velocities after the time T are not right. Check the "
+                f"force law, and that you reach T.")  # fmt: skip

@@ -1,0 +1,54 @@
+"""What is kept of every mark, as plain data: how it came about, so that it can be shown, compared and never silently changed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from corollary.grading.from_json import finite
+from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.verdict import Mistaken, Slip, Unmarked, word
+
+
+def part_record(part: PartGrade) -> dict[str, Any]:
+    """One part, as `judge --json` and `grade --json` show it."""
+    entry: dict[str, Any] = {
+        "verdict": word(part.verdict), "points": part.points, "out_of": part.out_of, "answer": part.answer, "feedback": part.feedback,
+    }  # fmt: skip
+    match part.verdict:
+        case Mistaken(mistake, _):
+            entry["mistake"] = mistake
+        case Slip(slip):
+            entry["slip"] = slip
+        case Unmarked(_, rubric):
+            entry["rubric"] = list(rubric)
+        case _:
+            pass
+    return entry
+
+
+def grade_record(grade: Grade) -> dict[str, Any]:
+    """One problem."""
+    return {
+        "code": grade.variant.problem.code,
+        "given": {name: finite(value) for name, value in grade.variant.si.items()},
+        "points": round(grade.points, 6),
+        "out_of": grade.out_of,
+        "parts": {part.part.id: part_record(part) for part in grade.parts},
+    }
+
+
+def marked_record(marked: Marked) -> dict[str, Any]:
+    """One submission; the parts are named as in the notebook (X12_5_a)."""
+    return {
+        "points": round(marked.points, 6),
+        "out_of": marked.out_of,
+        "parts": {
+            grade.variant.problem.answer_name(part.part): part_record(part) for grade in marked.grades for part in grade.parts
+        },
+        "variants": {grade.variant.problem.code: grade.variant.index for grade in marked.grades},
+        "isolation": marked.isolation,
+        "trouble": marked.trouble,
+        "late": marked.late,
+        "late_share": marked.late_share,
+        "notes": list(marked.notes),
+    }

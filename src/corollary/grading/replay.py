@@ -1,0 +1,129 @@
+"""A solution replayed on numbers: by the rules, with a student's own earlier values, with a mistake, or rounded at every step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import lru_cache
+
+from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, SolvedUnknown
+from corollary.formula.ast import Expr, names
+from corollary.formula.ball import RationalPi, Undefined, evaluate
+from corollary.scene.run import BadSetting, GuardFailed
+
+BITS = 96
+Values = tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class WhatIf:
+    """What is done differently: finds whose values are held (by place), rules exchanged (by place), and a rounding."""
+
+    held: Mapping[int, Values] = field(default_factory=dict)
+    rules: Mapping[int, Rule] = field(default_factory=dict)
+    rounding: Callable[[float], float] | None = None
+
+
+BY_THE_RULES = WhatIf()
+
+
+def replay(
+    solution: Solution, givens: Mapping[str, RationalPi], deviation: WhatIf = BY_THE_RULES, until: int | None = None
+) -> list[Values]:
+    """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
+    values: dict[str, RationalPi] = dict(givens)
+    found: list[Values] = []
+    for place, find in enumerate(solution.finds):
+        numbers = deviation.held.get(place)
+        if numbers is None:
+            numbers = compute(deviation.rules.get(place, find.local), values)
+            if deviation.rounding is not None and isinstance(find.local, ClosedForms):
+                numbers = tuple(map(deviation.rounding, numbers))
+        for name, number in zip(find.names, numbers, strict=True):
+            values[name] = as_exact(number)
+        found.append(numbers)
+        if place == until:
+            break
+    return found
+
+
+def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Values:
+    """What a rule gives for these values. Raises Undefined."""
+    match rule:
+        case ClosedForms(trees):
+            return tuple(number(tree, values) for tree in trees)
+        case Measured(scene, settings, observe):
+            return observed(scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe)
+
+
+def number(tree: Expr, values: Mapping[str, RationalPi]) -> float:
+    """A formula's value as a double, close to the last bit. Raises Undefined."""
+    value = float(evaluate(tree, values, BITS).mid())
+    if value != value or value in (float("inf"), float("-inf")):
+        raise Undefined("the value is beyond the numbers of this machine")
+    return value
+
+
+def as_exact(value: float) -> RationalPi:
+    """The double itself. Raises Undefined for what is no number."""
+    if value != value or value in (float("inf"), float("-inf")):
+        raise Undefined("the value is beyond the numbers of this machine")
+    return RationalPi(Fraction(value))
+
+
+@lru_cache(maxsize=4096)
+def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> Values:
+    """One observed value of a run, as a tuple. Raises Undefined when the scene refuses."""
+    return simulated(scene, settings, observe)[0]
+
+
+@lru_cache(maxsize=4096)
+def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> tuple[Values, float]:
+    """The observed value and the error the run states for it, relative to its natural scale."""
+    from corollary.scene.catalogue import run  # only here: it brings every scene, and most answers need none
+
+    try:
+        outcome = run(scene, dict(settings), tolerance=1e-12)
+    except (BadSetting, GuardFailed) as error:
+        raise Undefined(str(error)) from None
+    if observe not in outcome.observed:
+        raise Undefined(f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}")
+    seen = outcome.observed[observe]
+    return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
+
+
+_ANCESTORS: dict[
+    tuple[int, int], tuple[Solution, frozenset[int]]
+] = {}  # by identity; the solution is held, so its id stays its own
+
+
+def ancestors(solution: Solution, place: int) -> frozenset[int]:
+    """The places of all finds that a find is made of, by any of its routes."""
+    kept = _ANCESTORS.get((id(solution), place))
+    if kept is None or kept[0] is not solution:
+        kept = _ANCESTORS[id(solution), place] = solution, _ancestors(solution, place)
+    return kept[1]
+
+
+def _ancestors(solution: Solution, place: int) -> frozenset[int]:
+    owner = {name: at for at, find in enumerate(solution.finds) for name in find.names}
+    seen: set[int] = set()
+    todo = [place]
+    while todo:
+        for name in uses(solution.finds[todo.pop()]):
+            at = owner.get(name)
+            if at is not None and at not in seen:
+                seen.add(at)
+                todo.append(at)
+    return frozenset(seen)
+
+
+def uses(find: SolvedUnknown) -> frozenset[str]:
+    """Every letter that the rules of a find mention."""
+    found: set[str] = set()
+    for rule in (find.local, *find.routes, *(wrong.rule for wrong in find.mistakes)):
+        trees = rule.trees if isinstance(rule, ClosedForms) else tuple(rule.settings.values())
+        for tree in trees:
+            found |= names(tree)
+    return frozenset(found)

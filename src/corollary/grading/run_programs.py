@@ -1,0 +1,37 @@
+"""Programs handed in as plain text, without a notebook: run in isolation, and called."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from corollary.formula.value import Text, Value
+from corollary.grading.key import Key
+from corollary.grading.program_run import ProgramRun
+from corollary.grading.programs.judge import asks
+from corollary.submission.job import Cell, Job
+from corollary.submission.take import Runner
+
+USUAL = "import numpy as np\nimport matplotlib.pyplot as plt"
+
+
+def run_programs(key: Key, answers: Mapping[str, Value]) -> dict[str, ProgramRun]:
+    """What the source texts among the answers do when run; starts nothing when there are none."""
+    problem = key.variant.problem
+    sources = {
+        part.id: given.text
+        for part in problem.parts
+        if {"code", "plot"} & set(part.kinds) and isinstance(given := answers.get(part.id), Text)
+    }
+    if not sources:
+        return {}
+    with Runner() as runner:
+        return {part: ran(runner, key, part, source) for part, source in sources.items()}
+
+
+def ran(runner: Runner, key: Key, part: str, source: str) -> ProgramRun:
+    """What one part's program does when run and called."""
+    problem = key.variant.problem
+    cells = (Cell("usual", USUAL), Cell(part, source))
+    calls = tuple(asks(key.solution, key.variant, problem.part(part), b"", ""))
+    taken = runner.take(Job(cells, (), calls, (part,), pictures=False))
+    return ProgramRun(taken.calls, taken.figures, True)

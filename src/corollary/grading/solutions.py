@@ -1,0 +1,54 @@
+"""The solutions of a bank, each solved once and kept while a command runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from corollary.derive.cache import solution_of
+from corollary.derive.load import source
+from corollary.derive.solution import Solution
+from corollary.derive.worked_solution import story
+from corollary.grading.assign import Assigned, assign_variant
+from corollary.grading.key import Key, make_key
+from corollary.grading.neglect import neglects
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.problem.variant import Variant
+
+
+@dataclass(slots=True)
+class Solutions:
+    bank: Bank
+    known: dict[str, Solution] = field(default_factory=dict)
+
+    def of(self, problem: Problem) -> Solution:
+        """Solved at the first call, or recalled from an earlier command. Raises NotDerivable."""
+        if problem.code not in self.known:
+            self.known[problem.code] = solution_of(self.bank, problem)
+        return self.known[problem.code]
+
+    def source(self, problem: Problem) -> bytes:
+        """The solution's text, to tell whether it has changed. Raises NotDerivable."""
+        return source(self.bank, problem)
+
+    def key(self, variant: Variant) -> Key:
+        """Raises NotDerivable, and Undefined where an answer does not exist."""
+        return make_key(self.of(variant.problem), variant)
+
+    def assign_variant(self, problem: Problem, secret: bytes, student: str, taken: Iterable[int]) -> Assigned:
+        """Raises NotDerivable and NoVariant."""
+        return assign_variant(self.of(problem), secret, student, taken)
+
+    def story(self, variant: Variant) -> str:
+        """The worked solution with these numbers, as Markdown."""
+        return self.told(self.key(variant))
+
+    def told(self, key: Key) -> str:
+        """The same, where the key is at hand."""
+        left_out = [(each.most, each.share) for each in neglects(key)]
+        return story(key.solution, key.variant, key.values, key.choices, left_out)
+
+    def __reduce__(self):
+        """Sent to another process it is found again there: programs are functions of a file, and do not travel."""
+        return Solutions, (self.bank,)

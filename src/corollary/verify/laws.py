@@ -1,0 +1,40 @@
+"""The laws put back: every equation must vanish identically, and both its sides measure the same thing."""
+
+from __future__ import annotations
+
+from corollary.derive.load import line_of
+from corollary.derive.solution import Solution
+from corollary.derive.solve import unproven
+from corollary.formula.ast import names
+from corollary.formula.errors import ParseError, sentence
+from corollary.problem.bank import Bank
+from corollary.units.dimensions import dimension_of
+from corollary.verify.checked import Tally
+
+
+def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Residuals exactly zero, by algebra."""
+    proven, left = unproven(bank, solution.problem)
+    tally.count("laws put back", proven)
+    for each in left:
+        tally.complain(each)
+
+
+def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Every law of the derivation, as it stands here, has the same dimension on both sides."""
+    dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
+    for find in solution.finds:
+        dimensions |= dict(zip(find.names, find.dimensions, strict=True))
+    path = bank.solution(solution.problem)
+    for left in solution.neglected:
+        dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))
+        dimensions |= {value.name: value.dimension for value in left.supposing}
+    for find in (*solution.finds, *(left.bound for left in solution.neglected)):
+        for law in (*find.laws, *(law for way in find.routes_shown for law in way.laws)):
+            for relation in law.here:
+                if names(relation) - {"pi"} - dimensions.keys():
+                    continue  # an unknown met only inside a step: its dimension follows from the law itself
+                found = dimension_of(relation, dimensions)
+                tally.count("dimensions")
+                if isinstance(found, ParseError):
+                    tally.complain(f"{path.name}:{line_of(path, find.because)}: {law.name}: {sentence(found)}")

@@ -1,0 +1,93 @@
+"""The solution's own programs and figures, run and judged as a student's are: right as they stand, and not right once bent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+
+from corollary.derive.load import line_of
+from corollary.grading.judge import judge
+from corollary.grading.key import Key
+from corollary.grading.programs.judge import code_of, plot_of
+from corollary.grading.run_programs import ran
+from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong, word
+from corollary.problem.bank import Bank
+from corollary.problem.part import Part
+from corollary.submission.parent import CannotStart
+from corollary.submission.take import Runner
+from corollary.verify.checked import Tally
+
+BENT = """
+def _bent(exact):
+    return lambda **inputs: [-1.37 * number - 1 for number in np.ravel(exact(**inputs))]
+
+{function} = _bent({function})
+"""
+
+
+@contextmanager
+def unstarted() -> Iterator[Runner]:
+    """A runner for many problems, that starts with the first program and not before."""
+    runner = Runner()
+    try:
+        yield runner
+    finally:
+        runner.__exit__(None, None, None)
+
+
+def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = None) -> None:
+    """Each example is right; a program that returns other numbers, and axes with nothing in them, are wrong."""
+    parts = [part for part in key.variant.problem.parts if {"code", "plot"} & set(part.kinds)]
+    if not parts:
+        return
+    path = bank.solution(key.variant.problem)
+    try:
+        with Runner() if runner is None else nullcontext(runner) as runner:
+            for part in parts:
+                where = f"{path.name}:{line_of(path, _words(key, part))}: part {part.id}"
+                for kind, verdict in zip(part.kinds, _verdicts(runner, key, part, example(key, part)), strict=True):
+                    tally.expect(isinstance(verdict, Right), "programs run", lambda where=where, kind=kind, verdict=verdict: (
+                        f"{where}: the example's {kind} should be right and is {_said(verdict)}"))  # fmt: skip
+                for kind, verdict in zip(part.kinds, _verdicts(runner, key, part, bent(key, part)), strict=True):
+                    tally.expect(isinstance(verdict, Wrong | Mistaken), "programs run", lambda where=where, kind=kind, verdict=verdict: (
+                        f"{where}: {'the example with its numbers bent' if kind == 'code' else 'a figure with nothing in it'} "
+                        f"should be wrong and is {_said(verdict)}"))  # fmt: skip
+    except CannotStart as error:
+        tally.complain(f"{path.name}: its programs could not be run: {error}")
+
+
+def example(key: Key, part: Part) -> str:
+    """The program and the figure that the solution shows, with the key's numbers in the figure."""
+    plot = plot_of(key.solution, part)
+    drawn = plot.example.strip() if plot is not None else ""
+    for name, value in key.variant.si.items():
+        drawn = drawn.replace(f"{{{name}}}", repr(value))
+    return f"{_program(key, part)}\n{drawn}\n"
+
+
+def bent(key: Key, part: Part) -> str:
+    """The same program with every returned number changed, and an empty figure."""
+    turned = BENT.format(function=part.function) if "code" in part.kinds else ""
+    return _program(key, part) + turned + ("\nplt.subplots()\n" if "plot" in part.kinds else "")
+
+
+def _program(key: Key, part: Part) -> str:
+    code = code_of(key.solution, part)
+    return code.example.strip() if code is not None else ""
+
+
+def _verdicts(runner: Runner, key: Key, part: Part, source: str) -> tuple[Verdict, ...]:
+    return judge(key, {}, {part.id: ran(runner, key, part.id, source)})[part.id][0]
+
+
+def _said(verdict: Verdict) -> str:
+    match verdict:
+        case Wrong(why) | Mistaken(why) | Unread(why):
+            return f"{word(verdict)} ({why})"
+        case _:
+            return word(verdict)
+
+
+def _words(key: Key, part: Part) -> str:
+    entry = code_of(key.solution, part) or plot_of(key.solution, part)
+    return entry.because if entry is not None else ""

@@ -1,0 +1,83 @@
+"""Each kind's own samples judged as they are named, and the chapter's printed values reproduced."""
+
+from __future__ import annotations
+
+import math
+
+from corollary.answers.answer_type import Sample
+from corollary.answers.quantity import read_quantity
+from corollary.answers.registry import KINDS
+from corollary.derive.load import line_of
+from corollary.derive.solution import Solution
+from corollary.derive.statements import Printed
+from corollary.formula.errors import ParseError
+from corollary.formula.text import text
+from corollary.grading.closeness import coarse
+from corollary.grading.from_json import plainly
+from corollary.grading.judge import judge
+from corollary.grading.key import Key, make_key, named
+from corollary.grading.replay import number
+from corollary.grading.verdict import Right, Unmarked, Unread, word
+from corollary.problem.bank import Bank
+from corollary.problem.part import Part
+from corollary.problem.variant import chapter
+from corollary.verify.checked import Tally
+
+
+def check_samples(key: Key, tally: Tally) -> None:
+    """Right samples are right, unreadable ones unread, and wrong ones neither."""
+    for part in key.variant.problem.parts:
+        for sample in samples(key, part):
+            ((verdict,), _) = judge(key, {part.id: plainly(sample.answer)})[part.id]
+            got = word(verdict)
+            as_named = {
+                "right": isinstance(verdict, Right), "unread": isinstance(verdict, Unread), "unmarked": isinstance(verdict, Unmarked),
+                "wrong": got in {"wrong", "slip", "mistaken"},
+            }[sample.verdict]  # fmt: skip
+            tally.expect(as_named, "kind samples", lambda part=part, sample=sample, got=got: (
+                f"{key.variant.problem.path.name}:{part.line}: part {part.id}: the sample {sample.answer!r} should be {sample.verdict} and is {got}"))  # fmt: skip
+
+
+def samples(key: Key, part: Part) -> tuple[Sample, ...]:
+    """What the part's kind makes of its truth; programs and figures have theirs run elsewhere."""
+    match part.kind:
+        case "value" | "vector":
+            return KINDS[part.kind].samples(key.truths[part.id].values, part)
+        case "expression":
+            closed = key.find(key.truths[part.id]).closed
+            return KINDS[part.kind].samples(text(closed[0]), part) if closed else ()
+        case "choice":
+            return KINDS[part.kind].samples(key.choices[part.id], part)
+        case "explain":
+            return KINDS[part.kind].samples("Because.", part)
+        case "example":
+            known = key.variant.exact | named(key.solution, list(key.values))
+            instance = key.solution.examples[part.id].instance
+            return KINDS[part.kind].samples([number(tree, known) for tree in instance], part) if instance else ()
+        case "proof":
+            return KINDS[part.kind].samples("\n".join(key.solution.proofs[part.id].lines), part)
+        case "code" | "plot":
+            return ()
+
+
+def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """What the chapter prints for its own numbers, rounded to the figures it prints."""
+    path = bank.solution(solution.problem)
+    for entry in solution.entries:
+        if not isinstance(entry, Printed):
+            continue
+        key = make_key(solution, chapter(solution.problem))
+        part = solution.problem.part(entry.part)
+        wanted = key.truths[entry.part].values
+        where = f"{path.name}:{line_of(path, entry.text)}"
+        for value, printed in zip(wanted, entry.text.split(";"), strict=True):
+            read = read_quantity(printed.strip(), part.unit)
+            if isinstance(read, ParseError):
+                tally.complain(f"{where}: the printed value {printed!r} cannot be read: {read.why}")
+                continue
+            ratio, pi = read.si
+            unit = read.unit or part.unit
+            size = float(unit.factor) * math.pi**unit.pi
+            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,)) or (ratio == 0 and value == 0)
+            tally.expect(bool(met), "printed values", lambda where=where, printed=printed, value=value, entry=entry: (
+                f"{where}: {entry.where} prints {printed.strip()} for part {entry.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip

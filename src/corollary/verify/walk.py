@@ -1,0 +1,136 @@
+"""A problem walked over many variants: keys exist, mistakes stand apart, right answers are right, simulations agree."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+from corollary.derive.load import line_of
+from corollary.derive.simulation import Seen, simulations
+from corollary.derive.solution import Solution
+from corollary.formula.text import text
+from corollary.formula.value import Items, Real, Text, Value
+from corollary.grading.assign import admitted, collisions
+from corollary.grading.judge import judge
+from corollary.grading.key import Key
+from corollary.grading.neglect import neglected_in, neglects
+from corollary.grading.verdict import Right, word
+from corollary.problem.bank import Bank
+from corollary.problem.sampling import sample
+from corollary.problem.variant import chapter, first_broken, size
+from corollary.scene.catalogue import run
+from corollary.scene.run import BadSetting, GuardFailed
+from corollary.verify.checked import Tally
+
+LEAST, SIMULATED, TOO_MANY = 100, 8, 0.8
+AGREE = 1e-9
+
+
+def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tuple[float, Counter[str]]:
+    """Draws until `count` variants are admitted (or all are seen); the share passed over and why."""
+    problem, reasons, met = solution.problem, Counter(), 0
+    drawn = 0
+    for variant in sample(problem, 20 * count):
+        drawn += 1
+        key, reason = admitted(solution, variant)
+        if key is None:
+            reasons[reason] += 1
+            continue
+        met += 1
+        tally.count("variants walked")
+        check_right(key, tally)
+        check_neglected(bank, key, tally)
+        if met <= SIMULATED:
+            check_scenes(bank, key, tally)
+        if met == count:
+            break
+    passed = sum(reasons.values())
+    share = passed / drawn if drawn else 0.0
+    ranges = f"{problem.path.name}:{problem.givens[0].line if problem.givens else 1}"
+    if drawn and share > TOO_MANY:
+        why = reasons.most_common(1)[0][0]
+        tally.complain(f"{ranges}: {share:.0%} of the draws may not be dealt ({why}); change the ranges, or ask for the formula")
+    elif size(problem) > 1 and not met:
+        tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
+    own, reason = admitted(solution, chapter(problem))
+    tally.count("chapter's own numbers")
+    if own is None and reason.startswith("an answer does not exist"):
+        tally.complain(f"{ranges}: the chapter's own numbers: {reason}")
+    if (broken := first_broken(chapter(problem), hard_only=True)) is not None:
+        tally.complain(f"{problem.path.name}:{broken.line}: the chapter's own numbers break {broken.text}")
+    return share, reasons
+
+
+def check_right(key: Key, tally: Tally) -> None:
+    """The key's own answers are judged right, and every mistake stands apart."""
+    problem = key.variant.problem
+    answers = {part: own_answer(key, part) for part in key.truths}
+    judged = judge(key, answers)
+    for part in key.truths:
+        (verdict,), _ = judged[part]
+        tally.expect(isinstance(verdict, Right), "right answers", lambda part=part, verdict=verdict: (
+            f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}: the key's own answer "
+            f"is judged {word(verdict)}"))  # fmt: skip
+    tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.finds))
+    for part, slip in collisions(key):
+        where = f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}"
+        tally.complain(f"{where}: {slip!r} cannot be told from the truth")
+
+
+def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
+    """What an answer leaves out changes it by less than it may be off."""
+    path = bank.solution(key.variant.problem)
+    for each in neglects(key):
+        allowed = key.truths[each.part].tolerance
+        tally.expect(each.left.asked or each.share <= allowed, "neglected effects", lambda each=each, allowed=allowed: (
+            f"{path.name}:{line_of(path, each.left.bound.because)}: part {each.part} of {key.variant.label} neglects {each.left.what}, "
+            f"which may change the answer by {each.share:.2%}, more than the {allowed:.2%} it may be off; narrow the ranges, or count it in"))  # fmt: skip
+
+
+def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
+    """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects."""
+    answers: dict[str, Seen] = {
+        part: truth.values[0] if len(truth.values) == 1 else truth.values for part, truth in key.truths.items()
+    }
+    path = bank.solution(key.variant.problem)
+    for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
+        about = f"{path.name}:{line_of(path, 'def scene')}: scene {wanted.scene} on {key.variant.label}"
+        try:
+            found = run(wanted.scene, wanted.settings, tolerance=1e-12)
+        except (BadSetting, GuardFailed) as error:
+            tally.complain(f"{about}: {error}")
+            continue
+        for name, expected in wanted.expect.items():
+            if name not in found.observed:
+                tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
+                continue
+            mine, theirs = _list(expected), _list(found.observed[name])
+            allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(map(abs, (*mine, *theirs)))
+            tally.expect(
+                len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed, "simulations met",
+                lambda about=about, name=name, mine=mine, theirs=theirs: (
+                    f"{about}: {name} is {theirs} where the algebra says {mine}"),
+            )  # fmt: skip
+
+
+def own_answer(key: Key, part: str) -> Value:
+    """The key's answer as a student would hand it in: numbers in the part's unit, or the formula where that is asked for."""
+    asked, truth = key.variant.problem.part(part), key.truths[part]
+    closed = key.find(truth).closed
+    if asked.kind == "expression" and closed is not None:
+        texts = tuple(Text(text(tree)) for tree in closed)
+        return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
+    return plain(tuple(value / _size(asked.unit) for value in truth.values))
+
+
+def plain(values: tuple[float, ...]) -> Value:
+    """Numbers as a student's process would hand them out."""
+    return Real(values[0]) if len(values) == 1 else Items(tuple(map(Real, values)), (len(values),))
+
+
+def _list(seen: Seen) -> tuple[float, ...]:
+    return seen if isinstance(seen, tuple) else (seen,)
+
+
+def _size(unit) -> float:
+    return float(unit.factor) * math.pi**unit.pi

@@ -1,0 +1,97 @@
+"""Programs for two bodies in a plane: right ones are right, and the chapter's printed signs are told to be wrong."""
+
+import math
+import random
+
+import pytest
+
+from corollary.grading.programs.called import Called
+from corollary.grading.programs.ions import closest, ion_force, ion_inputs, judge_ions
+from corollary.grading.programs.remarks import Remark, Said
+from corollary.grading.programs.spheres import judge_spheres, sphere_force, sphere_inputs
+from corollary.grading.programs.two_bodies import converged
+from corollary.scene.catalogue import run
+
+from .conftest import RIGHT, euler_cromer, forward_euler, two
+
+
+def spheres(seed, step=euler_cromer, eta=1.0, **changed):
+    cases = sphere_inputs({}, random.Random(seed).uniform)
+    forces = [sphere_force(case["R"], case["k"], eta * case["eta"], **changed) for case in cases]
+    return judge_spheres({}, [Called(case, tuple(two(case, force, step))) for case, force in zip(cases, forces, strict=True)])
+
+
+def ions(seed, step=euler_cromer, **changed):
+    cases = ion_inputs({}, random.Random(seed).uniform)
+    return judge_ions({}, [Called(case, tuple(two(case, ion_force(case["C"], **changed), step))) for case in cases])
+
+
+@pytest.mark.parametrize("step", RIGHT)
+@pytest.mark.parametrize("seed", range(2))
+def test_spheres_are_right_by_any_method(step, seed):
+    assert spheres(seed, step) is None
+
+
+@pytest.mark.parametrize("step", RIGHT)
+def test_ions_are_right_by_any_method(step):
+    assert ions(5, step) is None
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_forward_euler_is_named(seed):
+    for said in (spheres(seed, forward_euler), ions(seed, forward_euler)):
+        assert isinstance(said, Said)
+        assert said.known
+        assert "forward Euler" in said.sentence
+
+
+WRONG = [
+    (spheres, {"spring": 1.0}, "pull each other"), (spheres, {"drag": -1.0}, "braking"), (spheres, {"q": 1.0}, "3/2"),
+    (spheres, {"eta": 0.0}, "no damping"), (ions, {"sign": 1.0}, "attract"), (ions, {"power": 2.0}, "division"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("judged", "changed", "words"), WRONG)
+@pytest.mark.parametrize("seed", range(3))
+def test_signs_and_powers_as_printed_in_12_119_and_other_usual_mistakes_are_known(judged, changed, words, seed):
+    said = judged(seed, **changed)
+    assert isinstance(said, Said)
+    assert said.known
+    assert words in said.sentence
+
+
+def test_newtons_third_law_is_missed_when_it_is_missing():
+    cases = sphere_inputs({}, random.Random(2).uniform)
+
+    def alone(case):
+        au, aw, *_ = two({**case, "mB": 1e12}, sphere_force(case["R"], case["k"], case["eta"]))
+        return au, aw, *case["vB"]
+
+    said = judge_spheres({}, [Called(case, alone(case)) for case in cases])
+    assert isinstance(said, Said)
+    assert said.known
+    assert "only A feels a force" in said.sentence
+
+
+def test_what_the_scene_says_is_right_and_told_to_be_no_stepping():
+    def exact(case):
+        (ax, ay), (bx, by) = case["rA"], case["rB"]
+        settings = {name: case[name] for name in ("mA", "mB", "R", "k", "eta", "vA", "vB")}
+        return run("spheres", settings | {"dx": bx - ax, "dy": by - ay}).observed["velocities"]
+
+    cases = sphere_inputs({}, random.Random(4).uniform)
+    assert isinstance(judge_spheres({}, [Called(case, exact(case)) for case in cases]), Remark)
+
+
+def test_three_numbers_are_not_four():
+    said = judge_ions({}, [Called(case, (1.0, 2.0, 3.0)) for case in ion_inputs({}, random.Random(1).uniform)])
+    assert isinstance(said, Said)
+    assert "four velocities" in said.sentence
+
+
+def test_the_reference_of_ions_turns_the_relative_velocity_round_and_knows_the_closest_approach():
+    case = {"C": 0.0012, "mA": 0.1, "mB": 0.15, "rA": (0.0, 0.0), "vA": (1.0, 0.0), "rB": (0.08, 0.0), "vB": (0.0, 0.0)}
+    au, _, bu, _ = converged(case | {"T": 40.0, "dt": 1e-1}, ion_force(0.0012), 1e-6)
+    energy = 0.06 * 1.0**2 / 2 + 0.0012 / 0.08
+    assert bu - au == pytest.approx(math.sqrt(2 * energy / 0.06), rel=2e-3)
+    assert closest(0.0012, 0.1, 0.15, 0.08, 1.0) == pytest.approx(0.0012 / energy)

@@ -1,0 +1,258 @@
+"""Every verdict, met through the judge with answers as students type them."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
+
+SINGLE = [
+    # the answer alone, and what a good marker says: the verdict, and a word of what is told
+    ("X12.5", "a", "8.6 kg m/s", "right", ""),
+    ("X12.5", "a", "8,6 Ns", "right", ""),
+    ("X12.5", "a", 8.6, "right", ""),
+    ("X12.5", "a", "8600 g m/s", "right", ""),
+    ("X12.5", "a", "m*v", "right", ""),
+    ("X12.5", "a", "m (v - 0)", "right", ""),
+    ("X12.5", "a", "9 kg m/s", "slip", "three significant figures"),
+    ("X12.5", "a", "8.7 kg m/s", "wrong", "Close"),
+    ("X12.5", "a", "-8.6 kg m/s", "slip", "sign"),
+    ("X12.5", "a", "17.2 kg m/s", "slip", "factor of 2"),
+    ("X12.5", "a", "8600 kg m/s", "slip", "power of ten"),
+    ("X12.5", "a", "8.6", "slip", "unit is missing"),
+    ("X12.5", "a", "8.6 J", "slip", "not its unit"),
+    ("X12.5", "a", "3.3 J", "wrong", "is an energy"),
+    ("X12.5", "a", "-m v", "slip", "sign"),
+    ("X12.5", "a", "m*v/dt", "unread", "not in kg m/s"),
+    ("X12.5", "a", "m*q", "unread", ""),
+    ("X12.5", "a", "", "unread", "No answer"),
+    ("X12.5", "a", None, "unread", "No answer"),
+    ("X12.5", "a", "8.6 or 9", "unread", ""),
+    ("X12.5", "a", "1,234 kg m/s", "unread", "1.234"),
+    ("X12.5", "a", [8.6], "right", ""),
+    ("X12.5", "a", [8.6, 1.0], "unread", "one number"),
+    ("X12.5", "a", True, "unread", ""),
+    ("X12.5", "a", float("nan"), "unread", "not a number"),
+    ("X12.5", "a", 10**400, "wrong", ""),
+    ("X12.5", "c", "0.86 N", "mistaken", "divide the impulse by the time"),
+    ("X12.5", "c", "0.86 kg m", "mistaken", "divide the impulse by the time"),
+    ("X12.5", "c", "43 N", "mistaken", "half of the mean force"),
+    ("X12.5", "d", "172 N", "right", ""),
+    ("X12.5", "d", "0 N", "mistaken", "two speeds add"),
+    ("X12.7", "a", "(0; 1,6) kg m/s", "right", ""),
+    ("X12.7", "a", [0, 1.6], "right", ""),
+    ("X12.7", "a", "1.6 kg m/s at 90 deg", "right", ""),
+    ("X12.7", "a", ["1.6 kg m/s", "90 deg"], "right", ""),
+    ("X12.7", "a", ["0", "2 m v0 sin(theta)"], "right", ""),
+    ("X12.7", "a", "(0, 1.6) J", "slip", "not its unit"),
+    ("X12.7", "a", ["0 kg m/s", "1.6"], "slip", "unit is missing"),
+    ("X12.7", "a", [0, -1.6], "slip", "sign"),
+    ("X12.7", "a", [0.02, 1.6], "wrong", "Component y fits"),
+    ("X12.7", "a", [0.004, 1.6], "right", ""),
+    ("X12.7", "a", [1.6], "unread", "2 components"),
+    ("X12.7", "a", [[0, 1.6], [0, 1.6]], "unread", "table"),
+    ("X12.7", "a", "north-east", "unread", ""),
+    ("X12.7", "d", "90 deg", "right", ""),
+    ("X12.7", "d", "1.57", "right", ""),
+    ("X12.7", "d", 90, "slip", "degrees"),
+    ("X12.7", "d", "90 rad", "slip", "degrees"),
+    ("X12.7", "d", "45 deg", "mistaken", "45°"),
+    ("X12.8", "a", "40 kg m/s at 30 deg", "right", ""),
+    ("X12.8", "a", "(34.6, -20) kg m/s", "slip", "one component"),
+    ("X12.8", "a", "40 N at 30 deg", "slip", "not its unit"),
+    ("X12.8", "b", "-0.43 m/s", "right", "coarse"),
+    ("X12.8", "b", "-0.4 m/s", "slip", "three significant figures"),
+    ("X12.8", "b2", "0", "right", ""),
+    ("X12.8", "b2", 0, "right", ""),
+    ("X12.8", "b2", "0.1 m/s", "wrong", ""),
+    ("X12.10", "a", "20.8 m/s", "right", ""),
+    ("X12.10", "a", "74.8 km/h", "right", ""),
+    ("X12.10", "a", "21 m/s", "right", "coarse"),
+    ("X12.10", "a", "21.2 m/s", "wrong", "Close"),
+    ("X12.10", "b", "20.6 J", "slip", "sign"),
+    ("X12.10", "b", "-20.6 N m", "right", ""),
+    ("P12.14", "a", "1.41 m/s", "slip", "g = 10"),
+    ("P12.14", "g", [-1 / 3, 2 / 3, 2 / 3], "right", ""),
+    ("P12.14", "g", [0, 0, 1], "wrong", "excludes"),
+    ("P12.14", "g", [0.2, 0.3, 0.5], "wrong", "energy"),
+    ("P12.14", "g", ["1 J", "0 J", "0 J"], "unread", "velocity"),
+    ("P12.14", "g", "any", "unread", ""),
+    ("P12.14", "k", "Because the contact is stiff.", "unmarked", ""),
+    ("P12.14", "h", "text", "unread", "Nothing was run"),
+    ("T1", "a", "(4.33, 2.5) kg m/s", "right", ""),
+    ("T1", "a", [4330.127, 2500.0], "slip", "power of ten"),
+    ("T1", "a", "(0.771, -4.94) kg m/s", "slip", "radians"),
+    ("T1", "b", "1.274 m", "right", ""),
+    ("T1", "b", "1.25 m", "slip", "g = 10"),
+    ("T1", "b", "16.5 m", "slip", "km/h"),
+    ("T1", "b", "5.10 m", "mistaken", "whole speed"),
+    ("T1", "b", "3.82 m", "mistaken", "from the ground"),
+    ("T1", "c", "m v^2/2", "right", ""),
+    ("T1", "c", "½ m v²", "right", ""),
+    ("T1", "c", "m v^2", "slip", "twice too large"),
+    ("T1", "c", "m v^2 sin(theta)/2", "mistaken", "forgot the square"),
+    ("T1", "c", "m v^2 cos(theta)/2", "wrong", "For example"),
+    ("T1", "c", "m v/2", "unread", "not in J"),
+    ("T1", "c", "m + v", "unread", ""),
+    ("T1", "c", 25.0, "unread", "formula"),
+    ("T1", "d", "b", "right", ""),
+    ("T1", "d", " (B) ", "right", ""),
+    ("T1", "d", "c", "mistaken", "needs no force"),
+    ("T1", "d", "a", "wrong", ""),
+    ("T1", "d", "e", "unread", "one letter"),
+    ("T1", "d", 2, "unread", "one letter"),
+    ("T1", "e", "p = m*v\nK = p*v/2\nK = p^2/(2*m)", "right", ""),
+    ("T1", "e", ["p = m v", "v = p/m", "K = m (p/m)^2/2", "K = p^2/(2 m)"], "right", ""),
+    ("T1", "e", "p = m*v\nK = p^2/m\nK = p^2/(2*m)", "wrong", "Line 2"),
+    ("T1", "e", "p = m*v\nK = p*v\nK = p^2/(2*m)", "mistaken", "not energy"),
+    ("T1", "e", "K = p^2/(2*m)", "wrong", "Begin with a law"),
+    ("T1", "e", "p = m*v\nm = m\nK = p^2/(2*m)", "wrong", "says nothing"),
+    ("T1", "e", "p = m*v\nK = m*v^2/2", "wrong", "not yet"),
+    ("T1", "e", "so it is", "unread", "equation"),
+    ("T1", "f", "Gravity.", "unmarked", ""),
+    ("T1", "f", "", "unread", "No answer"),
+    ("T1", "h", [4, 6], "right", ""),
+    ("T1", "h", "(14.4, 21.6) km/h", "right", ""),
+    ("T1", "h", [10, 0], "wrong", "the stone itself"),
+    ("T1", "h", [4, 5], "wrong", "do not keep"),
+    ("T1", "i", "4.905 N", "right", ""),
+    ("T1", "i", 4905, "slip", ""),
+]
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "answer", "wanted", "told"), SINGLE, ids=[f"{c} {p} {str(a)[:30]!r}" for c, p, a, *_ in SINGLE]
+)
+def test_an_answer_alone(verdicts, code, part, answer, wanted, told):
+    verdict = verdicts(code, **{part: answer})[part]
+    assert word(verdict) == wanted, verdict
+    said = str(verdict)
+    assert told in said, said
+
+
+def test_an_ambiguous_number_waits_for_a_person_where_one_reading_is_right(key):
+    from corollary.grading.from_json import plainly
+    from corollary.grading.judge import judge
+
+    own = key("X12.5", m="0.0617", v="20")  # 1.234 kg m/s
+    ((verdict,), _) = judge(own, {"a": plainly("1,234 kg m/s")})["a"]
+    assert isinstance(verdict, Unmarked)
+
+
+def test_mirrored_answers_where_the_student_says_so(verdicts):
+    for answer in (
+        "0.433 m/s, x to the left",
+        "0.433 m/s; positive to the left",
+        "0.433 m/s with x reversed",
+        "-0.433 m/s, x to the right",
+    ):
+        assert isinstance(verdicts("X12.8", b=answer)["b"], Right), answer
+    assert isinstance(verdicts("X12.8", b="0.433 m/s")["b"], Slip)
+    assert isinstance(verdicts("X12.8", b="-0.433 m/s, x to the left")["b"], Slip)
+    assert isinstance(verdicts("X12.8", b="m v cos(theta)/M, x to the left")["b"], Right)
+    assert isinstance(verdicts("X12.8", a="(-34.6, 20) kg m/s, x to the left")["a"], Right)
+    assert isinstance(verdicts("X12.8", a="(-34.6, -20) kg m/s, x to the left, y down")["a"], Right)
+    assert isinstance(verdicts("X12.8", a="(34.6, -20) kg m/s, x to the left")["a"], Slip)
+    assert isinstance(verdicts("P12.14", b="(0, -1.4) m/s, positive to the left")["b"], Right)
+
+
+def test_no_axis_turns_an_energy(verdicts):
+    assert isinstance(verdicts("X12.10", b="20.6 J, x to the left")["b"], Unread)
+
+
+def test_a_mirrored_value_is_carried_on_the_usual_axes(verdicts):
+    found = verdicts("X12.8", b="0.6 m/s, x to the left", c="-0.6 m/s")
+    assert isinstance(found["b"], Wrong)
+    assert found["c"] == Follows(("b",))
+
+
+def test_what_was_found_before_is_carried_along(verdicts):
+    found = verdicts("X12.5", a="5 kg m/s", b="5 kg m/s", c="50 N")
+    assert isinstance(found["a"], Wrong)
+    assert found["b"] == Follows(("a",))
+    assert isinstance(found["c"], Follows)
+
+
+def test_every_combination_of_earlier_values_counts(verdicts):
+    for answer, earlier in (("50 N", ("a",)), ("70 N", ("b",)), ("86 N", None), ("60 N", ())):
+        verdict = verdicts("X12.5", a="5 kg m/s", b="7 kg m/s", c=answer)["c"]
+        if earlier is None:
+            assert isinstance(verdict, Right)
+        elif earlier:
+            assert verdict == Follows(earlier)
+        else:
+            assert isinstance(verdict, Wrong)
+
+
+def test_both_routes_to_the_loss_count(verdicts):
+    """From a bullet of 25 m/s: by the speed after the hit it is 1.03 J - 31.25 J, by the loss formula -(1/10.5)... of 31.25 J."""
+    assert verdicts("X12.10", a="25 m/s", b="-30.2 J")["b"] == Follows(("a",))
+    assert verdicts("X12.10", a="25 m/s", b="-29.76 J")["b"] == Follows(("a",))
+    assert isinstance(verdicts("X12.10", a="25 m/s", b="-33.3 J")["b"], Wrong)
+    assert isinstance(verdicts("X12.10", a="25 m/s", b="-20.6 J")["b"], Right)
+
+
+def test_a_mistake_on_top_of_a_carried_value(verdicts):
+    verdict = verdicts("X12.5", b="7 kg m/s", c="0.7 N")["c"]
+    assert isinstance(verdict, Mistaken)
+    assert verdict.earlier == ("b",)
+
+
+@pytest.mark.parametrize("empty", ["0 kg m/s", 0, float("inf"), 10**400, "1e-400 kg m/s", None, "what?"])
+def test_nothing_follows_from_a_degenerate_value(verdicts, empty):
+    for answer in ("0 kg m/s", 0, 10**400):
+        assert not isinstance(verdicts("X12.5", a=empty, b=answer)["b"], (Right, Follows))
+    assert not isinstance(verdicts("X12.10", a=empty, b="1.029 J")["b"], (Right, Follows))
+
+
+def test_the_same_slip_costs_once(verdicts):
+    found = verdicts("X12.5", a="8.6", b="8.6", c="86")
+    assert isinstance(found["a"], Slip)
+    assert isinstance(found["b"], Right)
+    assert "only once" in found["b"].note
+    assert isinstance(found["c"], Right)
+
+
+def test_a_sign_carried_is_no_second_slip(verdicts):
+    found = verdicts("X12.5", a="-8.6 kg m/s", b="-8.6 kg m/s", d="-172 N")
+    assert isinstance(found["a"], Slip)
+    assert found["b"] == Follows(("a",))
+    assert isinstance(found["d"], Right)
+
+
+def test_another_slip_costs_again(verdicts):
+    found = verdicts("X12.5", a="-8.6 kg m/s", d="344 N")
+    assert isinstance(found["a"], Slip)
+    assert isinstance(found["d"], Slip)
+
+
+def test_rounding_an_earlier_right_value_is_no_fault(verdicts):
+    """With 20.7 m/s for 20.789, the loss by the formula is -20.4 J; the truth is -20.58 J."""
+    found = verdicts("X12.10", a="20.7 m/s", b="-20.40 J")
+    assert isinstance(found["a"], Right)
+    assert isinstance(found["b"], Right)
+
+
+def test_the_sign_of_a_small_component_counts(key):
+    """At 83 degrees from the wall the force along it is nought; in the throw at 89 degrees p_x is 1.7 % of p and has a sign."""
+    from corollary.grading.from_json import plainly
+    from corollary.grading.judge import judge
+
+    own = key("X12.8", theta="179/2", v="20")
+    x, y = own.truths["a"].values
+    assert 0 < x < 0.01 * y
+    ((right,), _), ((turned,), _) = (judge(own, {"a": plainly([sign * x, y])})["a"] for sign in (1, -1))
+    assert isinstance(right, Right)
+    assert not isinstance(turned, Right)
+
+
+def test_formulas_of_numbers_are_carried_too(verdicts):
+    found = verdicts("X12.5", a="m*v/2", b="4.3 kg m/s")
+    assert isinstance(found["a"], Slip)
+    assert found["b"] == Follows(("a",))
+
+
+def test_a_blank_is_blank(verdicts):
+    verdict = verdicts("X12.5", a=None)["a"]
+    assert isinstance(verdict, Unread)
+    assert verdict.blank

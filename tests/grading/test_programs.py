@@ -1,0 +1,62 @@
+"""Programs marked by what their calls returned: all calls of a part together, and what halving the step showed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import count
+
+import pytest
+
+from corollary.formula.value import Items, Nothing, Real
+from corollary.grading.feedback import sentence
+from corollary.grading.program_run import ProgramRun
+from corollary.grading.programs.floor import ARGUMENTS, reference
+from corollary.grading.programs.judge import asks, judge_code
+from corollary.grading.solutions import Solutions
+from corollary.grading.verdict import Mistaken, Right, Unread, Wrong
+from corollary.problem.bank import chapter_bank, find
+from corollary.problem.variant import chapter
+from corollary.submission.take import Answered
+
+BANK = chapter_bank()
+PROBLEM = find(BANK, "E12.3.1s")
+SOLUTION, VARIANT, PART = Solutions(BANK).of(PROBLEM), chapter(PROBLEM), PROBLEM.part("g")
+SECRET = b"course"
+
+
+def exact(inputs: dict) -> Sequence[float]:
+    truth = reference(*(inputs[name] for name in ARGUMENTS))
+    return truth.velocity, truth.force, truth.duration
+
+
+def verdict(program: Callable[[dict], Sequence[float]], student: str = "ada"):
+    shown = {}
+    for ask in asks(SOLUTION, VARIANT, PART, SECRET, student):
+        returned = program(dict(ask.arguments))
+        shown[ask.key] = Answered(Items(tuple(map(Real, returned)), (len(returned),)) if returned else Nothing(), "", "")
+    return judge_code(SOLUTION, VARIANT, PART, ProgramRun(shown, (), True), SECRET, student)
+
+
+def test_each_case_is_asked_with_its_step_and_with_half_of_it():
+    inputs = [dict(ask.arguments) for ask in asks(SOLUTION, VARIANT, PART, SECRET, "ada")]
+    for coarse, fine in zip(inputs[::2], inputs[1::2], strict=True):
+        assert fine == coarse | {"dt": coarse["dt"] / 2}
+        assert exact(coarse)[2] / coarse["dt"] == pytest.approx(100)
+    assert inputs != [dict(ask.arguments) for ask in asks(SOLUTION, VARIANT, PART, SECRET, "bob")]
+
+
+def test_what_is_right_is_right_and_the_remark_is_what_the_student_reads():
+    found = verdict(exact)
+    assert isinstance(found, Right)
+    assert "Halving `dt` changes nothing" in sentence(found)
+
+
+def test_a_usual_mistake_is_a_mistake_and_another_one_is_wrong():
+    assert isinstance(verdict(lambda inputs: (exact(inputs)[0], exact(inputs)[1] + inputs["m"] * inputs["g"], exact(inputs)[2])), Mistaken)
+    assert isinstance(verdict(lambda inputs: (1.3 * exact(inputs)[0], *exact(inputs)[1:])), Wrong)
+
+
+def test_one_call_that_fails_decides():
+    calls = count()
+    assert isinstance(verdict(lambda inputs: exact(inputs) if next(calls) != 3 else ()), Unread)
+    assert isinstance(judge_code(SOLUTION, VARIANT, PART, ProgramRun({}, (), True), SECRET, "ada"), Unread)

@@ -1,0 +1,150 @@
+"""Verification: what a sound problem passes, and that every planted fault is met, with its file and line."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from corollary.verify.checked import Checked
+
+SCENE = """
+
+def scene(m, v, t, answer):
+    return [simulate("kick", {"m": m, "v0": 0.0, "F": answer["b"], "dt": t}, velocities=(%s,), impulse=answer["a"])]
+"""
+
+
+def met(checked: Checked, words: str, line: int, file: str = "cart.py") -> None:
+    assert not checked.ok
+    assert any(words in complaint and complaint.startswith(f"{file}:{line}: ") for complaint in checked.complaints), (
+        checked.complaints
+    )
+    assert all(re.match(r"cart\.(md|py):\d+: ", complaint) for complaint in checked.complaints), checked.complaints
+
+
+def test_a_sound_problem(verified):
+    checked = verified(more=SCENE % "v")
+    assert checked.ok, checked.complaints
+    assert (checked.code, checked.variants, checked.exact_count) == ("X1.1", 8 * 5 * 4, True)
+    counts = checked.checks
+    assert (counts["parts"], counts["laws put back"], counts["dimensions"], counts["mistakes"]) == (2, 2, 2, 1)
+    assert counts["variants walked"] == 20
+    assert counts["right answers"] == 2 * 20
+    assert counts["simulations met"] == 2 * 8
+    assert counts["printed values"] == 1
+    assert counts["kind samples"] > 10
+
+
+def test_a_simulation_that_disagrees(verified):
+    met(verified(more=SCENE % "2*v"), "where the algebra says", 16)
+
+
+def test_a_scene_that_does_not_observe_it(verified):
+    more = 'def scene(m, v, t, answer):\n    return [simulate("kick", {"m": m}, period=1.0)]\n'
+    met(verified(more="\n" + more), "does not observe period; it observes", 15)
+
+
+@pytest.mark.parametrize(
+    ("result", "line", "words"),
+    [
+        ("[simulate('pool', {}, x=1.0)]", 16, "There is no scene 'pool'"),
+        ("[simulate('kick', {'mass': m}, x=1.0)]", 16, "'mass' is not among its settings"),
+        ("answer['z']", 17, "scene fails: KeyError"),
+        ("None", 16, "scene fails: TypeError"),
+        ("[1]", 16, "scene must return a list of simulate(…)"),
+    ],
+)
+def test_a_scene_that_will_not_do(verified, result, line, words):
+    met(verified(more=f"\n\ndef scene(m, v, t, answer):\n    return {result}\n"), words, line)
+
+
+def test_a_route_that_leads_elsewhere(verified):
+    met(verified("""\
+        return derivation(
+            step(p, "Mass times velocity.", momentum(p, m, v), answers="a"),
+            step(F, "Per time.", mean_force(F, p, t), answers="b",
+                 routes=[route("At once.", law("Twice", "F = 2*m*v/t", F=F, m=m, v=v, t=t))]))
+        """), "Twice does not hold for the answers", 10)  # fmt: skip
+
+
+def test_a_law_whose_terms_do_not_fit(verified):
+    met(verified("""\
+        return derivation(
+            step(p, "Mass times velocity.", law("Odd", "p = m*v + (t - t + v - v)", p=p, m=m, v=v, t=t), answers="a"),
+            step(F, "Per time.", mean_force(F, p, t), answers="b"))
+        """), "Odd:", 9)  # fmt: skip
+
+
+def test_a_printed_value_that_is_not_met(verified, good):
+    met(verified(good.replace("1.5 kg m/s", "1.7 kg m/s")), "(1.1) prints 1.7 kg m/s for part a; the derivation gives 1.5", 12)
+
+
+def test_a_printed_value_that_cannot_be_read(verified, good):
+    met(verified(good.replace("1.5 kg m/s", "one and a half")), "the printed value 'one and a half' cannot be read", 12)
+
+
+def test_a_mistake_that_is_no_mistake(verified, good):
+    """Everywhere on the grid it gives the truth: nothing may be dealt."""
+    checked = verified(good.replace('"F = p*t"', '"F = p*t/t^2"'))
+    met(checked, "100% of the draws may not be dealt", 5, "cart.md")
+    assert checked.redrawn == 1.0
+    assert "cannot be told from the truth" in checked.why[0][0]
+
+
+def test_a_mistake_that_coincides_here_and_there(verified, problem):
+    """With t = 1 s, multiplying by the time is dividing by it: those draws are passed over, and counted."""
+    checked = verified(problem=problem.replace("from: 2, to: 5", "from: 1, to: 4"), count=160)
+    assert checked.ok, checked.complaints
+    assert checked.checks["variants walked"] == 8 * 5 * 3
+    assert checked.redrawn == 1 / 4
+    assert checked.why == (("part b: the mistake 'You multiplied.' cannot be told from the truth", 8 * 5),)
+
+
+def test_conditions_that_leave_nothing(verified, problem):
+    met(
+        verified(problem=problem.replace("---\nA cart.", "where: v > 100\n---\nA cart.")),
+        "no variant keeps all the conditions",
+        5,
+        "cart.md",
+    )
+
+
+def test_the_chapters_own_numbers_against_the_physics(verified, problem):
+    met(verified(problem=problem.replace("value: 0.5", "value: -0.5")), "the chapter's own numbers break m > 0", 9, "cart.md")
+
+
+def test_the_chapters_own_numbers_without_an_answer(verified, problem):
+    checked = verified(problem=problem.replace("value: 2, from", "value: 0, from"))
+    met(checked, "is not real for every value of the givens", 10)
+
+
+def test_a_choice_of_which_two_options_hold(verified, problem, good):
+    which = problem + "\n## Fast? {#c .choice}\n\n- (a) yes\n- (b) no\n"
+    checked = verified(good.replace("printed(", 'choice("c", "So.", a=v > 1, b=v < 4),\n    printed('), problem=which)
+    met(checked, "the chapter's own numbers have no answer: part c: 2 options hold (a, b)", 5, "cart.md")
+
+
+def test_a_figure_that_is_no_drawing(verified, problem):
+    with_figure = problem.replace("---\nA cart.", "figure: |\n  <svg><text>{{m}}</text>\nalt: A cart.\n---\nA cart.")
+    met(verified(problem=with_figure), "the figure cannot be shown: the drawing is not well-formed XML", 10, "cart.md")
+
+
+def test_a_figure_that_can_be_shown(verified, problem):
+    with_figure = problem.replace("---\nA cart.", "figure: |\n  <svg><text>{{m}}</text></svg>\nalt: A cart.\n---\nA cart.")
+    checked = verified(problem=with_figure)
+    assert checked.ok, checked.complaints
+    assert checked.checks["figures"] == 1
+
+
+def test_a_solution_that_does_not_derive(verified):
+    met(verified('return derivation(step(p, "Here.", momentum(p, m, F), answers="a"))'), "answers no part b", 6)
+
+
+def test_an_observation_that_a_find_rests_on(verified):
+    checked = verified("""\
+        return derivation(
+            simulated(p, "By running it.", scene="kick", settings={"m": m}, observe="colour", answers="a"),
+            step(F, "Per time.", mean_force(F, p, t), answers="b"))
+        """)
+    met(checked, "scene kick does not observe colour; it observes", 5, "cart.md")
