@@ -32,11 +32,11 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from rich.console import Console
 from rich.table import Table
 
-from corollary.deliver.executing import cores
+from corollary.course.workers import cores
 from corollary.formula.value import Exact, Real, Value
-from corollary.submission.job import Cell, Job
-from corollary.submission.notebook import Notebook, read_notebook
-from corollary.submission.take import Runner
+from corollary.sandbox.job import Cell, Job
+from corollary.sandbox.notebook import Notebook, read_notebook
+from corollary.sandbox.runner import Runner
 
 BIN = Path(sys.executable).parent
 NAME = "ps1"

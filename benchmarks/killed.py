@@ -13,16 +13,16 @@ import time
 from pathlib import Path
 from typing import Any
 
-from corollary.deliver.course import open_course
-from corollary.deliver.demo.player import Hand, right_sources
-from corollary.deliver.demo.stage import hand_in
-from corollary.deliver.generating import generate, variants_of
-from corollary.deliver.keeping import history
+from corollary.course.demo.player import Hand, right_sources
+from corollary.course.demo.stage import hand_in
+from corollary.course.generate import generate, variants_of
 from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
-from corollary.sheet.sheet import sheet
+from corollary.records.course import open_course
+from corollary.records.records import history
 
 SMALL = "---\ntitle: One exercise\ndue: 2026-12-04 23:59\nproblems:\n  - {code}\n---\nOne exercise.\n"
 SCORES = """
@@ -49,7 +49,7 @@ def class_of(folder: Path, count: int, code: str = "X12.5") -> Path:
     made = generate(folder / "course", problem_set, roster, solutions, file=file)
     for number, student in enumerate(roster):
         variants = variants_of(problem_set, made.dealt[student.id])
-        paper = sheet(problem_set, student, variants)
+        paper = worksheet(problem_set, student, variants)
         sources = right_sources(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
         if number % 3 == 0:
             first = paper.prompts[0]

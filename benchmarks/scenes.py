@@ -24,13 +24,13 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from corollary.scene.catalogue import run
-from corollary.scene.collision import collide
-from corollary.scene.method.many_contacts import Pairs, collide_many
-from corollary.scene.trade import cradles, solvers, spheres, taylor
-from corollary.scene.trade.case import Answer, Case, Program, Reference, error_of
-from corollary.scene.trade.race import PLANNED
-from corollary.scene.trade.references import SPHERES, SPHERES_DAMPED
+from corollary.scenes.catalogue import run
+from corollary.scenes.collision import collide
+from corollary.scenes.integrate.many_contacts import Pairs, collide_many
+from corollary.scenes.trade import cradles, solvers, spheres, taylor
+from corollary.scenes.trade.case import Answer, Case, Program, Reference, error_of
+from corollary.scenes.trade.race import PLANNED
+from corollary.scenes.trade.references import SPHERES, SPHERES_DAMPED
 
 REFERENCES = Path(__file__).resolve().parent.parent / "tests" / "scene" / "references.json"
 LONGEST = 60_000

@@ -4,7 +4,7 @@ The pages Corollary writes are read offline, and browsers lay MathML out well on
 a formula carries this one. STIX Two Math (1.5 MB, SIL Open Font License 1.1) comes with the Python package ziamath, or from the
 STIX project. Needed to run this, and for nothing else: fonttools and brotli.
 
-    python docs/mathematics_font.py STIXTwoMath-Regular.ttf src/corollary/deliver/templates/mathematics.woff2
+    python docs/mathematics_font.py STIXTwoMath-Regular.ttf src/corollary/render/templates/mathematics.woff2
 """
 
 from __future__ import annotations

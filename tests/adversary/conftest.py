@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Real
-from corollary.submission.take import Ask, Cell, Job, Limits, Runner, Taken
+from corollary.sandbox.runner import Ask, Cell, Job, Limits, Runner, Taken
 
 SECRET = "the key to part a is 8.6"
 

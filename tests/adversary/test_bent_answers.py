@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from corollary.formula.value import Nothing, Real, Refused
-from corollary.submission.take import Taken
+from corollary.sandbox.runner import Taken
 
 Run = Callable[..., Taken]
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Nothing, Real
-from corollary.submission.take import Ask, Taken
+from corollary.sandbox.runner import Ask, Taken
 
 Run = Callable[..., Taken]
 

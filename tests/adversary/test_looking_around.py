@@ -11,7 +11,7 @@ import pytest
 
 import corollary
 from corollary.formula.value import Exact, Nothing
-from corollary.submission.take import Taken
+from corollary.sandbox.runner import Taken
 
 Run = Callable[..., Taken]
 
@@ -52,7 +52,7 @@ def test_files_outside_cannot_be_read(run: Run, path: str) -> None:
     "source",
     [
         "import corollary",
-        "from corollary.submission.child import encode",
+        "from corollary.sandbox.worker import encode",
         "import sys, os\nfor p in list(sys.path): open(os.path.join(p, 'corollary', '__init__.py'))",
     ],
 )

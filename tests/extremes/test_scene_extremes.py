@@ -7,11 +7,11 @@ from itertools import pairwise
 
 import pytest
 
-from corollary.scene.catalogue import SCENES, run
-from corollary.scene.force.contact import Contact
-from corollary.scene.line import Line
-from corollary.scene.method.regularised import collide
-from corollary.scene.run import BadSetting, GuardFailed
+from corollary.scenes.catalogue import SCENES, run
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.integrate.regularised import collide
+from corollary.scenes.row import Row
+from corollary.scenes.run import BadSetting, GuardFailed
 
 
 def run_or_refusal(scene, settings, tolerance):
@@ -68,7 +68,7 @@ def test_every_setting_pushed_to_its_ends(scene):
 
 @pytest.mark.parametrize("mass", [1e-6, 1e-4, 1e-2, 1e-3, 1e2, 1e6, 1e9])
 def test_a_middle_ball_of_any_mass(mass):
-    found = collide(Line((1.0, mass, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-11)
+    found = collide(Row((1.0, mass, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-11)
     a, b, c = found.velocities
     assert a + mass * b + c == pytest.approx(1.0, abs=1e-11 * max(1.0, mass * abs(b)))
     assert a * a + mass * b * b + c * c == pytest.approx(1.0, abs=1e-8)
@@ -79,7 +79,7 @@ def test_a_middle_ball_of_any_mass(mass):
 def test_a_middle_ball_lighter_than_dust_ends_with_a_sentence_in_bounded_time():
     begin = time.perf_counter()
     with pytest.raises(GuardFailed, match="did not end"):
-        collide(Line((1.0, 1e-9, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12)
+        collide(Row((1.0, 1e-9, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12)
     assert time.perf_counter() - begin < 60.0
 
 

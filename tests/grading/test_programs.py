@@ -16,7 +16,7 @@ from corollary.grading.solutions import Solutions
 from corollary.grading.verdict import Mistaken, Right, Unread, Wrong
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.submission.take import Answered
+from corollary.sandbox.runner import Answered
 
 BANK = chapter_bank()
 PROBLEM = find(BANK, "E12.3.1s")

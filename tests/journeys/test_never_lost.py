@@ -17,16 +17,16 @@ import pytest
 
 pytest.importorskip("nbgrader")
 
-from corollary.deliver.course import Course, open_course, read_dealt, write_atomically
-from corollary.deliver.demo.player import Hand, right_sources
-from corollary.deliver.demo.stage import hand_in
-from corollary.deliver.generating import generate, variants_of
-from corollary.deliver.keeping import history, read_record, settle
+from corollary.course.demo.player import Hand, right_sources
+from corollary.course.demo.stage import hand_in
+from corollary.course.generate import generate, variants_of
 from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
-from corollary.sheet.sheet import sheet
+from corollary.records.course import Course, open_course, read_dealt, write_atomically
+from corollary.records.records import history, read_record, settle
 
 BIN = Path(sys.executable).parent
 SET = """\
@@ -67,7 +67,7 @@ def grade(pair: Path, course: Course, *words: str) -> tuple[int, dict, str]:
 
 def answers(course: Course, problem_set: ProblemSet, solutions: Solutions, student: Student, **others: str) -> None:
     variants = variants_of(problem_set, read_dealt(course, problem_set.name)[student.id])
-    paper = sheet(problem_set, student, variants)
+    paper = worksheet(problem_set, student, variants)
     keys = {variant.problem.code: solutions.key(variant) for variant in variants}
     hand_in(course, problem_set, paper, Hand(right_sources(paper, keys) | others, late=5.0 if student.id == "ben" else 0.0))
 

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from corollary.scene.trade.contact_orders import ASIDE, DAMPINGS, SAMPLINGS, Sampling, chapters, least_order, order_on
-from corollary.scene.trade.measures import at_the_fine_end, fitted
+from corollary.scenes.trade.contact_orders import ASIDE, DAMPINGS, SAMPLINGS, Sampling, chapters, least_order, order_on
+from corollary.scenes.trade.measures import at_the_fine_end, fitted
 
 
 def test_the_classical_method_has_order_four_on_every_contact():

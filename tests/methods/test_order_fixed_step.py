@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import pytest
 
-from corollary.scene.method.fixed_step import march
-from corollary.scene.method.tables import METHODS, YOSHIDA_8
+from corollary.scenes.integrate.fixed_step import march
+from corollary.scenes.integrate.tableau import METHODS, YOSHIDA_8
 
 
 def pendulum(x, v):

@@ -9,18 +9,18 @@ from pathlib import Path
 
 import pytest
 
-from corollary.scene.catalogue import run
-from corollary.scene.method.dop853 import DOP853
-from corollary.scene.method.single_contact import follow
-from corollary.scene.method.tables import RK4
-from corollary.scene.model.beta import contact_time, suggested_step
-from corollary.scene.model.pair import meet
-from corollary.scene.trade import references, solvers, spheres, taylor
-from corollary.scene.trade.case import Answer, error_of
-from corollary.scene.trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching
-from corollary.scene.trade.phases import through
-from corollary.scene.trade.race import Lap, Raced, cases, race
-from corollary.scene.trade.record import record
+from corollary.scenes.catalogue import run
+from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.single_contact import follow
+from corollary.scenes.integrate.tableau import RK4
+from corollary.scenes.models.beta import contact_time, suggested_step
+from corollary.scenes.models.pair import meet
+from corollary.scenes.trade import references, solvers, spheres, taylor
+from corollary.scenes.trade.case import Answer, error_of
+from corollary.scenes.trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching
+from corollary.scenes.trade.phases import through
+from corollary.scenes.trade.race import Timing, WorkPrecision, cases, race
+from corollary.scenes.trade.record import record
 
 HERE = Path(__file__).parent
 TABLE = {
@@ -30,7 +30,7 @@ TABLE = {
 
 
 @pytest.fixture(scope="module")
-def raced() -> dict[str, Raced]:
+def raced() -> dict[str, WorkPrecision]:
     return {case.name: race(case, quick=True) for case in cases()}
 
 
@@ -124,12 +124,12 @@ def test_a_straight_line_has_its_slope_and_no_doubt():
 
 
 def lap(method, error, evaluations, seconds):
-    return Lap(method, "step", 1.0 / evaluations, error, evaluations, seconds)
+    return Timing(method, "step", 1.0 / evaluations, error, evaluations, seconds)
 
 
 def test_a_lucky_hit_is_not_an_accuracy():
     lucky = (lap("a", 1e-2, 10, 1e-3), lap("a", 1e-7, 20, 2e-3), lap("a", 1e-4, 40, 4e-3), lap("a", 1e-6, 80, 8e-3))
-    found = Raced(cases()[0], (*lucky, lap("b", 1e-7, 9, 9e-3)), "a", {})
+    found = WorkPrecision(cases()[0], (*lucky, lap("b", 1e-7, 9, 9e-3)), "a", {})
     best = cheapest(found, 1e-5)
     assert best is not None
     assert (best.method, best.evaluations) == ("a", 80)

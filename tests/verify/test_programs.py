@@ -10,8 +10,8 @@ from corollary.derive.solve import solve
 from corollary.grading.key import make_key
 from corollary.problem.bank import Bank, find
 from corollary.problem.variant import chapter
-from corollary.submission.parent import CannotStart
-from corollary.submission.take import Runner
+from corollary.sandbox.runner import Runner
+from corollary.sandbox.zygote import CannotStart
 from corollary.verify.checked import Tally
 from corollary.verify.programs import check_programs, unstarted
 

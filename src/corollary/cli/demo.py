@@ -8,8 +8,8 @@ from pathlib import Path
 
 from corollary.cli.failure import FAILS, HOLDS, answer, refuse
 from corollary.cli.progress import bar
-from corollary.deliver.demo.players import PLAYERS
-from corollary.deliver.demo.stage import Demonstration, NotFresh, perform
+from corollary.course.demo.players import PLAYERS
+from corollary.course.demo.stage import Demonstration, NotFresh, perform
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
@@ -56,7 +56,7 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from corollary.deliver.report import terminal
+    from corollary.records.report import terminal
 
     console = Console()
     console.print(terminal(shown.outcome.report))

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
-from corollary.deliver.generating import generate
-from corollary.deliver.nbgrader_config import check_config
+from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
+from corollary.nbgrader.config import check_config
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import read_roster

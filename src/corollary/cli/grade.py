@@ -9,14 +9,14 @@ from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer, say
 from corollary.cli.progress import countdown
-from corollary.deliver.cluster import on_cluster
-from corollary.deliver.course import open_course
-from corollary.deliver.grading import Outcome, grade_set
-from corollary.deliver.one_writer import one_writer
-from corollary.deliver.origin import set_of
-from corollary.deliver.regrading import Change
+from corollary.course.cluster import on_cluster
+from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
-from corollary.submission.take import Runner
+from corollary.records.course import open_course
+from corollary.records.lock import one_writer
+from corollary.records.origin import set_of
+from corollary.records.regrading import Change
+from corollary.sandbox.runner import Runner
 
 
 def run(
@@ -88,7 +88,7 @@ def show(done: Outcome) -> None:
     """The report on the terminal, and where to look."""
     from rich.console import Console
 
-    from corollary.deliver.report import terminal
+    from corollary.records.report import terminal
 
     console = Console()
     console.print(terminal(done.report))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from corollary.cli.failure import HOLDS, answer, refuse, say
-from corollary.deliver.course import open_course
-from corollary.deliver.origin import set_of
-from corollary.deliver.report import as_json, terminal
-from corollary.deliver.report_kept import report_of
+from corollary.records.course import open_course
+from corollary.records.origin import set_of
+from corollary.records.report import as_json, terminal
+from corollary.records.report_kept import report_of
 
 
 def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | None) -> int:
@@ -20,7 +20,7 @@ def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | N
             f"nothing of {problem_set.name} is graded in {course}; run corollary grade {problem_set.name} --course {course} first"
         )
     if output is not None:
-        from corollary.deliver.report_page import report_page  # brings matplotlib
+        from corollary.render.report_page import report_page  # brings matplotlib
 
         output.write_text(report_page(found, problem_set), encoding="utf-8")
         say(f"written to {output}")

@@ -6,8 +6,8 @@ from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer, refuse, say
 from corollary.grading.from_json import finite
-from corollary.scene.catalogue import run as play
-from corollary.scene.run import GuardFailed
+from corollary.scenes.catalogue import run as play
+from corollary.scenes.run import GuardFailed
 
 
 def run(name: str, sets: list[str], tolerance: float, json: bool) -> int:

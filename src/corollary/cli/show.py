@@ -6,12 +6,12 @@ from pathlib import Path
 
 from corollary.cli.failure import HOLDS, refuse, say
 from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import exercise, worksheet
 from corollary.problem.bank import Bank, home
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet, Scheme
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, at, chapter, size
-from corollary.sheet.sheet import exercise, sheet
 
 FORMATS = ("text", "md", "html", "ipynb")
 
@@ -51,7 +51,7 @@ def _variant(place: Bank, problem: Problem, student: str | None, course: Path | 
         return chapter(problem)
     if course is None:
         return Solutions(place).assign_variant(problem, b"", student, ()).variant
-    from corollary.deliver.course import dealt_anywhere, open_course
+    from corollary.records.course import dealt_anywhere, open_course
 
     row = dealt_anywhere(open_course(course), student)
     if problem.code not in row and size(problem) > 1:
@@ -61,12 +61,12 @@ def _variant(place: Bank, problem: Problem, student: str | None, course: Path | 
 
 def _text(chosen: Variant, story: str | None, format: str, student: str | None) -> str:
     if format == "ipynb":
-        from corollary.sheet.notebook import file_text, notebook
+        from corollary.notebook.notebook import file_text, notebook
 
         problem = chosen.problem
         alone = ProblemSet(problem.name, problem.title, "", (problem,), (1.0,), None, Scheme(), False)
-        return file_text(notebook(sheet(alone, Student(student or "you"), [chosen])))
-    from corollary.deliver.show import show_html, show_markdown, show_text
+        return file_text(notebook(worksheet(alone, Student(student or "you"), [chosen])))
+    from corollary.render.show import show_html, show_markdown, show_text
 
     shown = {"text": show_text, "md": show_markdown, "html": show_html}[format]
     return shown(exercise(chosen), story)

@@ -10,16 +10,16 @@ from typing import Any
 
 from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.cli.progress import steps
-from corollary.scene.method.tables import METHODS
-from corollary.scene.trade.case import Case
-from corollary.scene.trade.measures import WANTED, lies_beyond, orders, reaching
-from corollary.scene.trade.race import Lap, Raced, cases, race
-from corollary.scene.trade.record import label, record
+from corollary.scenes.integrate.tableau import METHODS
+from corollary.scenes.trade.case import Case
+from corollary.scenes.trade.measures import WANTED, lies_beyond, orders, reaching
+from corollary.scenes.trade.race import Timing, WorkPrecision, cases, race
+from corollary.scenes.trade.record import label, record
 
 NAMESPACE = '<svg xmlns="http://www.w3.org/2000/svg" '
 """A drawing in a page needs none; one in a file of its own does."""
 
-COSTS: dict[str, tuple[str, Callable[[Lap], float]]] = {
+COSTS: dict[str, tuple[str, Callable[[Timing], float]]] = {
     "evaluations": ("evaluations of the force", lambda lap: float(max(lap.evaluations, 1))),
     "seconds": ("processor time, s", lambda lap: lap.seconds),
 }
@@ -54,7 +54,7 @@ def _chosen(scenes: Sequence[str]) -> list[Case]:
     return [case for case in known if not scenes or case.name in scenes or case.ready in scenes]
 
 
-def table(raced: Sequence[Raced], found: dict[str, Any]) -> str:
+def table(raced: Sequence[WorkPrecision], found: dict[str, Any]) -> str:
     """What was measured, as Markdown that also reads well on a terminal."""
     heads = ["scene", *(label(wanted) for wanted in WANTED), "planned"]
     best = [heads]
@@ -78,7 +78,7 @@ def table(raced: Sequence[Raced], found: dict[str, Any]) -> str:
     return "\n".join([*text, *_left_out(raced)])
 
 
-def _left_out(raced: Sequence[Raced]) -> list[str]:
+def _left_out(raced: Sequence[WorkPrecision]) -> list[str]:
     """One line for each method that could not run, and each reason."""
     scenes: dict[tuple[str, str], list[str]] = {}
     for each in raced:
@@ -87,7 +87,7 @@ def _left_out(raced: Sequence[Raced]) -> list[str]:
     return [f"{method} is left out on {', '.join(names)}: {why}" for (method, why), names in scenes.items()]
 
 
-def _slopes(raced: Sequence[Raced]) -> list[list[str]]:
+def _slopes(raced: Sequence[WorkPrecision]) -> list[list[str]]:
     """One row for each scene, in which a fixed-step method's order is given with its bounds."""
     fixed = list(METHODS)
     rows = [["scene", *fixed, "regularised", "lies beyond"]]
@@ -114,7 +114,7 @@ def _rows(rows: Sequence[Sequence[str]]) -> list[str]:
     return [lines[0], "|" + "|".join("-" * (width + 2) for width in wide) + "|", *lines[1:]]
 
 
-def _write(folder: Path, raced: Sequence[Raced], found: dict[str, Any], costs: Sequence[str]) -> None:
+def _write(folder: Path, raced: Sequence[WorkPrecision], found: dict[str, Any], costs: Sequence[str]) -> None:
     from corollary.figure.plots import Curve, lines
 
     folder.mkdir(parents=True, exist_ok=True)

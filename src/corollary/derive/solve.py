@@ -50,7 +50,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
-from corollary.scene.catalogue import SCENES
+from corollary.scenes.catalogue import SCENES
 from corollary.units.dimensions import dimension_of
 from corollary.units.unit import Dimension, called, show
 

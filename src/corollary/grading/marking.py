@@ -13,19 +13,19 @@ from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
 from corollary.grading.verdict import Unmarked, Unread
-from corollary.sheet.found import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
-from corollary.sheet.notebook import notebook as handed_out
-from corollary.sheet.sheet import Prompt, Sheet
-from corollary.submission.file import Unreadable
-from corollary.submission.job import Cell, Job
-from corollary.submission.notebook import Notebook
-from corollary.submission.take import Runner
-from corollary.submission.taken import CellRun, Taken
+from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
+from corollary.notebook.notebook import notebook as handed_out
+from corollary.notebook.worksheet import Prompt, Worksheet
+from corollary.sandbox.file import Unreadable
+from corollary.sandbox.job import Cell, Job
+from corollary.sandbox.notebook import Notebook
+from corollary.sandbox.result import CellRun, ExecutionResult
+from corollary.sandbox.runner import Runner
 
 Keys = Mapping[str, Key]
 
 
-def mark(sheet: Sheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float) -> Marked:
+def mark(sheet: Worksheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float) -> Marked:
     """The marks of one submission; `late` in seconds. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
@@ -36,7 +36,7 @@ def mark(sheet: Sheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runn
     return Marked(sheet.student, grades, taken.cells, taken.figures, taken.isolation.line, trouble, late, share)
 
 
-def _job(sheet: Sheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
+def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
     """What is asked of the notebook: nothing in it comes from the key but inputs for the student's functions."""
     calls = [
         ask
@@ -51,7 +51,7 @@ def _job(sheet: Sheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
     return Job(cells, names, tuple(calls), tuple(plot_cells(notebook.node, sheet).values()))
 
 
-def _grade(sheet: Sheet, keys: Keys, code: str, notebook: Notebook, taken: Taken, secret: bytes) -> Grade:
+def _grade(sheet: Worksheet, keys: Keys, code: str, notebook: Notebook, taken: ExecutionResult, secret: bytes) -> Grade:
     prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
     plots = plot_cells(notebook.node, sheet)
     answers = {prompt.part.id: _answer(prompt, notebook, taken) for prompt in prompts}
@@ -70,14 +70,14 @@ def _grade(sheet: Sheet, keys: Keys, code: str, notebook: Notebook, taken: Taken
     return replace(graded, parts=tuple(_explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)))
 
 
-def _answer(prompt: Prompt, notebook: Notebook, taken: Taken) -> Value:
+def _answer(prompt: Prompt, notebook: Notebook, taken: ExecutionResult) -> Value:
     if prompt.part.kind == "explain":
         text = explain_text(notebook.node, prompt.key)
         return Text(text) if text else Nothing()
     return taken.values.get(prompt.name, Nothing())
 
 
-def _runs(notebook: Notebook, taken: Taken) -> dict[str, CellRun]:
+def _runs(notebook: Notebook, taken: ExecutionResult) -> dict[str, CellRun]:
     """How the cell of each answer fared, by the name it was handed out with."""
     by_id = {run.id: run for run in taken.cells}
     return {name: by_id[cell.id] for name, cell in cells_by_id(notebook.node).items() if cell.get("id") in by_id}
@@ -97,7 +97,7 @@ def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> 
     return replace(part, verdict=Unread(said, blank=True), feedback=said)
 
 
-def not_marked(sheet: Sheet, why: str, late: float) -> Marked:
+def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
     """A submission that could not be marked through no fault of its student: no points yet, and a person decides on every part."""
     grades = tuple(
         Grade(
@@ -109,7 +109,7 @@ def not_marked(sheet: Sheet, why: str, late: float) -> Marked:
     return Marked(sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0)
 
 
-def _unreadable(sheet: Sheet, keys: Keys, why: str, late: float) -> Marked:
+def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:
     """A file that is no notebook: nothing can be read, every part says so, and the report asks a person to look."""
     said = f"The notebook could not be opened. {why}"
     grades = tuple(

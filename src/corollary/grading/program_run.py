@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from corollary.submission.taken import Answered, Figure
+from corollary.sandbox.result import Answered, Figure
 
 
 @dataclass(frozen=True, slots=True)

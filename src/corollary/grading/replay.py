@@ -10,7 +10,7 @@ from functools import lru_cache
 from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, SolvedUnknown
 from corollary.formula.ast import Expr, names
 from corollary.formula.ball import RationalPi, Undefined, evaluate
-from corollary.scene.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, GuardFailed
 
 BITS = 96
 Values = tuple[float, ...]
@@ -81,7 +81,7 @@ def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str) 
 @lru_cache(maxsize=4096)
 def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> tuple[Values, float]:
     """The observed value and the error the run states for it, relative to its natural scale."""
-    from corollary.scene.catalogue import run  # only here: it brings every scene, and most answers need none
+    from corollary.scenes.catalogue import run  # only here: it brings every scene, and most answers need none
 
     try:
         outcome = run(scene, dict(settings), tolerance=1e-12)

@@ -8,8 +8,8 @@ from corollary.formula.value import Text, Value
 from corollary.grading.key import Key
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
-from corollary.submission.job import Cell, Job
-from corollary.submission.take import Runner
+from corollary.sandbox.job import Cell, Job
+from corollary.sandbox.runner import Runner
 
 USUAL = "import numpy as np\nimport matplotlib.pyplot as plt"
 

@@ -13,8 +13,8 @@ from corollary.grading.run_programs import ran
 from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong, word
 from corollary.problem.bank import Bank
 from corollary.problem.part import Part
-from corollary.submission.parent import CannotStart
-from corollary.submission.take import Runner
+from corollary.sandbox.runner import Runner
+from corollary.sandbox.zygote import CannotStart
 from corollary.verify.checked import Tally
 
 BENT = """

@@ -7,8 +7,8 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from corollary.scene.catalogue import run
-from corollary.scene.run import BadSetting, GuardFailed, Observed, Run
+from corollary.scenes.catalogue import run
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run
 
 # A law is met when it is off by no more than the run says of itself, and a few roundings.
 ROUNDING = 2e-14

@@ -10,7 +10,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.count import variants
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
-from corollary.submission.take import Runner
+from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.figure import check_figure
 from corollary.verify.laws import check_dimensions, check_laws

@@ -18,8 +18,8 @@ from corollary.grading.verdict import Right, word
 from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
-from corollary.scene.catalogue import run
-from corollary.scene.run import BadSetting, GuardFailed
+from corollary.scenes.catalogue import run
+from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.verify.checked import Tally
 
 LEAST, SIMULATED, TOO_MANY = 100, 8, 0.8

@@ -10,7 +10,7 @@ from corollary.grading.programs.catch import catch_inputs, judge_catch
 from corollary.grading.programs.orbit import judge_orbit, orbit_inputs
 from corollary.grading.programs.remarks import Said
 from corollary.grading.programs.well import Well, moved, start_of, well_of
-from corollary.scene.catalogue import run
+from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, in_well
 

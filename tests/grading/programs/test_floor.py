@@ -11,7 +11,7 @@ from corollary.grading.programs.called import Called
 from corollary.grading.programs.floor import ARGUMENTS, bounce_inputs, judge_bounce, reference
 from corollary.grading.programs.floor_plot import judge_bounce_plot
 from corollary.grading.programs.remarks import Remark, Said
-from corollary.submission.taken import Axes, Line
+from corollary.sandbox.result import Axes, Line
 
 from .conftest import RIGHT, bounce, forward_euler
 

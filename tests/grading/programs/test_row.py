@@ -10,7 +10,7 @@ from corollary.grading.programs.bound import OWN_STEPS
 from corollary.grading.programs.called import STEPS, Called
 from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.row import CRADLE, bounds, contact_time, cradle_inputs, judge_contact, judge_cradle
-from corollary.scene.catalogue import run
+from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, forward_euler, row
 

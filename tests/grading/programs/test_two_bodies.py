@@ -10,7 +10,7 @@ from corollary.grading.programs.ions import closest, ion_force, ion_inputs, judg
 from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.spheres import judge_spheres, sphere_force, sphere_inputs
 from corollary.grading.programs.two_bodies import converged
-from corollary.scene.catalogue import run
+from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, two
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from corollary.grading.programs.remarks import Said
-from corollary.scene.catalogue import run
+from corollary.scenes.catalogue import run
 
 NEAR = 0.04  # of the depth of the well: a sketch is judged, not a measurement
 

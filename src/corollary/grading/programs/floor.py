@@ -12,9 +12,9 @@ from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.floor_bugs import USUAL, Scheme, wrong_bounce
 from corollary.grading.programs.remarks import Remark, Said
-from corollary.scene.catalogue import run
-from corollary.scene.method.fixed_step import march
-from corollary.scene.method.tables import EULER_CROMER
+from corollary.scenes.catalogue import run
+from corollary.scenes.integrate.fixed_step import march
+from corollary.scenes.integrate.tableau import EULER_CROMER
 
 ARGUMENTS = ("m", "k", "R", "y0", "v0", "g")
 COUNTED = 2.5  # steps: a contact counted in steps may be one longer or shorter at each end

@@ -17,7 +17,7 @@ from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
-from corollary.submission.job import Argument, Ask
+from corollary.sandbox.job import Argument, Ask
 from corollary.units.unit import unit
 
 

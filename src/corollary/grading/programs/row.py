@@ -12,9 +12,9 @@ from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.row_bugs import USUAL, wrong_cradle
-from corollary.scene.catalogue import run
-from corollary.scene.method.fixed_step import march
-from corollary.scene.method.tables import EULER_CROMER
+from corollary.scenes.catalogue import run
+from corollary.scenes.integrate.fixed_step import march
+from corollary.scenes.integrate.tableau import EULER_CROMER
 
 
 def contact_time(m: float, k: float, q: float, v: float) -> float:

@@ -10,7 +10,7 @@ from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.two_bodies import Force
-from corollary.scene.catalogue import run
+from corollary.scenes.catalogue import run
 
 
 def sphere_force(R: float, k: float, eta: float, *, spring: float = -1.0, drag: float = 1.0, q: float = 1.5) -> Force:

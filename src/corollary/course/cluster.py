@@ -1,0 +1,135 @@
+"""Marking on more than one machine: a Dask cluster that is there already; each of its processes has its own warm runner."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from itertools import islice
+from threading import Lock
+from typing import TYPE_CHECKING, Any
+
+from corollary import __version__
+from corollary.course.submission import GradedSubmission, GradingContext, Submission, mark_one, set_aside
+from corollary.course.workers import AHEAD, Execute
+from corollary.sandbox.runner import Runner
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+SECONDS_TO_CONNECT = 15
+
+_at_work: dict[str, tuple[GradingContext, Runner]] = {}  # of a worker process: what it marks with, under the token of the grading
+_one_at_a_time = Lock()  # a worker may have several threads; the judge's arithmetic is for one
+
+
+class NoCluster(Exception):
+    """The cluster cannot be used; one sentence says why and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """An order on its way: `token` tells this grading from the one before, `state` its program and solutions."""
+
+    order: GradingContext
+    token: str
+    state: str
+
+
+def on_cluster(address: str) -> Execute:
+    """On the cluster whose scheduler is at this address; what a dying worker was at is done again by another.
+
+    Entering raises NoCluster where there is none, and so does going on once it is lost.
+    """
+
+    @contextmanager
+    def execute(order: GradingContext, submissions: Iterable[Submission]) -> Iterator[Iterator[GradedSubmission]]:
+        client = _connect(address)
+        try:
+            sent = Sent(order, os.urandom(8).hex(), state_of(order))
+            yield _as_done(client, sent, iter(submissions))
+        finally:
+            with suppress(Exception):  # a cluster that is lost has nothing to be told
+                client.run(leave)
+            client.close()
+
+    return execute
+
+
+def state_of(order: GradingContext) -> str:
+    """A digest of the program's version and of all solutions: marks from two states must not meet in one gradebook."""
+    digest = hashlib.sha256(__version__.encode())
+    for problem in order.problem_set.problems:
+        digest.update(b"\0" + order.solutions.source(problem))
+    return digest.hexdigest()
+
+
+def mark_there(sent: Sent, handed: Submission) -> GradedSubmission:
+    """In a worker. The solutions are found and the runner starts with the first submission of a grading."""
+    with _one_at_a_time:
+        if sent.token not in _at_work:
+            _leave()
+            if state_of(sent.order) != sent.state:
+                raise NoCluster("a worker has another version of the program or of the solutions; put the same ones everywhere")
+            _at_work[sent.token] = sent.order, sent.order.runner()
+        order, runner = _at_work[sent.token]
+        return mark_one(order, runner, handed)
+
+
+def leave() -> None:
+    """In a worker, at the end: its warm runner ends."""
+    with _one_at_a_time:
+        _leave()
+
+
+def _leave() -> None:
+    while _at_work:
+        _, runner = _at_work.popitem()[1]
+        runner.__exit__(None, None, None)
+
+
+def _connect(address: str) -> Client:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise NoCluster("a cluster needs Dask; install it with: pip install 'corollary[dask]'") from None
+    try:
+        client = Client(address, timeout=SECONDS_TO_CONNECT)
+    except (OSError, ValueError) as error:
+        raise NoCluster(f"no Dask scheduler answers at {address} ({error}); start one, or leave out --executor") from None
+    if not _processes(client):
+        client.close()
+        raise NoCluster(f"the Dask cluster at {address} has no workers; start some with: dask worker {address} --nthreads 1")
+    return client
+
+
+def _processes(client: Client) -> int:
+    info: Any = client.scheduler_info(n_workers=-1)
+    return len(info["workers"])
+
+
+def _as_done(client: Client, sent: Sent, left: Iterator[Submission]) -> Iterator[GradedSubmission]:
+    from distributed import KilledWorker, as_completed
+
+    def give(handed: Submission) -> Any:
+        future = client.submit(mark_there, sent, handed, pure=False)
+        doing[future.key] = handed
+        return future
+
+    doing: dict[Any, Submission] = {}
+    going = as_completed([give(each) for each in islice(left, AHEAD * _processes(client))])
+    for future in going:
+        handed = doing.pop(future.key)
+        for another in islice(left, 1):
+            going.add(give(another))
+        match future.status, future.exception() if future.status == "error" else None:
+            case "finished", _:
+                yield future.result()
+            case _, KilledWorker():
+                yield set_aside(sent.order, handed, "the workers that marked it died, one after another")
+            case _, None:
+                raise NoCluster("the cluster was lost on the way; grade again: what is marked stays, and the rest is done then")
+            case _, error:
+                raise error

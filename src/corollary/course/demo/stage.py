@@ -1,0 +1,118 @@
+"""The demonstration from beginning to end: a course made, notebooks handed in, marked, and held against what each deserves."""
+
+from __future__ import annotations
+
+import csv
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, timedelta
+from pathlib import Path
+
+from corollary.course.demo.player import Hand, Player
+from corollary.course.demo.players import PLAYERS
+from corollary.course.generate import generate, variants_of
+from corollary.course.grade import Outcome, grade_set
+from corollary.grading.points import share
+from corollary.grading.solutions import Solutions
+from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.notebook.notebook import filled_in
+from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.course import Course, open_course, write_atomically
+from corollary.sandbox.runner import Runner
+
+KEY = b"a course key for everyone to see"
+MARK = ".corollary/demonstration"
+VERDICTS: dict[str, Verdict] = {
+    "right": Right(), "follows": Follows(()), "mistaken": Mistaken(""), "slip": Slip(""), "wrong": Wrong(), "unread": Unread(""), "unmarked": Unmarked(""),
+}  # fmt: skip
+Tell = Callable[[str], None]
+
+
+class NotFresh(ValueError):
+    """The folder holds something that is not an earlier demonstration."""
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """One student: what they did, what it deserves, and what they got."""
+
+    player: Player
+    deserved: float
+    got: float
+    out_of: float
+    differences: tuple[str, ...]
+
+    @property
+    def fair(self) -> bool:
+        return not self.differences and abs(self.deserved - self.got) < 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Demonstration:
+    course: Course
+    played: tuple[Played, ...]
+    outcome: Outcome
+
+
+def perform(folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: Tell = lambda step: None) -> Demonstration:
+    """Plays the whole way in a fresh folder; an earlier demonstration there is replaced. Raises NotFresh."""
+    if folder.exists() and any(folder.iterdir()):
+        if not (folder / MARK).exists():
+            raise NotFresh(f"{folder} is not empty; name a fresh folder for the demonstration")
+        shutil.rmtree(folder)
+    write_atomically(folder / ".corollary" / "key", KEY, mode=0o600)
+    write_atomically(folder / MARK, "made by corollary demo; may be thrown away\n")
+    roster = tuple(player.student for player in PLAYERS)
+    _write_roster(folder / "roster.csv", roster)
+    made = generate(folder, problem_set, roster, solutions, tell)
+    hands: dict[str, tuple[Worksheet, Hand]] = {}
+    for player in PLAYERS:
+        tell(f"{player.student.first_name} works")
+        variants = variants_of(problem_set, made.dealt[player.student.id])
+        paper = worksheet(problem_set, player.student, variants)
+        hand = player.hand(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
+        hands[player.student.id] = paper, hand
+        hand_in(made.course, problem_set, paper, hand)
+    outcome = grade_set(
+        open_course(folder), problem_set, solutions, Runner, tell=lambda student, left: tell(f"marking {student}")
+    )
+    played = tuple(_played(problem_set, player, *hands[player.student.id], outcome) for player in PLAYERS)
+    return Demonstration(made.course, played, outcome)
+
+
+def hand_in(course: Course, problem_set: ProblemSet, paper: Worksheet, hand: Hand) -> None:
+    """Fills the student's own notebook and puts it where hand-ins go, with its time."""
+    place = course.place("submitted", paper.student.id, problem_set.name)
+    path = place / f"{problem_set.name}.ipynb"
+    if hand.raw is not None:
+        write_atomically(path, hand.raw)
+    else:
+        write_atomically(path, filled_in(paper, hand.sources))
+    if problem_set.due is not None:
+        moment = problem_set.due + timedelta(hours=hand.late or -20)
+        write_atomically(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")
+
+
+def _played(problem_set: ProblemSet, player: Player, paper: Worksheet, hand: Hand, outcome: Outcome) -> Played:
+    record = outcome.records[player.student.id]
+    deserved, differences = 0.0, []
+    for prompt in paper.prompts:
+        verdict = hand.deserves.get(prompt.key, "unmarked" if prompt.part.kind == "explain" else "right")
+        halves = 2 if len(prompt.part.kinds) == 2 and verdict == "mistaken" else 1
+        worth = share(VERDICTS[verdict], problem_set.scheme)
+        deserved += prompt.out_of * (worth + halves - 1) / halves
+        got = record["parts"][prompt.key]["verdict"]
+        if got != verdict:
+            differences.append(f"{prompt.key}: {got} instead of {verdict} ({record['parts'][prompt.key]['feedback']})")
+    if hand.late:
+        deserved *= problem_set.scheme.late
+    return Played(player, round(deserved, 6), record["points"], record["out_of"], tuple(differences))
+
+
+def _write_roster(path: Path, roster) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow(["id", "first_name", "last_name", "email"])
+        rows.writerows([student.id, student.first_name, student.last_name, student.email] for student in roster)

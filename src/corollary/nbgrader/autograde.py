@@ -1,0 +1,150 @@
+"""What `nbgrader autograde` does in a course of ours: the sheet restored, the verdict from outside, the marks kept.
+
+Every class here stands in the place of one of nbgrader's, and leaves assignments that are none of ours to it.
+"""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from functools import cache, partial
+from pathlib import Path
+from typing import Any, cast
+
+import nbformat
+from nbconvert.exporters import NotebookExporter
+from nbconvert.exporters.exporter import ResourcesDict
+from nbformat import NotebookNode
+from nbgrader.api import Gradebook, MissingEntry
+from nbgrader.converters import Autograde
+from nbgrader.converters.base import NbGraderException
+from nbgrader.coursedir import CourseDirectory
+from nbgrader.preprocessors import AssignLatePenalties, Execute, OverwriteCells, SaveAutoGrades
+from traitlets import Integer
+
+from corollary.course.submission import GradedSubmission, mark_one
+from corollary.nbgrader.assignment import Paper, paper_of
+from corollary.nbgrader.marked_notebook import restored
+from corollary.nbgrader.record import record_one
+from corollary.records.course import NotACourse, open_course
+from corollary.records.lock import BeingGraded, one_writer
+from corollary.records.records import keep
+from corollary.sandbox.runner import Runner
+
+Converted = tuple[NotebookNode, ResourcesDict]
+
+
+class OwnSheet(NotebookExporter):
+    """Reads a submission as the student's own sheet, whatever became of its metadata, statements and checks; what cannot be
+    opened at all is the blank sheet, and is marked as unreadable."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        run = self.parent
+        if isinstance(run, Autograde):  # which makes its exporter before all else, and has no hook around a whole run
+            run.convert_notebooks = partial(_alone, run, run.convert_notebooks)
+
+    def from_file(self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any) -> tuple[Any, Any]:
+        paper = _paper((resources or {}).get("nbgrader", {}))
+        if paper is None or not _handed_in(paper, file_stream.name):
+            return super().from_file(file_stream, resources=resources, **more)
+        return self.from_notebook_node(restored(paper.worksheet, paper.node), resources=resources, **more)
+
+
+class OwnNumbers(OverwriteCells):
+    """The sheet has the student's own numbers already: the source's, which are the chapter's, must not replace them."""
+
+    def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
+        return (nb, resources) if _paper(resources["nbgrader"]) is not None else super().preprocess(nb, resources)
+
+
+class JudgedOutside(Execute):
+    """Runs what was handed in behind our walls and judges it outside of them; nothing a notebook prints is a mark."""
+
+    require_isolation = Integer(1, help="Refuse to run notebooks below this isolation level (0 to 3).").tag(config=True)
+
+    def preprocess(self, nb: NotebookNode, resources: ResourcesDict, *more: Any, **others: Any) -> Converted:
+        paper = _paper(resources["nbgrader"])
+        if paper is None:
+            nb, stock = super().preprocess(nb, resources, *more, **others)
+            return nb, cast(ResourcesDict, stock)
+        try:
+            returned = mark_one(paper.order, _runner(self.require_isolation), paper.handed)
+        except Exception:
+            _flag(resources["nbgrader"])
+            raise
+        resources["corollary"] = paper, returned
+        return nbformat.reads(returned.notebook, as_version=4), resources
+
+
+class MarksKept(SaveAutoGrades):
+    """The marks as the judge gave them, in one transaction; with the history, the record and the feedback page."""
+
+    def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
+        judged: tuple[Paper, GradedSubmission] | None = resources.get("corollary")
+        if judged is None:
+            return super().preprocess(nb, resources)
+        paper, given = judged
+        course, order = paper.course, paper.order
+        with Gradebook(resources["nbgrader"]["db_url"]) as book:
+            record_one(course, book, order.problem_set, given.marked, given.notebook, anew=True)
+        keep(course, order.problem_set, order.solutions, given.marked, given.handed.fingerprint, given.page)
+        return nb, resources
+
+
+class LatenessKept(AssignLatePenalties):
+    """What the set says of late work is in the marks already."""
+
+    def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
+        return (nb, resources) if "corollary" in resources else super().preprocess(nb, resources)
+
+
+def _paper(about: Mapping[str, str]) -> Paper | None:
+    """The paper, or None for an assignment that is none of ours; what stands in the way is flagged and raised."""
+    try:
+        return paper_of(about)
+    except Exception:
+        _flag(about)
+        raise
+
+
+def _alone(run: Autograde, convert: Callable[[], None]) -> None:
+    """A whole run of nbgrader's, as the only writer in a course of ours; refused before it has touched anything."""
+    root = Path(cast(CourseDirectory, run.coursedir).root)
+    with ExitStack() as held:
+        if (root / ".corollary" / "key").is_file():
+            try:
+                held.enter_context(one_writer(open_course(root)))
+            except (BeingGraded, NotACourse) as error:
+                run.log.error(str(error))
+                raise NbGraderException(str(error)) from None
+        convert()
+
+
+@cache
+def _runner(require: int) -> Runner:
+    """One warm process for the whole command."""
+    runner = Runner(require=require)
+    runner.__enter__()
+    atexit.register(runner.__exit__, None, None, None)
+    return runner
+
+
+def _handed_in(paper: Paper, name: str) -> bool:
+    """Whether the file is what was handed in; nbgrader reads its own copy in `autograded/` with the same classes."""
+    place = paper.course.place("submitted", paper.handed.student.id, paper.order.problem_set.name)
+    return Path(name).resolve().parent == place.resolve()
+
+
+def _flag(about: Mapping[str, str]) -> None:
+    """No marks, and a person to look: what cannot be marked must not look as if it had been."""
+    with Gradebook(about["db_url"]) as book:
+        try:
+            submission = book.find_submission(about["assignment"], about["student"])
+        except MissingEntry:
+            return
+        for notebook in submission.notebooks:
+            for grade in notebook.grades:
+                grade.auto_score, grade.needs_manual_grade = None, True
+        book.db.commit()

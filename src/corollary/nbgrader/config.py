@@ -1,0 +1,57 @@
+"""The file nbgrader_config.py of a course: an ordinary one, which its owner may add to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from corollary.records.course import Course, write_atomically
+
+MARK = "# Written by corollary."
+TEXT = f'''\
+{MARK} Add your own settings below; corollary leaves this file alone from now on.
+from nbconvert.preprocessors import ClearMetadataPreprocessor
+from nbgrader.preprocessors import (
+    CheckCellMetadata, ClearOutput, ComputeChecksums, DeduplicateIds, IgnorePattern, LimitOutput, LockCells,
+    OverwriteKernelspec, SaveCells,
+)
+
+from corollary.nbgrader.autograde import JudgedOutside, LatenessKept, MarksKept, OwnNumbers, OwnSheet
+
+c = get_config()  # noqa: F821
+c.CourseDirectory.course_id = __NAME__
+
+# The source notebooks hold no solutions, so nothing has to be cut out of them.
+c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata, ComputeChecksums, SaveCells]
+
+# `nbgrader autograde` marks our sets as `corollary grade` does (and other assignments as ever).
+c.Autograde.exporter_class = OwnSheet
+c.Autograde.sanitize_preprocessors = [ClearOutput, DeduplicateIds, OverwriteKernelspec, OwnNumbers, CheckCellMetadata]
+c.Autograde.autograde_preprocessors = [
+    JudgedOutside, IgnorePattern, ClearMetadataPreprocessor, LimitOutput, MarksKept, LatenessKept, CheckCellMetadata,
+]
+
+# Feedback is made anew each time, so that it never shows older marks than the gradebook.
+c.GenerateFeedback.force = True
+'''
+
+
+class NotOurs(Exception):
+    """A file stands in the way that somebody else wrote; one sentence says which, and what to do."""
+
+
+def write_config(course: Course) -> None:
+    """Writes the file once. Raises NotOurs when another tool's course is already set up in the folder."""
+    check_config(course.folder)
+    path = course.folder / "nbgrader_config.py"
+    if not path.exists():
+        write_atomically(path, TEXT.replace("__NAME__", repr(course.name)))
+
+
+def check_config(folder: Path) -> None:
+    """Raises NotOurs when another tool's course is set up in the folder; changes nothing."""
+    path = folder / "nbgrader_config.py"
+    if path.exists() and MARK not in path.read_text(encoding="utf-8", errors="replace"):
+        raise NotOurs(
+            f"{path} was not written by corollary; choose another folder with --course, "
+            f"or put this line at its head if its settings will do: {MARK}"
+        )

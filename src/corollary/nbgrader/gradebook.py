@@ -1,0 +1,107 @@
+"""The gradebook of a course, opened through nbgrader's own code; what can go wrong on the way is said in a sentence."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from errno import ENOSPC
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from corollary.records.course import Course
+
+if TYPE_CHECKING:
+    from nbgrader.api import Gradebook
+    from nbgrader.coursedir import CourseDirectory
+    from traitlets.config import Config
+
+
+class NoNbgrader(Exception):
+    """nbgrader is not installed."""
+
+
+class GradebookLocked(Exception):
+    """Another program is writing in the gradebook."""
+
+
+class NotRegistered(LookupError):
+    """The gradebook does not know the set, or not as it is now."""
+
+
+def need_nbgrader() -> None:
+    """Raises NoNbgrader, which says how to get it."""
+    try:
+        import nbgrader.api  # noqa: F401
+    except ImportError:
+        raise NoNbgrader("a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'") from None
+
+
+def settings(course: Course) -> Config:
+    """What the course's nbgrader_config.py sets."""
+    from traitlets.config.loader import ConfigFileNotFound, PyFileConfigLoader
+
+    try:
+        found = PyFileConfigLoader("nbgrader_config.py", path=str(course.folder)).load_config()
+    except ConfigFileNotFound:
+        raise NotRegistered(f"{course.folder} has no nbgrader_config.py; make it with corollary generate") from None
+    found.CourseDirectory.root = str(course.folder)
+    return found
+
+
+def directory(course: Course) -> CourseDirectory:
+    """nbgrader's own picture of the folder."""
+    from nbgrader.coursedir import CourseDirectory
+
+    return CourseDirectory(config=settings(course))
+
+
+@contextmanager
+def gradebook(course: Course) -> Iterator[Gradebook]:
+    """The open gradebook, made when there is none.
+
+    Raises NoNbgrader and NotRegistered, and GradebookLocked from whatever is done within.
+    """
+    need_nbgrader()
+    from nbgrader.api import Gradebook
+    from sqlalchemy.exc import OperationalError
+
+    place = directory(course)
+    try:
+        if not course.gradebook.exists() and str(course.gradebook) in place.db_url:
+            _new(course, place)
+        with programs_on_path():
+            book = Gradebook(place.db_url, place.course_id)
+        with book:
+            yield book
+    except OperationalError as error:
+        if "disk is full" in str(error.orig):
+            raise OSError(ENOSPC, os.strerror(ENOSPC), str(course.gradebook)) from None
+        if "locked" not in str(error.orig):
+            raise
+        raise GradebookLocked(
+            f"{course.gradebook} is locked by another program; close formgrader or the other grading run, and grade again"
+        ) from None
+
+
+def _new(course: Course, place: CourseDirectory) -> None:
+    """A gradebook made beside its place and then moved there, so that one half made is never met."""
+    from nbgrader.api import Gradebook
+
+    draft = course.gradebook.with_name(".gradebook.draft")
+    draft.unlink(missing_ok=True)
+    with programs_on_path():
+        Gradebook(f"sqlite:///{draft}", place.course_id).close()
+    os.replace(draft, course.gradebook)
+
+
+@contextmanager
+def programs_on_path() -> Iterator[None]:
+    """nbgrader starts the program `alembic` by name: it must be found although no environment was activated."""
+    before = os.environ.get("PATH", os.defpath)
+    os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{before}"
+    try:
+        yield
+    finally:
+        os.environ["PATH"] = before

@@ -1,0 +1,125 @@
+"""The marked notebook: the sheet as it was handed out, with the student's answers, what they gave, and what is said of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell, new_markdown_cell
+
+from corollary.grading.grade import Marked, PartGrade
+from corollary.nbgrader.safe import safe_attachments, safe_markdown, safe_outputs
+from corollary.notebook.cells import checksum
+from corollary.notebook.locate import cells_by_id
+from corollary.notebook.notebook import notebook
+from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.render.verdict_look import look
+from corollary.sandbox.result import CellRun
+
+FOLDED_AWAY = "# The code of check() is left out of the marked notebook."
+
+
+def sheet_of(marked: Marked, problem_set: ProblemSet) -> Worksheet:
+    """The sheet that was handed out: the same numbers give the same sheet."""
+    return worksheet(problem_set, marked.student, (grade.variant for grade in marked.grades))
+
+
+def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: NotebookNode | None) -> NotebookNode:
+    """What formgrader shows and feedback is made from: the student's sheet with their answers, and what is said of them."""
+    nb = restored(sheet_of(marked, problem_set), submitted, marked.runs)
+    verdicts = dict(part_grades(marked))
+    for cell in nb.cells:
+        mark = cell.metadata.get("nbgrader")
+        if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
+            cell.outputs = [_said(verdicts[cell.id])]
+    remarks = [f"> **{safe_markdown(said)}**" for said in (marked.trouble, *marked.notes) if said]
+    nb.cells[1:1] = [new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)]
+    return nb
+
+
+def restored(paper: Worksheet, submitted: NotebookNode | None, runs: Iterable[CellRun] = ()) -> NotebookNode:
+    """The student's own sheet with what they wrote in it. Cells missing, doubled or altered in the submission do no harm: the
+    sheet's own cells stand in their places, and what the student added stands, as plain code, below the cell it followed.
+    """
+    nb = notebook(paper)
+    answers = cells_by_id(submitted) if submitted is not None else {}
+    ran = {run.id: run for run in runs}
+    for cell in nb.cells:
+        mark, theirs = cell.metadata["nbgrader"], answers.get(cell.id)
+        if mark["solution"] and theirs is not None:
+            _fill_in(cell, theirs)
+            if (run := ran.get(theirs.get("id", ""))) is not None and cell.cell_type == "code":
+                cell.outputs = safe_outputs(run.outputs)
+        if cell.id == "setup":
+            cell.source = FOLDED_AWAY
+            mark["checksum"] = checksum(cell)
+    if submitted is not None:
+        _add_extras(nb, submitted, ran)
+    return nb
+
+
+def notebook_text(nb: NotebookNode) -> str:
+    """The text of its file, not indented: nobody reads it but nbgrader, and indenting would take longer than all the rest."""
+    return json.dumps(nb, ensure_ascii=False) + "\n"
+
+
+def part_grades(marked: Marked) -> Iterator[tuple[str, PartGrade]]:
+    """Every part's grade under the name its cell has in the gradebook."""
+    for grade in marked.grades:
+        for part in grade.parts:
+            yield grade.variant.problem.answer_name(part.part), part
+
+
+def answer_sources(nb: NotebookNode, key: str) -> tuple[str, ...]:
+    """What the student wrote for a part, as it stands in a marked notebook: equal when the answer is the same."""
+    ids = (key, f"{key}_answer", f"{key}_plot")
+    return tuple(cell.source for cell in nb.cells if cell.get("id") in ids and cell.metadata["nbgrader"]["solution"])
+
+
+def _fill_in(cell: NotebookNode, theirs: NotebookNode) -> None:
+    """A written cell keeps its checksum, by which nbgrader tells an answer from an empty one."""
+    source = str(theirs.source)
+    if cell.cell_type == "markdown":
+        cell.source = safe_markdown(source)
+        if attachments := safe_attachments(theirs):
+            cell["attachments"] = attachments
+    else:
+        cell.source = source
+
+
+def _add_extras(nb: NotebookNode, submitted: NotebookNode, runs: Mapping[str, CellRun]) -> None:
+    """The cells a student added, each below the cell of the sheet that it followed."""
+    ours = {cell.id for cell in nb.cells}
+    chosen = {id: cell for id, cell in cells_by_id(submitted).items() if id in ours}
+    following: dict[str, list[NotebookNode]] = {}
+    at = "title"
+    for cell in submitted.cells:
+        name = next((name for name, theirs in chosen.items() if theirs is cell), None)
+        if name is not None:
+            at = name
+        elif str(cell.source).strip():
+            following.setdefault(at, []).append(_extra(cell, runs))
+    nb.cells = [each for cell in nb.cells for each in (cell, *following.get(cell.id, ()))]
+    for number, cell in enumerate(nb.cells):
+        if cell.id not in ours:
+            cell["id"] = f"added_{number}"
+
+
+def _extra(cell: NotebookNode, runs: Mapping[str, CellRun]) -> NotebookNode:
+    if cell.cell_type != "code":
+        return new_markdown_cell(safe_markdown(str(cell.source)))
+    run = runs.get(cell.get("id", ""))
+    return new_code_cell(str(cell.source), outputs=safe_outputs(run.outputs) if run is not None else [])
+
+
+def _said(grade: PartGrade) -> NotebookNode:
+    """The verdict as the check cell's output; the feedback stands as a comment at the answer."""
+    earned = f"{grade.points:g} of {grade.out_of:g} point{'' if grade.out_of == 1 else 's'}"
+    words = f"**{look(grade.verdict).phrase}** ({'points will follow' if grade.waits else earned})"
+    if grade.answer:
+        words += f"\n\nYour answer was read as: {safe_markdown(grade.answer)}"
+    # Not by new_output, which checks each one against the schema: that would be a third of the time a notebook takes to write.
+    data = NotebookNode({"text/markdown": words, "text/plain": words.replace("**", "")})
+    return NotebookNode(output_type="display_data", data=data, metadata=NotebookNode())

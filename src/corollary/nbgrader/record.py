@@ -1,0 +1,153 @@
+"""One student's marks in the gradebook, in one transaction, and the marked notebook beside it."""
+
+# nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
+# pyright: reportAttributeAccessIssue=false, reportReturnType=false
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import nbformat
+
+from corollary.grading.grade import Marked, PartGrade
+from corollary.grading.verdict import Unread
+from corollary.nbgrader.gradebook import NotRegistered
+from corollary.nbgrader.marked_notebook import answer_sources, part_grades
+from corollary.nbgrader.safe import safe_markdown
+from corollary.notebook.locate import answer_id
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.course import Course, handed_in, write_atomically
+
+if TYPE_CHECKING:
+    from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
+
+
+def record_one(
+    course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, notebook: str, *, anew: bool = False
+) -> None:
+    """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again.
+
+    `notebook` is the text of the marked notebook. `anew`: what lies in `autograded/` is no earlier marking, so whatever a
+    person gave is shown to them again.
+    """
+    name, student = problem_set.name, marked.student.id
+    place = course.notebook("autograded", student, name)
+    stamp, when = _timestamp(course, name, student)
+    submission = _submission(book, name, marked)
+    submission.timestamp = when
+    for each in submission.notebooks:
+        _write_scores(each, marked, partial(_same_answer, place, notebook) if not anew else lambda key: False)
+    book.db.commit()
+    write_atomically(place, notebook)
+    for file, content in (("timestamp.txt", stamp), ("submission_secret.txt", _secret(course, name, student))):
+        if content:
+            write_atomically(course.place("autograded", student, name) / file, content)
+
+
+def _submission(book: Gradebook, name: str, marked: Marked) -> SubmittedAssignment:
+    """The student's submission in the gradebook, with a row for every cell. nbgrader's own add_submission would commit it
+    before there are any marks in it."""
+    from nbgrader.api import Comment, Grade, MissingEntry, Student, SubmittedAssignment, SubmittedNotebook
+
+    try:
+        return book.find_submission(name, marked.student.id)
+    except MissingEntry:
+        assignment = _assignment(book, name)
+    student = book.db.merge(Student(id=marked.student.id))
+    with book.db.no_autoflush:
+        submission = SubmittedAssignment(assignment=assignment, student=student)
+        for notebook in assignment.notebooks:
+            theirs = SubmittedNotebook(notebook=notebook, assignment=submission)
+            for cell in notebook.grade_cells:
+                Grade(cell=cell, notebook=theirs)
+            for cell in notebook.solution_cells:
+                Comment(cell=cell, notebook=theirs)
+        book.db.add(submission)
+    return submission
+
+
+def _assignment(book: Gradebook, name: str) -> Assignment:
+    from nbgrader.api import MissingEntry
+
+    try:
+        return book.find_assignment(name)
+    except MissingEntry:
+        raise NotRegistered(f"the gradebook does not know {name}; make it with corollary generate {name}") from None
+
+
+def _write_scores(notebook: SubmittedNotebook, marked: Marked, same: Callable[[str], bool]) -> None:
+    """`same` says of a part whether its answer is the one a person may have given a score for."""
+    parts = dict(part_grades(marked))
+    answered = {answer_id(key, part.part): part for key, part in parts.items()}
+    for grade in notebook.grades:
+        part = parts.get(grade.name)
+        grade.auto_score = None if part is None or part.waits else part.points
+        grade.needs_manual_grade = _needs_person(grade, part, marked, same)
+    for comment in notebook.comments:
+        part = answered.get(comment.name)
+        comment.auto_comment = safe_markdown(part.feedback) if part is not None and part.feedback else None
+    late = 1 - marked.late_share
+    notebook.late_submission_penalty = late * sum(map(_score, notebook.grades)) if late > 0 else None
+
+
+def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Callable[[str], bool]) -> bool:
+    """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again.
+
+    No answer from a notebook that came to grief is no points and a flag: the grief may be the machine's.
+    """
+    if grade.manual_score is None:
+        return part is None or part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
+    return not same(grade.name)
+
+
+def _score(grade: Grade) -> float:
+    given = grade.manual_score if grade.manual_score is not None else grade.auto_score
+    return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)
+
+
+def _same_answer(before: Path, now: str, key: str) -> bool:
+    """Whether the student wrote the same for a part in the marked notebook that lies there and in this one."""
+    try:
+        old = nbformat.read(before, as_version=4)
+    except (OSError, ValueError, AttributeError, KeyError):  # no notebook yet, or one that somebody broke: as if there were none
+        return False
+    return answer_sources(nbformat.reads(now, as_version=4), key) == answer_sources(old, key)
+
+
+def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime | None]:
+    """The text of timestamp.txt, and the moment as the gradebook keeps it (UTC, no zone).
+
+    formgrader takes a submission for graded only when the file in `submitted/` says the very moment the gradebook has, and
+    release_feedback fails without one: a file that is missing or says nothing nbgrader understands is written.
+    """
+    when = handed_in(course, name, student)
+    if when is None:
+        return "", None
+    moment = when.astimezone(UTC).replace(tzinfo=None)
+    path = course.place("submitted", student, name) / "timestamp.txt"
+    text = _stamped(path, moment)
+    if text is None:
+        text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
+        write_atomically(path, text)
+    return text, moment
+
+
+def _stamped(path: Path, moment: datetime) -> str | None:
+    """The text of a timestamp.txt that means this moment to nbgrader too; None when it is missing or means anything else."""
+    from nbgrader.utils import parse_utc
+
+    try:
+        text = path.read_text(encoding="utf-8").strip()
+        return text if parse_utc(text) == moment else None
+    except (OSError, ValueError, OverflowError):
+        return None
+
+
+def _secret(course: Course, name: str, student: str) -> bytes:
+    """What nbgrader's exchange finds the student's feedback by, where it was used."""
+    path = course.place("submitted", student, name) / "submission_secret.txt"
+    return path.read_bytes() if path.is_file() else b""

@@ -1,0 +1,87 @@
+"""What a student wrote, found again in the notebook that came back, however it was moved about."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from nbformat import NotebookNode
+
+from corollary.notebook.templates import WRITTEN_ANSWER
+from corollary.notebook.worksheet import Worksheet
+from corollary.problem.part import Part
+
+SILENT_CHECK = "def check(*names):\n    pass"
+
+
+def cells_by_id(nb: NotebookNode) -> dict[str, NotebookNode]:
+    """The cells of a notebook by the grade_id they were handed out with.
+
+    A copied cell carries the grade_id of the original but not its cell id, so the cell that still has both wins; then the
+    first with the grade_id; then, where an editor dropped the metadata, the cell with that id.
+    """
+    named: dict[str, NotebookNode] = {}
+    for cell in nb.cells:
+        id = grade_id(cell)
+        if id and (id not in named or (cell.get("id") == id and named[id].get("id") != id)):
+            named[id] = cell
+    for cell in nb.cells:
+        if not grade_id(cell) and cell.get("id"):
+            named.setdefault(cell["id"], cell)
+    return named
+
+
+def grade_id(cell: NotebookNode) -> str:
+    """The nbgrader name of a cell; empty when it has none, or something that is no name."""
+    mark = cell.get("metadata", {}).get("nbgrader")
+    id = mark.get("grade_id") if isinstance(mark, Mapping) else None
+    return id if isinstance(id, str) else ""
+
+
+def answer_id(key: str, part: Part) -> str:
+    """The grade_id of the cell that holds the answer; for a function with a plot, the function's."""
+    match part.kinds:
+        case ("explain",):
+            return key
+        case ("plot",):
+            return f"{key}_plot"
+        case _:
+            return f"{key}_answer"
+
+
+def plot_id(key: str, part: Part) -> str | None:
+    """The grade_id of the cell whose figures matter; None for a part without a plot."""
+    return f"{key}_plot" if "plot" in part.kinds else None
+
+
+def explain_text(nb: NotebookNode, key: str) -> str | None:
+    """What was written in the cell of an explain part; None when it is missing or was left as it was."""
+    cell = cells_by_id(nb).get(key)
+    text = str(cell.source).replace(WRITTEN_ANSWER, "").strip() if cell is not None else ""
+    return text or None
+
+
+def code_to_run(nb: NotebookNode, handed_out: NotebookNode) -> tuple[tuple[str, str], ...]:
+    """The (cell id, source) of the code that has to run for the answers to appear, in the student's order.
+
+    Left out is what was handed out as it came back: the checks. Code written into a check cell does run, and its `check`
+    is silent.
+    """
+    ours = {"", *(cell.source.strip() for cell in handed_out.cells if not cell.metadata.nbgrader["solution"])}
+    run = [("setup", SILENT_CHECK)]
+    for cell in nb.cells:
+        if cell.cell_type != "code":
+            continue
+        id = grade_id(cell) or cell.get("id", "")
+        if id != "setup" and str(cell.source).strip() not in ours:
+            run.append((cell.get("id", id), cell.source))
+    return tuple(run)
+
+
+def plot_cells(nb: NotebookNode, sheet: Worksheet) -> dict[str, str]:
+    """For each part with a plot, by key: the id that the drawing cell has in the notebook that came back."""
+    named = cells_by_id(nb)
+    return {
+        prompt.key: named[id].get("id", id)
+        for prompt in sheet.prompts
+        if (id := plot_id(prompt.key, prompt.part)) is not None and id in named
+    }

@@ -1,0 +1,149 @@
+"""A sheet as a notebook: one file for one student and a whole set, which opens and runs wherever Jupyter and numpy do."""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from collections import Counter
+from collections.abc import Iterator, Mapping
+
+import nbformat
+from nbformat import NotebookNode
+
+from corollary.notebook.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
+from corollary.notebook.check_cell import check_source
+from corollary.notebook.templates import WRITTEN_ANSWER, blank, plot_blank
+from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
+from corollary.problem.part import Part
+from corollary.units.unit import show
+
+METADATA = {
+    "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
+    "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python", "pygments_lexer": "ipython3"},
+}
+SIZELESS = re.compile(
+    r"""<svg(?![^>]*\s(?:width|height)=)[^>]*?\sviewBox=["'][\d.-]+[\s,]+[\d.-]+[\s,]+"""
+    r"""(?P<width>[\d.]+)[\s,]+(?P<height>[\d.]+)["']"""
+)
+HOW_TO_ANSWER = """\
+**How to answer**
+
+1. Run everything once: *Run ▸ Run All Cells*. The folded cell below defines `check`.
+2. Put your answer in place of `None`: a number in the unit asked for, or text with a unit of your own, such as `"3,2 km/h"`.
+3. Run the cell below your answer: it says how your answer is **read**, not whether it is right.
+4. Where *Your answer here.* stands, double-click and write. Then save, and hand in this one file."""
+CLOSING = """\
+---
+
+**Before you hand in:** *Kernel ▸ Restart Kernel and Run All Cells*. The last cell then says how every answer is read. Save."""
+
+
+def notebook(sheet: Worksheet) -> NotebookNode:
+    """The notebook of one student. Raises ValueError when two parts of the set would share a name."""
+    cells = list(_cells(sheet))
+    if twice := [id for id, count in Counter(cell.id for cell in cells).items() if count > 1]:
+        raise ValueError(f"two cells of {sheet.problem_set.name} would be called {twice[0]}; rename one of the parts")
+    about = {"corollary": {"set": sheet.problem_set.name, "student": sheet.student.id}}
+    return NotebookNode(cells=cells, metadata=nbformat.from_dict(METADATA | about), nbformat=4, nbformat_minor=5)
+
+
+def filled_in(sheet: Worksheet, sources: Mapping[str, str]) -> str:
+    """The text of a student's notebook file, with other sources in the cells of these ids."""
+    nb = notebook(sheet)
+    for cell in nb.cells:
+        cell.source = sources.get(cell.id, cell.source)
+    return file_text(nb)
+
+
+def file_text(nb: NotebookNode) -> str:
+    """The text of an .ipynb file."""
+    return nbformat.writes(nb) + "\n"
+
+
+def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:
+    yield reading_cell("title", _title(sheet))
+    yield reading_cell("how_to_answer", HOW_TO_ANSWER)
+    yield program_cell("setup", check_source(sheet), folded=True)
+    for exercise in sheet.exercises:
+        yield from _exercise_cells(exercise)
+    yield reading_cell("closing", CLOSING)
+    yield program_cell("check_all", "check()")
+
+
+def _exercise_cells(exercise: Exercise) -> Iterator[NotebookNode]:
+    prefix = exercise.problem.prefix
+    yield reading_cell(f"{prefix}_statement", _heading(exercise) + "\n\n" + exercise.statement)
+    if exercise.figure:
+        yield reading_cell(f"{prefix}_figure", picture(exercise.figure, exercise.figure_alt))
+    for prompt in exercise.prompts:
+        yield from _part_cells(prompt)
+
+
+def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:
+    key, kinds = prompt.key, prompt.part.kinds
+    yield reading_cell(f"{key}_text", _question(prompt))
+    if kinds == ("explain",):
+        yield written_cell(key, WRITTEN_ANSWER, prompt.out_of)
+        return
+    if kinds != ("plot",):
+        yield answer_cell(f"{key}_answer", blank(prompt))
+    if "plot" in kinds:
+        yield answer_cell(f"{key}_plot", plot_blank(prompt.part))
+    yield graded_cell(key, f'check("{key}")', prompt.out_of)
+
+
+def picture(svg: str, alt: str) -> str:
+    """An SVG drawing as Markdown that carries it along, in its own size: without one it would fill the page."""
+    words = " ".join(alt.replace("[", "(").replace("]", ")").split())
+    sized = SIZELESS.sub(r'\g<0> width="\g<width>" height="\g<height>"', svg, count=1)
+    return f"![{words}](data:image/svg+xml;base64,{b64encode(sized.encode()).decode()})"
+
+
+def points(number: float) -> str:
+    return f"{number:g} point{'' if number == 1 else 's'}"
+
+
+def _title(sheet: Worksheet) -> str:
+    about = sheet.problem_set
+    facts = [f"**{sheet.student.name}**"] if sheet.student.id else []
+    if about.due is not None:
+        facts.append(f"due {about.due:%A} {about.due.day} {about.due:%B %Y, %H:%M %Z}")
+    facts.append(points(sum(prompt.out_of for prompt in sheet.prompts)))
+    return f"# {about.title}\n\n{' · '.join(facts)}" + (f"\n\n{about.introduction}" if about.introduction else "")
+
+
+def _heading(exercise: Exercise) -> str:
+    total = points(sum(prompt.out_of for prompt in exercise.prompts))
+    return f"---\n\n## {exercise.problem.code} {exercise.problem.title}\n\n*{total}*"
+
+
+def _question(prompt: Prompt) -> str:
+    part = prompt.part
+    lines = [f"#### {part.id}) {part.title} ({points(prompt.out_of)})"]
+    if prompt.text:
+        lines.append(prompt.text)
+    if prompt.options:
+        lines.append("\n".join(f"- **({option.letter})** {option.text}" for option in prompt.options))
+    if wish := _wish(part):
+        lines.append(f"*{wish}*")
+    return "\n\n".join(lines)
+
+
+def _wish(part: Part) -> str:
+    """What kind of answer is expected, where the blank does not say it better."""
+    unit = show(part.unit)
+    match part.kind:
+        case "value":
+            return f"A number, in {unit}." if unit else "A plain number, without a unit."
+        case "vector":
+            return f"A list [{', '.join(part.components)}]{f', in {unit}' if unit else ''}."
+        case "choice":
+            return "One letter."
+        case "expression":
+            return "A formula."
+        case "code" if "plot" in part.kinds:
+            return f"A function {part.signature}, and a plot made with it."
+        case "code":
+            return f"A function {part.signature}."
+        case "example" | "plot" | "proof" | "explain":
+            return ""

@@ -1,0 +1,87 @@
+"""The instructor's report on a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from corollary.records.report_model import Report
+from corollary.render.page import points
+from corollary.render.verdict_look import LOOKS
+
+MOST = 15
+
+
+def terminal(report: Report) -> RenderableType:
+    """The report as tables for rich; colours disappear by themselves where there is no terminal."""
+    return Group(*_pieces(report))
+
+
+def _pieces(report: Report) -> Iterator[RenderableType]:
+    yield Text(_headline(report))
+    if report.parts:
+        yield _parts(report)
+    if report.met:
+        yield _table("Misconceptions and slips met", ("part", "what", "students"), (
+            (f"{met.problem} {met.part}", met.text, f"{len(met.students)}: {_some(met.students)}") for met in report.met[:MOST]
+        ))
+        yield from _more(len(report.met))
+    if report.waiting:
+        yield _table("Waits for a person", ("student", "part", "why"), (
+            (one.student, f"{one.problem} {one.part}", one.why) for one in report.waiting[:MOST]
+        ))
+        yield from _more(len(report.waiting))
+    if report.failed:
+        yield _table("Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed))
+    if report.noticed:
+        yield _table("Noticed", ("student", "what"), ((one.student, note) for one in report.noticed for note in one.notes))
+    if report.shared:
+        title = "Wrong here, right for somebody else's numbers (proves nothing by itself)"
+        yield _table(title, ("student", "fits", "parts", "by chance"), (
+            (one.student, one.other, ", ".join(one.parts), f"{one.chance:.2g}") for one in report.shared[:MOST]
+        ))
+        yield from _more(len(report.shared))
+    if report.missing:
+        yield Text(f"\nNothing from {len(report.missing)}: {_some(report.missing, 12)}")
+    for line, count in report.isolation.items():
+        yield Text(f"\n{count} ran behind {line}", style="dim")
+
+
+def _headline(report: Report) -> str:
+    if report.mean is None or report.median is None:
+        return "Nothing was handed in yet."
+    return (
+        f"{len(report.handed_in)} handed in, {report.late:.0%} of them late; mean {points(report.mean)} and median"
+        f" {points(report.median)} of {points(report.out_of)} points; {len(report.waiting)} answers wait for a person"
+    )
+
+
+def _parts(report: Report) -> Table:
+    table = Table(title="Parts", title_justify="left", title_style="bold")
+    table.add_column("part", no_wrap=True)
+    for look in LOOKS.values():
+        table.add_column(look.short, justify="right")
+    table.add_column("points", justify="right")
+    for part in report.parts:
+        counts = [str(part.counts[word]) if part.counts[word] else "·" for word in LOOKS]
+        table.add_row(Text(f"{part.problem} {part.part}"), *counts, "–" if part.share is None else f"{part.share:.0%}")
+    return table
+
+
+def _table(title: str, columns: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> Table:
+    table = Table(*columns, title=title, title_justify="left", title_style="bold")
+    for row in rows:
+        table.add_row(*map(Text, row))
+    return table
+
+
+def _more(count: int) -> Iterator[Text]:
+    if count > MOST:
+        yield Text(f"and {count - MOST} more; --json has them all", style="dim")
+
+
+def _some(names: tuple[str, ...], most: int = 4) -> str:
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")

@@ -1,0 +1,141 @@
+"""A collision on a line, by the least model that answers."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from corollary.scenes.integrate import regularised
+from corollary.scenes.models.beta import contact_time, largest_overlap
+from corollary.scenes.row import Row, RowResult, energy, natural_units, reduced_mass
+from corollary.scenes.run import BadSetting, GuardFailed, Model
+
+# What rounding leaves of a closed formula.
+CLOSED = 2e-15
+# In longer rows of springs a sum of swings costs more than steps.
+MOST_SWINGING = 20
+COMPILED = "COROLLARY_COMPILED"
+"""The environment variable that asks for compiled steps; unset, empty or 0: plain Python."""
+
+
+@dataclass(frozen=True, slots=True)
+class Collided:
+    """A passage with the error of each thing seen in it (in natural units), and the model that found it."""
+
+    passage: RowResult
+    errors: dict[str, float]
+    model: Model
+    why: str
+    spent: int
+
+
+@lru_cache(maxsize=1024)
+def collide(line: Row, tolerance: float) -> Collided:
+    """What the line comes to; found once and kept.
+
+    Raises GuardFailed when no run keeps momentum and energy, BadSetting when compiled steps are asked for and numba is missing.
+    """
+    if _one_free_contact(line):
+        return _two_bodies(line)
+    if _springs(line) and len(line.masses) <= MOST_SWINGING:
+        return _swinging(line)
+    return _integrated(line, tolerance)
+
+
+def _one_free_contact(line: Row) -> bool:
+    return len(line.masses) == 2 and line.contacts[0].eta == 0.0 and line.weight == 0.0 and line.gaps[0] >= 0.0
+
+
+def _springs(line: Row) -> bool:
+    return line.weight == 0.0 and all(c.q == 1.0 and c.eta == 0.0 for c in line.contacts)
+
+
+def _swinging(line: Row) -> Collided:
+    from corollary.scenes.models import modal  # here, since it brings numpy, which most scenes never need
+
+    passage = modal.collide(line)
+    # Every opening or closing hands its rounding on to what follows.
+    sure = dict.fromkeys(("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1))
+    errors = sure | {"duration": 10.0 * sure["velocities"]}
+    # A light body between heavier ones, near or far, is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much
+    # of its speed.
+    sides = ((max(line.masses[:i]), m, max(line.masses[i + 1 :])) for i, m in enumerate(line.masses[1:-1], start=1))
+    caught = max((min(left, right) / m for left, m, right in sides), default=1.0)
+    errors["velocities"] *= max(1.0, caught) ** 1.5
+    errors["velocities"] = max(errors["velocities"], _energy_lost(line, passage))
+    return Collided(passage, errors, "piecewise exact", "springs: from one opening to the next the motion is a sum of swings", 0)
+
+
+def _energy_lost(line: Row, passage: RowResult) -> float:
+    """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
+    before = energy(line, [-gap for gap in line.gaps], line.velocities)
+    after = energy(line, [0.0] * len(line.gaps), passage.velocities)
+    masses = [m for m in line.masses if not math.isinf(m)]
+    return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
+
+
+def _two_bodies(line: Row) -> Collided:
+    (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
+    if u <= v:
+        return Collided(RowResult((u, v), 0.0, (0.0,), (0.0,), "missed", 0), {}, "conservation", "the bodies never meet", 0)
+    mass, closing = reduced_mass(a, b), u - v
+    overlap = largest_overlap(mass, contact.k, contact.q, closing)
+    after = (u - 2.0 * mass / a * closing, v + 2.0 * mass / b * closing)
+    passage = RowResult(
+        velocities=after,
+        duration=contact_time(mass, contact.k, contact.q, closing),
+        overlaps=(overlap,),
+        forces=(contact.k * overlap**contact.q,),
+        outcome="released",
+        evaluations=0,
+        openings=1,
+    )
+    why = "two bodies, no damping: momentum and energy give the velocities, Beta functions close the energy integral"
+    return Collided(passage, dict.fromkeys(("velocities", "duration", "overlaps", "forces"), CLOSED), "quadrature", why, 0)
+
+
+def _integrated(line: Row, tolerance: float) -> Collided:
+    """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
+    follow = _follower(line)
+    coarse, fine = follow(line, max(tolerance, 1e-14)), follow(line, max(tolerance / 30.0, 1e-15))
+    if coarse.outcome != fine.outcome:
+        raise GuardFailed(f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge.")
+    units = natural_units(line)
+    if units is None:
+        return Collided(fine, {}, "conservation", "nothing moves toward anything", 0)
+    error = {
+        "velocities": _apart(coarse.velocities, fine.velocities) / units.speed,
+        "duration": 0.0 if math.isinf(fine.duration) else abs(coarse.duration - fine.duration) / max(units.time, fine.duration),
+        "overlaps": _apart(coarse.overlaps, fine.overlaps) / units.overlap,
+        "forces": _apart(coarse.forces, fine.forces) / units.force,
+    }
+    why = _reason(line)
+    errors = {name: max(e, CLOSED) for name, e in error.items()}
+    return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
+
+
+def _follower(line: Row) -> Callable[[Row, float], RowResult]:
+    """Plain Python, or the compiled loop where it is asked for and knows all that acts; both take the same steps."""
+    if os.environ.get(COMPILED, "0") in ("", "0") or line.weight or any(c.eta > 0.0 for c in line.contacts):
+        return regularised.collide
+    if importlib.util.find_spec("numba") is None:
+        raise BadSetting(f"{COMPILED} is set, but numba is not installed: pip install 'corollary[fast]', or unset it.")
+    from corollary.scenes.integrate import compiled  # here, since numba takes long to load
+
+    return compiled.collide
+
+
+def _reason(line: Row) -> str:
+    if any(c.eta > 0.0 for c in line.contacts):
+        return "damping takes energy at every moment of the contact: no integral of motion is left"
+    if _springs(line):
+        return f"{len(line.masses)} springs in a row: steps cost less than a sum of so many swings"
+    return f"{len(line.masses)} bodies touch at once: momentum and energy are two equations for {len(line.masses)} velocities"
+
+
+def _apart(a: tuple[float, ...], b: tuple[float, ...]) -> float:
+    return max(abs(x - y) for x, y in zip(a, b, strict=True))

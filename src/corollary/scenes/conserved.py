@@ -1,0 +1,81 @@
+"""What collisions keep or share out: momentum, energy, impulse; and what of a scene follows from conservation alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from corollary.scenes.forces.absorption import Absorption
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.inverse_square import InverseSquare
+from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.thrust import Thrust
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.integrate.equations_of_motion import kinetic, masses_at, overlap, pairs, potential, start_of, velocity
+from corollary.scenes.observe import Observable
+from corollary.scenes.run import Observed
+from corollary.scenes.scene import Force, Scene
+
+State = Sequence[float]
+
+
+def momentum(scene: Scene, time: float, state: State) -> tuple[float, ...]:
+    """The sum of mass times velocity (kg m/s) over all bodies that are no walls, by components."""
+    loose = [(i, m) for i, m in enumerate(masses_at(scene, time)) if not math.isinf(m)]
+    return tuple(math.fsum(m * velocity(scene, state, i)[axis] for i, m in loose) for axis in range(scene.axes))
+
+
+def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
+    """The change of momentum (kg m/s) of each body that is no wall, body after body."""
+    loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
+    changes = ((i, u, v) for i in loose for u, v in zip(velocity(scene, before, i), velocity(scene, after, i), strict=True))
+    return tuple(scene.bodies[i].mass * (v - u) for i, u, v in changes)
+
+
+def energy(scene: Scene, time: float, state: State) -> float:
+    """Kinetic energy and the potential energy (J) of all forces that have one, without their drag."""
+    stored = potential(replace(scene, forces=tuple(_without_drag(force) for force in scene.forces if _stores(force))), state)
+    return kinetic(scene, time, state) + (stored or 0.0)
+
+
+def _stores(force: Force) -> bool:
+    return not isinstance(force, (Friction, Thrust, Absorption, HardWall))
+
+
+def _without_drag(force: Force) -> Force:
+    match force:
+        case Contact():
+            return replace(force, eta=0.0)
+        case Spring():
+            return replace(force, damping=0.0)
+        case _:
+            return force
+
+
+def conserved(scene: Scene, observe: Collection[Observable]) -> dict[Observable, Observed]:
+    """Those of the things asked for that the start already says: no motion has to be followed for them."""
+    start = start_of(scene)
+    known: dict[Observable, Observed] = {}
+    if Observable.MOMENTUM in observe and _isolated(scene):
+        known[Observable.MOMENTUM] = momentum(scene, 0.0, start)
+    if Observable.ENERGY in observe and potential(scene, start) is not None and scene.walls_at_rest:
+        known[Observable.ENERGY] = energy(scene, 0.0, start)
+    if Observable.ENERGY_RATIO in observe and parts_undamped(scene) and kinetic(scene, 0.0, start) > 0.0:
+        known[Observable.ENERGY_RATIO] = 1.0
+    return known
+
+
+def parts_undamped(scene: Scene) -> bool:
+    """Whether the scene is undamped contacts that begin at a touch: all they take up they have given back when the bodies part."""
+    if scene.until is not None or not scene.forces or not scene.walls_at_rest:
+        return False
+    if not all(isinstance(f, Contact) and f.eta == 0.0 for f in scene.forces):
+        return False
+    return all(overlap(scene, start_of(scene), a, b)[0] <= 0.0 for a, b in pairs(scene))
+
+
+def _isolated(scene: Scene) -> bool:
+    """Whether bodies act on each other only, and none of them is a wall."""
+    return scene.has_only(Contact, Spring, InverseSquare) and not any(math.isinf(body.mass) for body in scene.bodies)

@@ -1,0 +1,60 @@
+"""One explicit Runge-Kutta step, whatever the table of coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from operator import mul
+
+Slope = Callable[[float, Sequence[float]], list[float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Coefficients:
+    """A weighted sum of earlier slopes; only the slopes that count are named."""
+
+    stages: tuple[int, ...]
+    weights: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Tableau:
+    """An explicit method: row i gives the state at which slope i is taken, `result` the state after the step.
+
+    `doubts` are sums of slopes that vanish for an exact step, the most sensitive first; a method without any has no
+    opinion about its own error.
+    """
+
+    order: int
+    nodes: tuple[float, ...]
+    rows: tuple[Coefficients, ...]
+    result: Coefficients
+    doubts: tuple[Coefficients, ...] = ()
+
+
+def weighted(row: Coefficients, slopes: Sequence[Sequence[float]]) -> list[float]:
+    """The sum the row stands for, component by component."""
+    return [sum(map(mul, row.weights, column)) for column in zip(*[slopes[i] for i in row.stages], strict=True)]
+
+
+def step(
+    table: Tableau, slope: Slope, x: float, y: Sequence[float], h: float, first: list[float]
+) -> tuple[list[float], list[list[float]]]:
+    """The state after a step h from (x, y), and the slopes met on the way; `first` is the slope at (x, y)."""
+    slopes = [first]
+    for node, row in zip(table.nodes[1:], table.rows[1:], strict=True):
+        slopes.append(slope(x + node * h, [a + h * b for a, b in zip(y, weighted(row, slopes), strict=True)]))
+    return [a + h * b for a, b in zip(y, weighted(table.result, slopes), strict=True)], slopes
+
+
+def doubt(table: Tableau, slopes: Sequence[Sequence[float]], h: float, scale: Sequence[float]) -> float:
+    """How large the error of the step is, in units of `scale` (root mean square over the components).
+
+    With two doubts they are combined as Hairer, Norsett and Wanner do (II.10): the smaller one leads as long as the
+    larger agrees that the step is in the asymptotic range.
+    """
+    sums = [sum((d / s) ** 2 for d, s in zip(weighted(row, slopes), scale, strict=True)) for row in table.doubts]
+    if sums[0] == 0.0:
+        return 0.0
+    combined = sums[0] / (sums[0] + 0.01 * sums[1]) ** 0.5 if len(sums) == 2 else sums[0] ** 0.5
+    return abs(h) * combined / len(scale) ** 0.5

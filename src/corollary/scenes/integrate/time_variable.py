@@ -1,0 +1,85 @@
+"""What ticks in a collision: the time, or the root of the overlap of one contact."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from corollary.scenes.forces.contact import smoothing_power
+from corollary.scenes.row import Row
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """The time (contact None), or w of one contact, with overlap = w^power.
+
+    A power of one serves a gap that closes as well: the overlap then runs from below up to zero.
+    """
+
+    contact: int | None = None
+    power: int = 1
+
+    def overlap(self, w: float) -> float:
+        """The overlap when the clock shows w."""
+        return w**self.power
+
+    def stretch(self, w: float, rates: Sequence[float]) -> float:
+        """dt/dw, given the rates of change of the overlaps in time."""
+        return 1.0 if self.contact is None else self.power * w ** (self.power - 1) / rates[self.contact]
+
+
+TIME = Clock()
+
+
+@lru_cache(maxsize=1024)
+def clock_of(contact: int, power: int) -> Clock:
+    """The clock of a contact; one of each kind is enough."""
+    return Clock(contact, power)
+
+
+def reading(clock: Clock, state: Sequence[float]) -> float:
+    """What the clock shows."""
+    if clock.contact is None:
+        return state[0]
+    overlap = state[1 + clock.contact]
+    return overlap if clock.power == 1 else max(overlap, 0.0) ** (1.0 / clock.power)
+
+
+def smoothing_powers(line: Row) -> tuple[int, ...]:
+    """For each contact the power in which its force is smooth."""
+    known = {contact: smoothing_power(contact) for contact in set(line.contacts)}
+    return tuple(known[contact] for contact in line.contacts)
+
+
+def suited_clock(
+    powers: Sequence[int], state: Sequence[float], base: Sequence[float], touching: Sequence[bool], lasting: float, noise: float
+) -> Clock:
+    """The overlap that is nearest in time to its beginning or end, if its speed will not turn soon; else the time.
+
+    Further off than two steps (`lasting` each) the beginning or end is not felt: the time does as well and costs less.
+    `base` is the rate of change of (overlaps, velocities) in time.
+    """
+    best, nearest, count = TIME, 2.0 * lasting, len(powers)
+    for j, power in enumerate(powers):
+        if power == 1 or not touching[j]:
+            continue
+        overlap, speed = state[1 + j], base[j]
+        if overlap < 0.0 or not (speed > noise or speed < -noise):
+            continue
+        if overlap * abs(base[count + j] - base[count + j + 1]) < 0.3 * speed * speed and overlap < nearest * abs(speed):
+            best, nearest = clock_of(j, power), overlap / abs(speed)
+    return best
+
+
+def landing_clock(powers: Sequence[int], contact: int, touching: Sequence[bool]) -> Clock:
+    """The clock that reaches zero exactly when a contact ends or begins (Henon's device)."""
+    return clock_of(contact, powers[contact] if touching[contact] else 1)
+
+
+def stride_for(state: Sequence[float], base: Sequence[float], clock: Clock, lasting: float) -> float:
+    """The step on this clock that lasts about so long."""
+    if clock.contact is None:
+        return lasting
+    ahead = state[1 + clock.contact] + base[clock.contact] * lasting
+    return max(ahead, 0.0) ** (1.0 / clock.power) - reading(clock, state)

@@ -1,0 +1,99 @@
+"""A bullet gets stuck in a hanging block, which swings up (example 12.5.1)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from corollary.scenes.collision import CLOSED
+from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.runge_kutta import doubt, step
+from corollary.scenes.models.flow import faded_time
+from corollary.scenes.run import BadSetting, GuardFailed, Observed
+from corollary.scenes.setting import Setting, one
+
+SETTINGS = (
+    Setting("mA", "mass of the bullet", "kg", 0.01, above=0.0),
+    Setting("mB", "mass of the block", "kg", 1.0, above=0.0),
+    Setting("v", "velocity of the bullet", "m/s", 245.0, above=0.0),
+    Setting("L", "length of the rope", "m", 1.0, above=0.0),
+    Setting("g", "acceleration of gravity", "m/s^2", 9.8, above=0.0),
+    Setting("dt", "time the bullet takes to get stuck", "s", 1e-5, above=0.0),
+)
+# Within 40 times that its motion fades by 1/e a bullet is stopped to the last digit; some 60 steps follow it.
+MOST_STEPS = 1000
+
+
+def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+    """Velocities (bullet, block) when the bullet is stuck, height and greatest angle of the swing, energy lost in the hit (J; negative).
+
+    The block swings already while the bullet is braked; after dt it is held fast. From then on the rope does no work: energy gives
+    the height, counted from where the block hung.
+    """
+    bullet, block, v, length, g, dt = (one(settings, name) for name in ("mA", "mB", "v", "L", "g", "dt"))
+    both = bullet + block
+    common = bullet / both * v
+    if common**2 / (2.0 * g) > length:
+        raise BadSetting(f"ballistic_pendulum: the block would rise {common**2 / (2.0 * g):g} m, above the rope's fixing; lower v.")
+    if dt > 0.1 * math.sqrt(length / g):
+        raise BadSetting(f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt.")
+    rough, finer = _held_fast(settings, max(tolerance, 1e-13)), _held_fast(settings, max(tolerance / 30.0, 1e-14))
+    (way, speed, spent), error = finer, abs(rough[1] - finer[1])
+    angle = way / length
+    risen = 2.0 * length * math.sin(0.5 * angle) ** 2
+    height = risen + speed**2 / (2.0 * g)
+    observed: dict[str, Observed] = {
+        "velocities": (speed, speed),
+        "height": height,
+        "angle": 2.0 * math.asin(min(1.0, math.sqrt(0.5 * height / length))),
+        "energy_change": both * g * height - 0.5 * bullet * v**2,
+    }
+    errors = dict.fromkeys(observed, 4.0 * CLOSED + 2.0 * error / common)
+    why = "a block that swings while a dashpot brakes the bullet in it: step by step; then energy for the rest of the swing"
+    return Played(observed, errors, "integration", why, rough[2] + spent, "sticks")
+
+
+def _held_fast(settings: Mapping[str, Observed], tolerance: float) -> tuple[float, float, int]:
+    """Way and velocity of the block along its arc once the bullet is stuck, and the evaluations.
+
+    What little is left of the bullet's motion in the block it shares with it.
+    """
+    (way, _, speed, left), spent = _braked(settings, tolerance)
+    bullet, block, length = (one(settings, name) for name in ("mA", "mB", "L"))
+    return way, speed + bullet / (bullet + block) * math.cos(way / length) * left, spent
+
+
+def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[float], int]:
+    """The state after dt: way of the block along its arc, way of the bullet in it, and both velocities; and the evaluations.
+
+    The block hangs on two ropes and does not turn; the bullet moves level in it, braked by a dashpot: Newton's second law along the
+    way of the bullet, and for both along the arc, where the ropes do not pull.
+    """
+    bullet, block, v, length, g, dt = (one(settings, name) for name in ("mA", "mB", "v", "L", "g", "dt"))
+    grip, both = faded_time(bullet, block, 1.0) / dt, bullet + block
+
+    def slope(_: float, state: Sequence[float]) -> list[float]:
+        way, _, speed, inside = state
+        s, c = math.sin(way / length), math.cos(way / length)
+        brake, turning = grip * inside, s * speed**2 / length
+        gained = (c * brake - bullet * c * turning - both * g * s) / (block + bullet * s**2)
+        return [speed, inside, gained, turning - c * gained - brake / bullet]
+
+    common = bullet / both * v
+    scale = [tolerance * size for size in (common * dt, v * dt, common, v)]
+    state, now, h, spent = [0.0, 0.0, 0.0, v], 0.0, 1e-3 * dt, 0
+    for _ in range(MOST_STEPS):
+        h = min(h, dt - now)
+        after, slopes = step(DOP853, slope, now, state, h, slope(now, state))
+        spent += len(DOP853.rows)
+        size = doubt(DOP853, slopes, h, scale)
+        if size <= 1.0:
+            state, now = after, now + h
+            if now >= dt:
+                return state, spent
+        h *= min(5.0, max(0.2, 0.9 * size**-0.125)) if size > 0.0 else 5.0
+    raise GuardFailed(f"ballistic_pendulum: the bullet was not followed to its stop within {MOST_STEPS} steps. Choose milder settings.")
+
+
+BALLISTIC_PENDULUM = SceneDefinition("ballistic_pendulum", "a bullet gets stuck in a hanging block", SETTINGS, play)

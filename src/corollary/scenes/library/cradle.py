@@ -1,0 +1,66 @@
+"""Newton's cradle during the collision: N balls in a row push each other with k overlap^q (project 12.14)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from corollary.scenes.collision import collide
+from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.row import Row
+from corollary.scenes.run import BadSetting, Observed
+from corollary.scenes.setting import Setting, one, row
+
+SETTINGS = (
+    Setting("N", "number of balls", "1", 3.0, least=2.0, most=200.0, whole=True),
+    Setting("q", "exponent of the contact force", "1", 1.0, least=1.0, most=10.0),
+    Setting("m", "mass of each ball", "kg", 0.1, above=0.0),
+    Setting("k", "contact constant", "N/m^q", 1e4, above=0.0),
+    Setting("v0", "velocity of the balls that come in", "m/s", 1.0, above=0.0),
+    Setting("gaps", "gap between neighbours", "m", 0.0, least=0.0, many=True),
+    Setting("masses", "mass of each ball (instead of m)", "kg", (), above=0.0, many=True),
+    Setting("balls_in", "number of balls that come in together", "1", 1.0, least=1.0, whole=True),
+)
+
+
+def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+    """Velocities after the last opening, time from the first touch until then, the largest overlap and force of any pair.
+
+    The cradle is scaled to mass, force constant and speed one, so cradles that differ only in these share one collision.
+    """
+    q, k, v0 = (one(settings, name) for name in ("q", "k", "v0"))
+    count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
+    masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
+    if coming >= count:
+        raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
+    m = masses[0]
+    length = (m * v0 / k * v0) ** (1.0 / (q + 1.0))
+    line = Row(
+        masses=tuple(mass / m for mass in masses),
+        velocities=(1.0,) * coming + (0.0,) * (count - coming),
+        gaps=tuple(gap / length for gap in row(settings, "gaps", count - 1, "gaps")),
+        contacts=(Contact(1.0, q),) * (count - 1),
+    )
+    found = collide(line, tolerance)
+    passage = found.passage
+    return Played(
+        observed={
+            "velocities": tuple(v0 * v for v in passage.velocities),
+            "duration": passage.duration * length / v0,
+            "largest_overlap": length * max(passage.overlaps),
+            "peak_force": m * v0 * v0 / length * max(passage.forces),
+        },
+        errors={
+            "velocities": found.errors["velocities"],
+            "duration": found.errors["duration"],
+            "largest_overlap": found.errors["overlaps"],
+            "peak_force": found.errors["forces"],
+        },
+        model=found.model,
+        why=found.why,
+        evaluations=found.spent,
+        outcome=passage.outcome,
+    )
+
+
+CRADLE = SceneDefinition("cradle", "Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play)

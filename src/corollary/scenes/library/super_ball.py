@@ -1,0 +1,93 @@
+"""A small ball on top of a large one, dropped together: the floor turns the lower one round, it throws the upper (12.5.2)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from corollary.scenes.body import Body
+from corollary.scenes.collision import collide
+from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.measure import measured
+from corollary.scenes.observe import Observable
+from corollary.scenes.row import Row, RowResult
+from corollary.scenes.run import BadSetting, GuardFailed, Observed
+from corollary.scenes.scene import Scene
+from corollary.scenes.setting import Setting, one
+
+SETTINGS = (
+    Setting("mA", "mass of the lower ball", "kg", 0.6, above=0.0),
+    Setting("mB", "mass of the upper ball", "kg", 0.06, above=0.0),
+    Setting("h0", "drop height", "m", 1.0, above=0.0),
+    Setting("g", "acceleration of gravity", "m/s^2", 9.8, above=0.0),
+    Setting("k", "contact constant of floor and balls", "N/m^q", 1e12, above=0.0),
+    Setting("q", "exponent of the contact force", "1", 1.5, least=1.0, most=10.0),
+    Setting("gap", "gap between the balls as they fall", "m", 0.001, least=0.0),
+    Setting("weighed", "1: their weight acts during the contacts, too; 0: it does not", "1", 0.0, least=0.0, most=1.0, whole=True),
+)
+# Longer than the collisions take without weight; it hastens or delays them by far less.
+AFTER_ALL = 1.05
+
+
+def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+    """Velocities (lower, upper; up positive) after the last opening, and the height to which the upper ball then rises.
+
+    With a gap the lower ball leaves the floor before they meet, as the example supposes; without one all three touch at once and
+    the answer is another. Weight during the contacts is left out, unless they are `weighed`; `heights` is counted from the balls'
+    places when the lower one meets the floor.
+    """
+    ma, mb, h0, g, k, q, gap = (one(settings, name) for name in ("mA", "mB", "h0", "g", "k", "q", "gap"))
+    speed = math.sqrt(2.0 * g * h0)
+    line = Row((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
+    found = collide(line, tolerance)
+    if one(settings, "weighed"):
+        return _weighed(line, found.passage, g, gap, tolerance)
+    _, lower, upper = found.passage.velocities
+    observed: dict[str, Observed] = {
+        "velocities": (lower, upper),
+        "heights": (max(lower, 0.0) ** 2 / (2.0 * g), max(upper, 0.0) ** 2 / (2.0 * g)),
+        "duration": found.passage.duration,
+        "peak_force": max(found.passage.forces),
+    }
+    # Weight takes g times the time of contact from every speed: that is what leaving it out neglects.
+    neglected = g * found.passage.duration / speed
+    errors = dict.fromkeys(observed, found.errors["velocities"] + neglected)
+    errors["duration"], errors["peak_force"] = found.errors["duration"] + neglected, found.errors["forces"] + 2.0 * neglected
+    return Played(observed, errors, found.model, found.why, found.spent, found.passage.outcome)
+
+
+def _weighed(line: Row, free: RowResult, g: float, gap: float, tolerance: float) -> Played:
+    """The same with weight, followed until all touches are over; `free` is what comes of it without.
+
+    Energy gives each height: it does not change as the balls fly on, nor when the floor turns the lower one round again.
+    """
+    lift, speed = max(free.overlaps), -line.velocities[1]
+    if 2.0 * g * lift >= speed**2:
+        raise BadSetting("super_ball: the balls are so soft that they sink in as deep as they fell; raise k, or drop them from higher.")
+    # As small as they may be without reaching through each other: places far larger than the overlaps would cost digits.
+    radius = 4.0 * (lift + gap)
+    at_touch = 0.0, radius, 3.0 * radius + gap
+    # They are let go where they can be seen to touch: a little above the floor, and that much slower.
+    early, begin = -math.sqrt(speed**2 - 2.0 * g * lift), (at_touch[0], at_touch[1] + lift, at_touch[2] + lift)
+    bodies = tuple(
+        Body(m, (y,), (early if y else 0.0,), radius if y else 0.0) for m, y in zip(line.masses, begin, strict=True)
+    )
+    end = AFTER_ALL * free.duration + 2.0 * lift / speed
+    balls = Scene(bodies, (line.contacts[0], Weight(g)), until=end, name="super_ball")
+    seen = {Observable.VELOCITIES, Observable.DURATION, Observable.TRAJECTORY}
+    run = measured(balls, seen, tolerance, "weight and both contacts at once: Newton's second law, step by step", times=(end,))
+    velocities, places = run.observed.pop("velocities"), run.observed.pop("trajectory")
+    assert isinstance(velocities, tuple)
+    assert isinstance(places, tuple)
+    if places[1] < radius or places[2] - places[1] < 2.0 * radius:
+        raise GuardFailed("super_ball: with their weight the balls still touch when all should be over. Raise k, or change the gap.")
+    heights = tuple(y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True))
+    observed: dict[str, Observed] = run.observed | {"velocities": velocities[1:], "heights": heights[1:]}
+    error = run.errors.pop("trajectory")
+    errors = run.errors | {"heights": 2.0 * run.errors["velocities"] + error * max(places) / max(heights[1:])}
+    return Played(observed, errors, run.model, run.why, run.evaluations, "released")
+
+
+SUPER_BALL = SceneDefinition("super_ball", "a small ball on a large one, dropped together", SETTINGS, play)

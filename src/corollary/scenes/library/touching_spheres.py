@@ -1,0 +1,82 @@
+"""Two spheres watched for a time while they push each other and both fall: the weight is the one force from outside (12.4, 12.6)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from corollary.scenes.body import Body
+from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.measure import measured
+from corollary.scenes.models.pair import hold_apart
+from corollary.scenes.observe import Observable
+from corollary.scenes.run import BadSetting, Observed
+from corollary.scenes.scene import Scene
+from corollary.scenes.setting import Setting, one, row
+
+SETTINGS = (
+    Setting("mA", "mass of A", "kg", 0.2, above=0.0),
+    Setting("mB", "mass of B", "kg", 0.3, above=0.0),
+    Setting("R", "radius of each sphere", "m", 0.05, above=0.0),
+    Setting("k", "contact constant", "N/m^q", 1.2e4, above=0.0),
+    Setting("q", "exponent of the contact force", "1", 1.0, least=1.0, most=10.0),
+    Setting("eta", "viscous constant", "kg/s", 0.0, least=0.0),
+    Setting("dx", "x of B seen from A at the start", "m", 0.06),
+    Setting("dy", "y of B seen from A at the start, up", "m", 0.08),
+    Setting("vA", "velocity of A (x, y)", "m/s", (3.0, 4.0), many=True),
+    Setting("vB", "velocity of B (x, y)", "m/s", (-0.75, -1.0), many=True),
+    Setting("g", "acceleration of gravity, against y", "m/s^2", 9.8, least=0.0),
+    Setting("t", "time for which they are watched", "s", 0.01, above=0.0),
+)
+# So many times the drag alone would have stopped the spheres: steps as short as that would not come to an end.
+MOST_FADING = 1e4
+
+
+def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+    """After the time t: `velocities` (A x, A y, B x, B y), the total `momentum` (x, y), and the kinetic energy over that at the start.
+
+    `duration` is how long they touched while they were watched.
+    `momentum_change` (x, y) is that of both together; `mean_force` (x, y) is that of B on A while they were watched, without the
+    weight. Each is there only if its force is.
+    """
+    ma, mb, reach, g, t = (one(settings, name) for name in ("mA", "mB", "R", "g", "t"))
+    reach *= 2.0
+    va, vb = row(settings, "vA", 2, "components"), row(settings, "vB", 2, "components")
+    contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
+    apart = one(settings, "dx"), one(settings, "dy")
+    if apart == (0.0, 0.0):
+        raise BadSetting("touching_spheres: dx = dy = 0 puts one centre on the other; start them apart.")
+    if contact.eta * t * (1.0 / ma + 1.0 / mb) > MOST_FADING:
+        raise BadSetting("touching_spheres: the drag has stopped the spheres long before the time t; lower eta, or t.")
+    bodies = Body(ma, (0.0, 0.0), va, 0.5 * reach, "A"), Body(mb, apart, vb, 0.5 * reach, "B")
+    forces = (contact, Weight(g)) if g else (contact,)
+    seen = {Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO}
+    why = "contact and weight act at once: Newton's second law, step by step"
+    run = measured(Scene(bodies, forces, until=t, name="touching_spheres"), seen, tolerance, why)
+    after, overlap = run.observed["velocities"], run.observed["largest_overlap"]
+    assert isinstance(after, tuple)
+    assert isinstance(overlap, float)
+    hold_apart(overlap, reach)
+    observed, errors = dict(run.observed), dict(run.errors)
+    on_a, on_b = ((m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:])))
+    # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
+    doubt = errors["velocities"] * max(map(abs, after)) * max(ma, mb)
+    observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
+    errors["momentum"] = _share(2.0 * doubt, observed["momentum"])
+    if overlap > 0.0:
+        observed["mean_force"] = on_a[0] / t, (on_a[1] + ma * g * t) / t
+        errors["mean_force"] = _share(doubt / t, observed["mean_force"])
+    if g:
+        observed["momentum_change"] = on_a[0] + on_b[0], on_a[1] + on_b[1]
+        errors["momentum_change"] = _share(2.0 * doubt, observed["momentum_change"])
+    return Played(observed, errors, run.model, run.why, run.evaluations, "released" if overlap > 0.0 else "missed")
+
+
+def _share(doubt: float, of: tuple[float, ...]) -> float:
+    size = math.hypot(*of)
+    return doubt / size if size > 0.0 else doubt
+
+
+TOUCHING_SPHERES = SceneDefinition("touching_spheres", "two spheres push each other while both fall", SETTINGS, play)

@@ -1,0 +1,218 @@
+"""Springs between bodies in a row: while the same ones touch, the motion is a sum of swings and is known exactly."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from corollary.scenes.row import Row, RowResult, energy, guard, in_si, in_units, natural_units
+from corollary.scenes.run import GuardFailed, Outcome
+
+Array = NDArray[np.floating]
+Flags = NDArray[np.bool_]
+
+# Overlaps and speeds below this (in natural units) are what rounding leaves of zero.
+NOISE = 1e-14
+# A body a millionth as heavy as its neighbours is thrown to and fro some 1600 times, each time opening and closing two contacts.
+MOST_PHASES = 8000
+MOST_BLOCKS = 10_000
+# The energy that rounding may change: so much in all, or so much for each body at every opening.
+LEAST_ALLOWED, ALLOWED_EACH = 1e-11, 2e-14
+# A grid so fine that an overlap has one turning point at most between two of its points.
+CELL, CELLS = 0.05, 256
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """The overlaps as sums of modes: shapes @ (start cos wt + speed sin wt / w), a straight line where w is zero.
+
+    shapes is (contacts, modes); frequencies, start and speed are (modes,). `apart` (contacts,) is what open contacts begin with: no
+    force knows of it, and the rounding of a gap of miles would be more than all that swings.
+    """
+
+    shapes: Array
+    frequencies: Array
+    start: Array
+    speed: Array
+    apart: Array
+
+    def at(self, times: Array) -> tuple[Array, Array]:
+        """Overlaps and their rates at some times, each (contacts, times)."""
+        w = self.frequencies[:, None]
+        cosine, swung = np.cos(w * times), np.where(w > 0.0, np.sin(w * times) / np.where(w > 0.0, w, 1.0), times)
+        place = self.start[:, None] * cosine + self.speed[:, None] * swung
+        rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * swung
+        return self.shapes @ place + self.apart[:, None], self.shapes @ rate
+
+    def of(self, contact: int) -> Alone:
+        """The overlap of one contact."""
+        shape = self.shapes[contact]
+        parts = self.frequencies.tolist(), (shape * self.start).tolist(), (shape * self.speed).tolist()
+        return Alone(((0.0, float(self.apart[contact]), 0.0), *zip(*parts, strict=True)))
+
+
+@dataclass(frozen=True, slots=True)
+class Alone:
+    """One overlap in time: (frequency, start, speed) of each mode. For single times plain sums are faster than arrays."""
+
+    modes: tuple[tuple[float, float, float], ...]
+
+    def overlap(self, time: float) -> float:
+        return sum(a * math.cos(w * time) + (b * math.sin(w * time) / w if w else b * time) for w, a, b in self.modes)
+
+    def rate(self, time: float) -> float:
+        return sum(b * math.cos(w * time) - a * w * math.sin(w * time) for w, a, b in self.modes)
+
+
+def swing(line: Row, touching: Flags, overlaps: Array, rates: Array) -> Swing:
+    """The motion of the overlaps while exactly these contacts touch.
+
+    overlap'' = -M K overlap, where M couples neighbours by their inverse masses and K holds the springs that touch. With
+    M = L L^T the matrix L^T K L is symmetric, so its modes are orthogonal however unequal the masses are. Every open contact
+    gives one mode that does not swing.
+    """
+    inverse = np.array([1.0 / m for m in line.masses])
+    coupling = np.diag(inverse[:-1] + inverse[1:]) - np.diag(inverse[1:-1], 1) - np.diag(inverse[1:-1], -1)
+    lower = np.linalg.cholesky(coupling)
+    springs = np.array([c.k for c in line.contacts]) * touching
+    squares, modes = np.linalg.eigh(lower.T @ (springs[:, None] * lower))
+    squares[: int(np.sum(~touching))] = 0.0
+    return Swing(
+        lower @ modes,
+        np.sqrt(np.maximum(squares, 0.0)),
+        modes.T @ np.linalg.solve(lower, np.where(touching, overlaps, 0.0)),
+        modes.T @ np.linalg.solve(lower, rates),
+        np.where(touching, 0.0, overlaps),
+    )
+
+
+def collide(line: Row) -> RowResult:
+    """Follow a line of springs (q = 1, no damping, no weight) exactly from one opening or closing to the next.
+
+    Raises GuardFailed when momentum or energy is lost, or the end is not reached.
+    """
+    units = natural_units(line)
+    if units is None:
+        still = (0.0,) * len(line.gaps)
+        return RowResult(line.velocities, 0.0, still, still, "missed", 0)
+    return in_si(_follow(in_units(line, units)), units)
+
+
+def _follow(line: Row) -> RowResult:
+    overlaps = -np.array(line.gaps)
+    rates = np.array(line.velocities[:-1]) - np.array(line.velocities[1:])
+    touching = overlaps >= 0.0
+    largest = np.maximum(overlaps, 0.0)
+    time, began, ended, openings = 0.0, math.inf, 0.0, 0
+    for _ in range(MOST_PHASES):
+        awake = touching & ((overlaps > NOISE) | (rates > NOISE))
+        if not awake.any():
+            closing = np.where(rates > NOISE, np.maximum(-overlaps, 0.0) / np.where(rates > NOISE, rates, 1.0), np.inf)
+            j = int(np.argmin(closing))
+            if math.isinf(closing[j]):
+                return _arrived(line, overlaps, rates, largest, ended - began, openings)
+            time += float(closing[j])
+            overlaps, touching = overlaps + rates * closing[j], np.arange(len(rates)) == j
+            overlaps[j] = 0.0
+        began = min(began, time)
+        motion = swing(line, touching, overlaps, rates)
+        j, lasted, crests = _until_change(motion, touching)
+        largest = np.maximum(largest, crests)
+        overlaps, rates = (values[:, 0] for values in motion.at(np.array([lasted])))
+        time += lasted
+        overlaps[j] = 0.0
+        openings += int(touching[j])
+        ended = time if touching[j] else ended
+        touching = touching ^ (np.arange(len(rates)) == j)
+    raise GuardFailed(f"The springs opened and closed {MOST_PHASES} times without an end. Make the masses less unequal.")
+
+
+def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
+    """The contact that opens or closes next, after how long, and the largest overlap of each contact until then."""
+    cell = CELL / float(motion.frequencies.max())
+    sign = np.where(touching, 1.0, -1.0)[:, None]
+    crests = np.zeros(len(touching))
+    for block in range(MOST_BLOCKS):
+        times = cell * (CELLS * block + np.arange(CELLS + 1))
+        overlaps, rates = motion.at(times)
+        # Turned so that every contact, open or closed, changes when its value falls through zero.
+        values, slopes = sign * overlaps, sign * rates
+        falls = (values[:, 1:] < -NOISE) | ((values[:, 1:] > -NOISE) & _dips(motion, times, values, slopes, sign))
+        found = [(int(np.argmax(row)), j) for j, row in enumerate(falls) if row.any()]
+        stop = min(i for i, _ in found) + 1 if found else CELLS
+        for j, i in zip(*np.nonzero(touching[:, None] & (rates[:, :stop] > 0.0) & (rates[:, 1 : stop + 1] <= 0.0)), strict=True):
+            alone = motion.of(int(j))
+            crests[j] = max(crests[j], alone.overlap(_zero(alone.rate, float(times[i]), float(times[i + 1]))))
+        if found:
+            left, right = float(times[stop - 1]), float(times[stop])
+            moment, j = min((_falling_zero(motion.of(j), float(sign[j, 0]), left, right), j) for i, j in found if i == stop - 1)
+            return j, moment, crests
+    raise GuardFailed("Springs that touch never part: the bodies are as good as at rest. Make the masses less unequal.")
+
+
+def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array) -> Flags:
+    """Cells inside which a value falls below zero and is back at the end: those with a minimum, looked at closely."""
+    dips = np.zeros((len(values), len(times) - 1), dtype=bool)
+    near = values[:, 1:] < CELL**2 * np.abs(values).max(axis=1, initial=NOISE)[:, None]
+    for j, i in zip(*np.nonzero((slopes[:, :-1] < 0.0) & (slopes[:, 1:] > 0.0) & near), strict=True):
+        alone, turn = motion.of(int(j)), float(sign[j, 0])
+        low = _zero(lambda t, alone=alone, turn=turn: -turn * alone.rate(t), float(times[i]), float(times[i + 1]))
+        dips[j, i] = turn * alone.overlap(low) < -NOISE
+    return dips
+
+
+def _falling_zero(alone: Alone, sign: float, left: float, right: float) -> float:
+    def value(t: float) -> float:
+        return sign * alone.overlap(t)
+
+    if value(left) <= NOISE and sign * alone.rate(left) > 0.0 > sign * alone.rate(right):
+        # It has just changed, rises, and falls again within the cell: look beyond its highest point.
+        left = _zero(lambda t: sign * alone.rate(t), left, right)
+    if value(left) <= 0.0:
+        return left
+    if value(right) > -NOISE:  # it dips between: fall to the lowest point only
+        right = _zero(lambda t: -sign * alone.rate(t), left, right)
+    return _zero(value, left, right)
+
+
+def _zero(value: Callable[[float], float], left: float, right: float) -> float:
+    """Where a value that falls from `left` to `right` is zero, to the last digit (Illinois)."""
+    high, low, side = value(left), value(right), 0
+    for _ in range(60):
+        if high <= low:  # nothing but rounding on either side
+            break
+        middle = left + (right - left) * high / (high - low)
+        if not left < middle < right:
+            return min(max(middle, left), right)
+        here = value(middle)
+        if here > 0.0:
+            left, high, low, side = middle, here, low * (0.5 if side > 0 else 1.0), 1
+        elif here < 0.0:
+            right, low, high, side = middle, here, high * (0.5 if side < 0 else 1.0), -1
+        else:
+            return middle
+    return 0.5 * (left + right)
+
+
+def _arrived(line: Row, overlaps: Array, rates: Array, largest: Array, duration: float, openings: int) -> RowResult:
+    """Velocities from the differences to that of the heaviest body (or the wall), which momentum (or the wall) gives."""
+    behind = -np.concatenate([[0.0], np.cumsum(rates)])
+    heaviest = max(range(len(line.masses)), key=line.masses.__getitem__)
+    behind -= behind[heaviest]
+    anchor = line.velocities[heaviest]
+    if not math.isinf(line.masses[heaviest]):
+        moved = [m * (v - b) for m, v, b in zip(line.masses, line.velocities, behind.tolist(), strict=True)]
+        anchor = math.fsum(moved) / math.fsum(line.masses)
+    velocities = tuple(anchor + b for b in behind.tolist())
+    masses = [m for m in line.masses if not math.isinf(m)]
+    # Rounding counts as the square root of the mass ratio: so unequal are the modes.
+    unequal = max(1.0, 0.1 * math.sqrt(max(masses) / min(masses)))
+    allowed = max(LEAST_ALLOWED, ALLOWED_EACH * len(velocities) * openings) * unequal
+    guard(line, energy(line, [0.0] * len(rates), velocities), velocities, allowed)
+    outcome: Outcome = "released" if openings else "missed"
+    forces = tuple(c.k * float(d) for c, d in zip(line.contacts, largest, strict=True))
+    return RowResult(velocities, max(duration, 0.0), tuple(map(float, largest)), forces, outcome, 0, openings)

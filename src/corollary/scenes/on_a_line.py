@@ -1,0 +1,111 @@
+"""Scenes of an author's own that are bodies in a row: momentum and energy alone, or the collision on a line by its own models."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+
+from corollary.scenes.collision import CLOSED, Collided, collide
+from corollary.scenes.definition import Played
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.models.beta import largest_overlap
+from corollary.scenes.models.pair import hold_apart
+from corollary.scenes.observe import Observable
+from corollary.scenes.row import Row, reduced_mass
+from corollary.scenes.run import Observed
+from corollary.scenes.scene import Scene
+from corollary.scenes.two_on_a_line import collide_two
+
+OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
+BEFORE_AND_AFTER = {Observable.VELOCITIES, Observable.ENERGY_RATIO} | OF_BODIES_ALONE
+ALONE_ON_A_LINE = BEFORE_AND_AFTER | {Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.PEAK_FORCE}
+ON_A_LINE = ALONE_ON_A_LINE - OF_BODIES_ALONE
+
+
+def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -> Played | None:
+    """Bodies in a row that touch their neighbours, perhaps on a floor."""
+    line = as_line(scene)
+    if line is None or not set(observe) <= (ALONE_ON_A_LINE if line.weight == 0.0 else ON_A_LINE):
+        return None
+    two = len(line.masses) == 2 and line.gaps[0] >= 0.0
+    if two and set(observe) <= BEFORE_AND_AFTER and line.weight == 0.0 and line.contacts[0].eta == 0.0:
+        if line.velocities[0] > line.velocities[1]:
+            closing = line.velocities[0] - line.velocities[1]
+            _keep_apart(scene, (largest_overlap(reduced_mass(*line.masses), line.contacts[0].k, line.contacts[0].q, closing),))
+        return _conserved(line, observe)
+    found = collide_two(line, tolerance) if len(line.masses) == 2 else collide(line, tolerance)
+    _keep_apart(scene, found.passage.overlaps)
+    return _collided(line, found, observe)
+
+
+def _keep_apart(scene: Scene, overlaps: Sequence[float]) -> None:
+    """Raises BadSetting when neighbours are so soft that they pass through each other; points without a radius keep their order."""
+    for overlap, (a, b) in zip(overlaps, pairwise(scene.bodies), strict=True):
+        if a.radius + b.radius > 0.0:
+            hold_apart(overlap, a.radius + b.radius)
+
+
+def as_line(scene: Scene) -> Row | None:
+    """The scene as bodies in a row that touch their neighbours, if it is one; weight needs a floor below."""
+    if scene.axes != 1 or scene.until is not None or not scene.has_only(Contact, Weight) or len(scene.bodies) < 2:
+        return None
+    contacts = [force for force in scene.forces if isinstance(force, Contact)]
+    weight = math.fsum(force.g for force in scene.forces if isinstance(force, Weight))
+    row = sorted(scene.bodies, key=lambda body: body.place)
+    walls = [i for i, body in enumerate(row) if math.isinf(body.mass)]
+    if len(contacts) != 1 or row != list(scene.bodies) or len(walls) > 1 or (weight and walls != [0]):
+        return None
+    return Row(
+        masses=tuple(body.mass for body in row),
+        velocities=tuple(body.velocity[0] for body in row),
+        gaps=tuple(b.place[0] - a.place[0] - a.radius - b.radius for a, b in pairwise(row)),
+        contacts=tuple(contacts) * (len(row) - 1),
+        weight=weight,
+    )
+
+
+def _kinetic(line: Row, velocities: tuple[float, ...]) -> float:
+    return sum(0.5 * m * v * v for m, v in zip(line.masses, velocities, strict=True) if not math.isinf(m))
+
+
+def _alone(line: Row, after: tuple[float, ...]) -> dict[Observable, Observed]:
+    """What velocities say of bodies on which nothing acts but each other."""
+    loose = [(m, u, v) for m, u, v in zip(line.masses, line.velocities, after, strict=True) if not math.isinf(m)]
+    return {
+        Observable.IMPULSE: tuple(m * (v - u) for m, u, v in loose),
+        Observable.MOMENTUM: (math.fsum(m * v for m, _, v in loose),),
+        Observable.ENERGY: _kinetic(line, after),
+    }
+
+
+def _conserved(line: Row, observe: Collection[Observable]) -> Played:
+    (a, b), (u, v) = line.masses, line.velocities
+    mass, meet = reduced_mass(a, b), u > v
+    after = (u - 2.0 * mass / a * (u - v), v + 2.0 * mass / b * (u - v)) if meet else (u, v)
+    before = _kinetic(line, line.velocities)
+    known: dict[Observable, Observed] = {
+        Observable.VELOCITIES: after,
+        Observable.ENERGY_RATIO: _kinetic(line, after) / before if before else 1.0,
+        **_alone(line, after),
+    }
+    observed = {o.value: known[o] for o in observe}
+    why = "only velocities before and after one undamped collision are asked: momentum and energy give them"
+    return Played(observed, dict.fromkeys(observed, CLOSED), "conservation", why, 0, "released" if meet else "missed")
+
+
+def _collided(line: Row, found: Collided, observe: Collection[Observable]) -> Played:
+    passage = found.passage
+    before = _kinetic(line, line.velocities)
+    known: dict[Observable, tuple[Observed, str]] = {
+        Observable.VELOCITIES: (passage.velocities, "velocities"),
+        Observable.DURATION: (passage.duration, "duration"),
+        Observable.LARGEST_OVERLAP: (max(passage.overlaps), "overlaps"),
+        Observable.PEAK_FORCE: (max(passage.forces), "forces"),
+        Observable.ENERGY_RATIO: (_kinetic(line, passage.velocities) / before if before else math.inf, "velocities"),
+        **{what: (value, "velocities") for what, value in _alone(line, passage.velocities).items()},
+    }
+    observed = {o.value: known[o][0] for o in observe}
+    errors = {o.value: found.errors.get(known[o][1], 0.0) for o in observe}
+    return Played(observed, errors, found.model, found.why, found.spent, passage.outcome)

@@ -1,0 +1,145 @@
+"""Bodies in a row, each touching only its neighbours; a wall or a floor is a body of infinite mass."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from corollary.scenes.forces.contact import Contact, stored
+from corollary.scenes.run import GuardFailed, Outcome
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """n bodies from left to right (or bottom to top), and the n - 1 contacts between neighbours.
+
+    `gaps` are the distances between neighbouring surfaces (0: just touching, negative: squeezed). `weight` is the acceleration
+    of gravity toward the left; it acts on every body of finite mass.
+    """
+
+    masses: tuple[float, ...]
+    velocities: tuple[float, ...]
+    gaps: tuple[float, ...]
+    contacts: tuple[Contact, ...]
+    weight: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class RowResult:
+    """What a collision on a line led to.
+
+    `overlaps` and `forces` are the largest of each contact. `duration` runs from the first touch to the last opening; it is
+    infinite for bodies that stick.
+    """
+
+    velocities: tuple[float, ...]
+    duration: float
+    overlaps: tuple[float, ...]
+    forces: tuple[float, ...]
+    outcome: Outcome
+    evaluations: int
+    openings: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """The natural mass, speed and overlap of a line; all other units follow."""
+
+    mass: float
+    speed: float
+    overlap: float
+
+    @property
+    def time(self) -> float:
+        return self.overlap / self.speed
+
+    @property
+    def force(self) -> float:
+        return self.mass * self.speed**2 / self.overlap
+
+
+def reduced_mass(a: float, b: float) -> float:
+    """The mass with which two bodies resist being pushed apart; the finite one's beside a wall."""
+    return 1.0 / (1.0 / a + 1.0 / b)
+
+
+def natural_units(line: Row) -> Units | None:
+    """Units in which the collision is of order one; none when nothing ever moves toward anything.
+
+    The unit of overlap is the largest there can be, not the one of the contact force alone: weight counts too.
+    """
+    masses, speeds = list(pairwise(line.masses)), [u - v for u, v in pairwise(line.velocities)]
+    mass = max(reduced_mass(a, b) for a, b in masses)
+    falls = [line.weight if math.isinf(a) and not math.isinf(b) else 0.0 for a, b in masses]
+    falling = max(u * u + 2.0 * fall * max(gap, 0.0) for u, fall, gap in zip(speeds, falls, line.gaps, strict=True))
+    squeezed = max(2.0 * stored(c, -gap) / mass for c, gap in zip(line.contacts, line.gaps, strict=True))
+    speed = math.sqrt(max(falling, squeezed))
+    resting = max((mass * fall / c.k) ** (1.0 / c.q) for fall, c in zip(falls, line.contacts, strict=True))
+    overlap = max(resting, *(_squeeze(c, mass, speed) for c in line.contacts))
+    if resting > 0.0 and speed == 0.0:
+        speed = math.sqrt(line.weight * resting)
+    return Units(mass, speed, overlap) if speed > 0.0 else None
+
+
+def _squeeze(contact: Contact, mass: float, speed: float) -> float:
+    """About how far a contact gives: spring or dashpot, whichever stops the bodies first."""
+    elastic = (mass * speed**2 / contact.k) ** (1.0 / (contact.q + 1.0))
+    return min(elastic, mass * speed / contact.eta) if contact.eta > 0.0 else elastic
+
+
+def in_units(line: Row, units: Units) -> Row:
+    """The same line in its natural units."""
+    return Row(
+        masses=tuple(m / units.mass for m in line.masses),
+        velocities=tuple(v / units.speed for v in line.velocities),
+        gaps=tuple(gap / units.overlap for gap in line.gaps),
+        contacts=tuple(
+            Contact(c.k * units.overlap**c.q / units.force, c.q, c.eta * units.speed / units.force) for c in line.contacts
+        ),
+        weight=line.weight * units.time / units.speed,
+    )
+
+
+def in_si(passage: RowResult, units: Units) -> RowResult:
+    """What was found in natural units, back in those of the line."""
+    return RowResult(
+        velocities=tuple(v * units.speed for v in passage.velocities),
+        duration=passage.duration * units.time,
+        overlaps=tuple(d * units.overlap for d in passage.overlaps),
+        forces=tuple(f * units.force for f in passage.forces),
+        outcome=passage.outcome,
+        evaluations=passage.evaluations,
+        openings=passage.openings,
+    )
+
+
+def energy(line: Row, overlaps: Sequence[float], velocities: Sequence[float]) -> float:
+    """Kinetic, stored and (beside a wall on the left) potential energy."""
+    total = sum(0.5 * m * v * v for m, v in zip(line.masses, velocities, strict=True) if not math.isinf(m))
+    total += sum(stored(c, d) for c, d in zip(line.contacts, overlaps, strict=True))
+    height = 0.0
+    for m, d in zip(line.masses[1:], overlaps, strict=True):
+        height -= d
+        total += m * line.weight * height if line.weight and not math.isinf(m) else 0.0
+    return total
+
+
+def guard(line: Row, passage_energy: float, velocities: Sequence[float], tolerance: float) -> None:
+    """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some.
+
+    Raises GuardFailed. The line is in natural units, so `tolerance` is a relative one.
+    """
+    before = energy(line, [-gap for gap in line.gaps], line.velocities)
+    scale = max(1.0, abs(before))
+    gained = (passage_energy - before) / scale
+    damped = any(c.eta > 0.0 for c in line.contacts)
+    if gained > tolerance or (not damped and gained < -tolerance):
+        raise GuardFailed(f"The run changed the energy by {gained:.1e} of itself; {tolerance:.1e} is allowed. Ask for less.")
+    if line.weight == 0.0 and not any(math.isinf(m) for m in line.masses):
+        momenta = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
+        lost = math.fsum(m * v for m, v in zip(line.masses, velocities, strict=True)) - math.fsum(momenta)
+        size = sum(map(abs, momenta)) + sum(abs(m * v) for m, v in zip(line.masses, velocities, strict=True))
+        if abs(lost) > 1e-12 * size:
+            raise GuardFailed(f"The run changed the momentum by {lost / size:.1e} of itself; no force from outside acts.")

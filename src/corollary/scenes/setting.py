@@ -1,0 +1,83 @@
+"""What a ready-made scene lets one set, and what it refuses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from corollary.scenes.run import BadSetting, Observed
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One number (or, with `many`, a row of them), in SI, with the value it takes when nothing is said.
+
+    `above` and `below` are open ends, `least` and `most` closed ones.
+    """
+
+    name: str
+    meaning: str
+    unit: str
+    value: Observed
+    above: float = -math.inf
+    least: float = -math.inf
+    below: float = math.inf
+    most: float = math.inf
+    whole: bool = False
+    many: bool = False
+
+
+def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) -> dict[str, Observed]:
+    """All settings of a scene: the given ones checked, the others at their own value. Raises BadSetting."""
+    settings = {setting.name: setting for setting in known}
+    for name in given:
+        if name not in settings:
+            raise BadSetting(f"{scene}: {name!r} is not among its settings ({', '.join(settings)}).")
+    return {name: _checked(scene, s, given[name]) if name in given else s.value for name, s in settings.items()}
+
+
+def _checked(scene: str, setting: Setting, value: object) -> Observed:
+    if isinstance(value, (list, tuple)):
+        if not setting.many:
+            raise BadSetting(f"{scene}: {setting.name} is one number, not a row of {len(value)}.")
+        return tuple(_number(scene, setting, one) for one in value)
+    return _number(scene, setting, value)
+
+
+def _number(scene: str, setting: Setting, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise BadSetting(f"{scene}: {setting.name} = {value!r} is not a number; it is the {setting.meaning} in {setting.unit}.")
+    number = float(value)
+    if not math.isfinite(number):
+        raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")
+    if setting.whole and number != round(number):
+        raise BadSetting(f"{scene}: {setting.name} = {number:g} must be a whole number.")
+    for broken, rule in (
+        (number <= setting.above, f"more than {setting.above:g}"),
+        (number < setting.least, f"at least {setting.least:g}"),
+        (number >= setting.below, f"less than {setting.below:g}"),
+        (number > setting.most, f"at most {setting.most:g}"),
+    ):
+        if broken:
+            unit = "" if setting.unit == "1" else f" {setting.unit}"
+            raise BadSetting(f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}.")
+    return number
+
+
+def one(settings: Mapping[str, Observed], name: str) -> float:
+    """A setting that is a single number."""
+    value = settings[name]
+    if isinstance(value, tuple):
+        raise BadSetting(f"{name} is one number, not a row of {len(value)}.")
+    return value
+
+
+def row(settings: Mapping[str, Observed], name: str, count: int, what: str) -> tuple[float, ...]:
+    """A setting for each of `count` things; a single number serves them all."""
+    value = settings[name]
+    if not isinstance(value, tuple):
+        return (value,) * count
+    if len(value) != count:
+        raise BadSetting(f"{name} has {len(value)} numbers, but there are {count} {what}.")
+    return value

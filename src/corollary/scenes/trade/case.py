@@ -1,0 +1,82 @@
+"""A scene to race on: what is observed, what it truly is, and the ways to find it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from corollary.scenes.run import Observed
+
+State = Sequence[float]
+Knob = Literal["step", "tolerance"]
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """True values, written out in decimals; `digits` of them are right, and `source` says how they were found."""
+
+    values: tuple[str, ...]
+    digits: int
+    source: str
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        return tuple(map(float, self.values))
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What a method found, and how many times it asked for the force (or for the integrand)."""
+
+    values: tuple[float, ...]
+    evaluations: int
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A scene as a program of the chapter sees it: Newton's second law from a start until a time (s).
+
+    `acceleration(x, v)` gives one number for each of x; `switches` are values (of x followed by v) whose signs say which law
+    holds; `read(x, v)` makes the observed values of the last state.
+    """
+
+    x: tuple[float, ...]
+    v: tuple[float, ...]
+    acceleration: Callable[[State, State], Sequence[float]]
+    until: float
+    switches: tuple[Callable[[State], float], ...]
+    read: Callable[[State, State], tuple[float, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """One method on one scene: each of `settings` (steps in s, or tolerances) is a run, the coarsest first."""
+
+    knob: Knob
+    settings: tuple[float, ...]
+    run: Callable[[float], Answer]
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """`scales` are the natural sizes of the observed values, `contact_time` (s) is what a step is compared with.
+
+    `own` are the routes that belong to this scene alone; every method in steps comes from the program.
+    """
+
+    name: str
+    ready: str
+    settings: Mapping[str, Observed]
+    observable: str
+    reference: Reference
+    scales: tuple[float, ...]
+    contact_time: float
+    program: Program
+    own: Mapping[str, Route]
+
+
+def error_of(case: Case, answer: Answer) -> float:
+    """The largest difference from the reference, in units of each value's natural size."""
+    apart = zip(answer.values, case.reference.numbers, case.scales, strict=True)
+    return max(abs(value - true) / scale for value, true, scale in apart)

@@ -1,0 +1,90 @@
+"""Newton's cradle to race on: the chapter's balls, three and five of them, with springs, Hertz contacts and stiffer ones."""
+
+from __future__ import annotations
+
+import importlib.util
+
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.integrate import regularised
+from corollary.scenes.models.beta import contact_time
+from corollary.scenes.row import Row, RowResult
+from corollary.scenes.trade.case import Answer, Case, Program, Reference, Route, State
+from corollary.scenes.trade.references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
+from corollary.scenes.trade.settings import ONCE, TOLERANCES
+
+MASS, STIFFNESS, SPEED = 0.1, 1e4, 1.0
+
+
+def line(count: int, q: float) -> Row:
+    """The chapter's balls in a row, all touching; the first comes in."""
+    velocities = (SPEED,) + (0.0,) * (count - 1)
+    return Row((MASS,) * count, velocities, (0.0,) * (count - 1), (Contact(STIFFNESS, q),) * (count - 1))
+
+
+def program(count: int, q: float, until: float) -> Program:
+    """As in project 12.14: displacements from the places where the balls just touch."""
+
+    def acceleration(x: State, v: State) -> list[float]:
+        gained, left = [], 0.0
+        for i in range(count - 1):
+            overlap = x[i] - x[i + 1]
+            right = STIFFNESS * overlap**q if overlap > 0.0 else 0.0
+            gained.append((left - right) / MASS)
+            left = right
+        return [*gained, left / MASS]
+
+    return Program(
+        x=(0.0,) * count,
+        v=(SPEED,) + (0.0,) * (count - 1),
+        acceleration=acceleration,
+        until=until,
+        switches=tuple(lambda y, i=i: y[i] - y[i + 1] for i in range(count - 1)),
+        read=lambda x, v: tuple(v),
+    )
+
+
+def case(count: int, q: float, reference: Reference) -> Case:
+    row = line(count, q)
+    own = {"regularised": Route("tolerance", TOLERANCES, lambda tolerance: _answer(regularised.collide(row, tolerance)))}
+    if importlib.util.find_spec("numba") is not None:
+        own["regularised_compiled"] = Route("tolerance", TOLERANCES, lambda tolerance: _compiled(row, tolerance))
+    if q == 1.0:
+        own = {"exact_flow": Route("tolerance", ONCE, lambda _: _exact(row)), **own}
+    # All balls are apart well before this: the wave has passed every contact.
+    pair = contact_time(0.5 * MASS, STIFFNESS, q, SPEED)
+    return Case(
+        name=f"cradle N={count} q={q:g}",
+        ready="cradle",
+        settings={"N": float(count), "q": q},
+        observable="velocities",
+        reference=reference,
+        scales=(SPEED,) * count,
+        contact_time=pair,
+        program=program(count, q, 1.1 * regularised.collide(row, 1e-8).duration),
+        own=own,
+    )
+
+
+def _answer(passage: RowResult) -> Answer:
+    return Answer(passage.velocities, passage.evaluations)
+
+
+def _compiled(row: Row, tolerance: float) -> Answer:
+    from corollary.scenes.integrate import compiled  # here, since it brings numba
+
+    return _answer(compiled.collide(row, tolerance))
+
+
+def _exact(row: Row) -> Answer:
+    from corollary.scenes.models import modal  # here, since it brings numpy
+
+    return _answer(modal.collide(row))
+
+
+def cases() -> tuple[Case, ...]:
+    return (
+        case(3, 1.0, CRADLE_3_SPRINGS),
+        case(3, 1.5, CRADLE_3_HERTZ),
+        case(3, 3.0, CRADLE_3_CUBIC),
+        case(5, 1.5, CRADLE_5_HERTZ),
+    )

@@ -1,0 +1,124 @@
+"""What a race says: orders of convergence with their bounds, the frontier, the cheapest method for a wanted accuracy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from corollary.scenes.trade.race import Timing, WorkPrecision
+
+WANTED = (1e-3, 1e-6, 1e-9, 1e-12)
+# Errors above are not yet in the range where a power law holds, errors below are rounding.
+COARSE, FINE = 3e-2, 3e-13
+LIE = 1e-2
+# So many points, and so many standard errors of the bend, before a bent line is believed rather than a straight one.
+ENOUGH, SURE = 6, 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """The slope of log error against log step, and two standard errors on both sides of it."""
+
+    value: float
+    low: float
+    high: float
+
+
+def orders(raced: WorkPrecision) -> dict[str, Order]:
+    """For each method in steps that met the power law in four runs at least."""
+    found = {}
+    for method in dict.fromkeys(lap.method for lap in raced.laps if lap.knob == "step"):
+        points = [(lap.setting, lap.error) for lap in raced.laps if lap.method == method]
+        inside = _asymptotic(points)
+        if len(inside) >= 4:
+            found[method] = at_the_fine_end(inside)
+    return found
+
+
+def _asymptotic(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The shorter half of the steps, and four at least, among those whose error is neither coarse nor rounding."""
+    inside = []
+    for step, error in points:
+        if error < FINE:
+            break
+        if error < COARSE:
+            inside.append((step, error))
+        else:
+            inside.clear()
+    return inside[-max(4, (len(inside) + 1) // 2) :]
+
+
+def fitted(points: Sequence[tuple[float, float]]) -> Order:
+    """The straight line through the logarithms, by least squares."""
+    return _slope([math.log(step) for step, _ in points], [math.log(error) for _, error in points], 2)[0]
+
+
+def at_the_fine_end(points: Sequence[tuple[float, float]]) -> Order:
+    """The slope that steps of no length would show: of log error = log C + order log step + bend step, where the points bend.
+
+    An error C h^p (1 + a h) has local slopes p + a h: a straight line through it is off by what the coarse steps add. Where the
+    bend is not clearly more than the points' own scatter, the straight line stands.
+    """
+    steps = [step for step, _ in points]
+    xs, ys = [math.log(step) for step in steps], [math.log(error) for _, error in points]
+    straight, left = _slope(xs, ys, 2)
+    if len(points) < ENOUGH:
+        return straight
+    bent, still = _slope(_beside(xs, steps), _beside(ys, steps), 3)
+    return bent if left - still > SURE**2 * still / (len(points) - 3) else straight
+
+
+def _slope(xs: Sequence[float], ys: Sequence[float], fitted_numbers: int) -> tuple[Order, float]:
+    """The slope, and the sum of the squares of what is left."""
+    n, x, y = len(xs), math.fsum(xs) / len(xs), math.fsum(ys) / len(ys)
+    spread = math.fsum((a - x) ** 2 for a in xs)
+    slope = math.fsum((a - x) * (b - y) for a, b in zip(xs, ys, strict=True)) / spread
+    left = math.fsum((b - y - slope * (a - x)) ** 2 for a, b in zip(xs, ys, strict=True))
+    doubt = 2.0 * math.sqrt(left / (n - fitted_numbers) / spread)
+    return Order(slope, slope - doubt, slope + doubt), left
+
+
+def _beside(values: Sequence[float], by: Sequence[float]) -> list[float]:
+    """What of some values a straight line in others does not explain."""
+    along = _slope(by, values, 2)[0].value
+    return [value - along * other for value, other in zip(values, by, strict=True)]
+
+
+def reaching(raced: WorkPrecision, wanted: float) -> dict[str, Timing]:
+    """For each method its cheapest run that is as exact as wanted; so must be every finer run, a lucky hit does not count."""
+    found: dict[str, Timing] = {}
+    for method in dict.fromkeys(lap.method for lap in raced.laps):
+        laps = [lap for lap in raced.laps if lap.method == method]
+        for lap in reversed(laps):
+            # Rounding may lift the finest runs a little above the error of coarser ones.
+            if lap.error > max(wanted, 1e-13):
+                break
+            if lap.error <= wanted:
+                found[method] = lap
+    return found
+
+
+def cheapest(raced: WorkPrecision, wanted: float) -> Timing | None:
+    """The run that takes the least time among those as exact as wanted."""
+    return min(reaching(raced, wanted).values(), key=lambda lap: lap.seconds, default=None)
+
+
+def frontier(raced: WorkPrecision) -> list[Timing]:
+    """The runs that no other one beats in both error and time, the quickest first."""
+    best, found = math.inf, []
+    for lap in sorted(raced.laps, key=lambda lap: (lap.seconds, lap.error)):
+        if lap.error < best:
+            best = lap.error
+            found.append(lap)
+    return found
+
+
+def lies_beyond(raced: WorkPrecision, method: str = "euler_cromer") -> float | None:
+    """The longest step, as a part of the contact time, up to which every run stays within one per cent."""
+    honest = None
+    for lap in reversed([lap for lap in raced.laps if lap.method == method]):
+        if lap.error > LIE:
+            break
+        honest = lap.setting / raced.case.contact_time
+    return honest

@@ -1,0 +1,94 @@
+"""The race: every route of a scene run with every setting, with its error, its evaluations and its seconds."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from corollary.scenes.catalogue import run
+from corollary.scenes.run import GuardFailed
+from corollary.scenes.trade import atoms, ball, cradles, marched, solvers, spheres, taylor
+from corollary.scenes.trade.case import Case, Knob, Route, error_of
+
+MOST, MOST_QUICK = 8_000, 700
+# Beyond this nothing can be learned from doubles.
+ENOUGH = 4e-16
+SHORT = 4e-3
+
+PLANNED = {
+    "conservation": "conservation", "quadrature": "quadrature", "piecewise exact": "exact_flow", "integration": "regularised",
+}  # fmt: skip
+"""The planner's models by the names their routes have here."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """One run: `setting` is a step (s) or a tolerance; `error` is in natural sizes, `seconds` are the processor's."""
+
+    method: str
+    knob: Knob
+    setting: float
+    error: float
+    evaluations: int
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class WorkPrecision:
+    """All laps of a scene, which method the planner takes there, and what could not run, with the reason."""
+
+    case: Case
+    laps: tuple[Timing, ...]
+    planned: str
+    missing: Mapping[str, str]
+
+
+def cases() -> tuple[Case, ...]:
+    return (*cradles.cases(), *spheres.cases(), *ball.cases(), *atoms.cases())
+
+
+def race(case: Case, quick: bool = False) -> WorkPrecision:
+    """Every method on one scene; `quick` leaves out the longest runs and times each one once."""
+    bought = solvers.routes(case)
+    ways = {**case.own, **marched.routes(case, MOST_QUICK if quick else MOST), **bought}
+    missing = {} if bought else {"scipy": solvers.WANTING}
+    try:
+        ways["heyoka"] = taylor.route(case)
+    except taylor.NoSeries as reason:
+        missing["heyoka"] = str(reason)
+    laps: list[Timing] = []
+    for name, route in ways.items():
+        try:
+            laps += _laps(case, name, route, quick)
+        except GuardFailed as refused:
+            missing[name] = str(refused)
+    return WorkPrecision(case, tuple(laps), PLANNED[run(case.ready, case.settings).model], missing)
+
+
+def _laps(case: Case, name: str, route: Route, quick: bool) -> list[Timing]:
+    found: list[Timing] = []
+    _timed(case, route, route.settings[0], 1)  # the first run pays for imports
+    for setting in route.settings[:: 2 if quick and route.knob == "tolerance" else 1]:
+        error, evaluations, seconds = _timed(case, route, setting, 1 if quick else 3)
+        found.append(Timing(name, route.knob, setting, error, evaluations, seconds))
+        if error < ENOUGH:
+            break
+    return found
+
+
+def _timed(case: Case, route: Route, setting: float, most: int) -> tuple[float, int, float]:
+    """Error, evaluations, and the least time of a few runs; a run whose numbers leave all range has an infinite error."""
+    seconds, error, evaluations = math.inf, math.inf, 0
+    for _ in range(most):
+        begin = time.thread_time()  # and not the time of day: what else the machine does is none of our business
+        try:
+            answer = route.run(setting)
+            error, evaluations = error_of(case, answer), answer.evaluations
+        except (OverflowError, ZeroDivisionError):
+            error = math.inf
+        seconds = min(seconds, time.thread_time() - begin)
+        if seconds > SHORT:
+            break
+    return (error if math.isfinite(error) else math.inf), evaluations, seconds

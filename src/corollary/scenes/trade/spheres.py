@@ -1,0 +1,90 @@
+"""Two spheres in a plane to race on (section 12.6): the chapter's glancing hit, without damping and with it."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.runge_kutta import Tableau
+from corollary.scenes.integrate.single_contact import follow
+from corollary.scenes.integrate.tableau import RK4
+from corollary.scenes.models.beta import contact_time
+from corollary.scenes.models.glance import glance
+from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet
+from corollary.scenes.trade.case import Answer, Case, Program, Reference, Route, State
+from corollary.scenes.trade.phases import through
+from corollary.scenes.trade.references import SPHERES, SPHERES_DAMPED
+from corollary.scenes.trade.settings import ONCE, TOLERANCES
+
+MASS, REACH, STIFFNESS = 0.1, 0.04, 2e4
+START = (0.08, 0.018)
+
+
+def pair(eta: float) -> Pair:
+    return Pair(MASS, MASS, START, (-1.0, 0.0), REACH, Contact(STIFFNESS, 1.5, eta))
+
+
+def program(eta: float, until: float) -> Program:
+    """As in the chapter: both spheres in the plane, the force along the line of centres, drag on the relative velocity."""
+
+    def overlap(y: State) -> float:
+        return REACH - math.hypot(y[2] - y[0], y[3] - y[1])
+
+    def acceleration(x: State, v: State) -> list[float]:
+        dx, dy = x[2] - x[0], x[3] - x[1]
+        distance = math.hypot(dx, dy)
+        deep = REACH - distance
+        if deep <= 0.0:
+            return [0.0, 0.0, 0.0, 0.0]
+        push = STIFFNESS * deep**1.5 / distance
+        fx = (push * dx - eta * (v[2] - v[0])) / MASS
+        fy = (push * dy - eta * (v[3] - v[1])) / MASS
+        return [-fx, -fy, fx, fy]
+
+    return Program((0.0, 0.0, *START), (1.0, 0.0, 0.0, 0.0), acceleration, until, (overlap,), lambda x, v: tuple(v))
+
+
+def case(eta: float, reference: Reference) -> Case:
+    both = pair(eta)
+    met = meet(both)
+    assert met is not None
+    own = {
+        "regularised": Route("tolerance", TOLERANCES, lambda tolerance: _answer(both, met, follow(both, met, tolerance))),
+        "regularised_rk4": Route("step", _parts(4, 400), partial(_phased, both, met, RK4)),
+        "regularised_dop853": Route("step", _parts(4, 48), partial(_phased, both, met, DOP853)),
+    }
+    if eta == 0.0:
+        own = {"quadrature": Route("tolerance", ONCE, lambda _: _answer(both, met, glance(both, met))), **own}
+    return Case(
+        name=f"spheres eta={eta:g}",
+        ready="spheres",
+        settings={"eta": eta},
+        observable="velocities",
+        reference=reference,
+        scales=(1.0,) * 4,
+        contact_time=contact_time(0.5 * MASS, STIFFNESS, 1.5, met.inward),
+        program=program(eta, met.after + 1.3 * follow(both, met, 1e-8).duration),
+        own=own,
+    )
+
+
+def _parts(fewest: int, most: int) -> tuple[float, ...]:
+    """Steps as parts of the contact, each a little shorter than the last."""
+    counts = dict.fromkeys(round(fewest * 2.0 ** (i / 3.0)) for i in range(100))
+    return tuple(1.0 / n for n in counts if n <= most)
+
+
+def _phased(both: Pair, met: Touching, table: Tableau, part: float) -> Answer:
+    return _answer(both, met, through(both, met, table, round(1.0 / part)))
+
+
+def _answer(both: Pair, met: Touching, parted: Parting) -> Answer:
+    u, v = after_parting(both, met, parted)
+    # B seen from A; the centre of mass moves on at (1/2, 0).
+    return Answer((0.5 - 0.5 * u, -0.5 * v, 0.5 + 0.5 * u, 0.5 * v), parted.evaluations)
+
+
+def cases() -> tuple[Case, ...]:
+    return (case(0.0, SPHERES), case(1.0, SPHERES_DAMPED))

@@ -1,0 +1,133 @@
+"""The notebook a student gets: whole, readable, known to nbgrader, and running without corollary."""
+
+from __future__ import annotations
+
+import base64
+import re
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+from corollary.notebook.cells import checksum
+from corollary.notebook.notebook import file_text, notebook, picture
+from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.problem.variant import at, chapter
+
+
+@pytest.fixture(scope="module")
+def nb(ada: Worksheet):
+    return notebook(ada)
+
+
+def cell(nb, id: str):
+    return next(cell for cell in nb.cells if cell.id == id)
+
+
+def test_it_is_a_valid_notebook_and_reads_back_the_same(nb):
+    nbformat.validate(nb)
+    again = nbformat.reads(file_text(nb), as_version=4)
+    assert again == nb
+    assert again.metadata.kernelspec.name == "python3"
+    assert again.metadata.corollary == {"set": "week_1", "student": "ada"}
+
+
+def test_the_same_sheet_gives_the_same_file(ada: Worksheet):
+    assert file_text(notebook(ada)) == file_text(notebook(ada))
+
+
+def test_nbgrader_accepts_every_cell_and_its_checksum(nb):
+    pytest.importorskip("nbgrader")
+    from nbgrader.nbgraderformat import MetadataValidator
+    from nbgrader.utils import compute_checksum
+
+    MetadataValidator().validate_nb(nb)
+    marked = [cell for cell in nb.cells if "checksum" in cell.metadata.nbgrader]
+    assert len(marked) > 20
+    for each in marked:
+        assert compute_checksum(each) == each.metadata.nbgrader.checksum == checksum(each)
+
+
+def test_each_part_has_its_cells_in_order(nb):
+    ids = [cell.id for cell in nb.cells]
+    assert ids[:5] == ["title", "how_to_answer", "setup", "X12_5_statement", "X12_5_figure"]
+    assert [id for id in ids if id.startswith("X12_5_f")][1:] == ["X12_5_f_text", "X12_5_f_answer", "X12_5_f_plot", "X12_5_f"]
+    assert [id for id in ids if id.startswith("X12_5_g")] == ["X12_5_g_text", "X12_5_g_plot", "X12_5_g"]
+    assert [id for id in ids if id.startswith("X12_5_e")] == ["X12_5_e_text", "X12_5_e"]
+    assert ids[-2:] == ["closing", "check_all"]
+
+
+def test_the_points_stand_on_the_graded_cells_weights_included(nb, ada: Worksheet):
+    points = {cell.id: cell.metadata.nbgrader.points for cell in nb.cells if cell.metadata.nbgrader.grade}
+    assert points == {prompt.key: prompt.out_of for prompt in ada.prompts}
+    assert points["E12_3_1s_a"] == 2
+    assert "19 points" in cell(nb, "title").source
+
+
+def test_only_answers_can_be_edited(nb):
+    for each in nb.cells:
+        answer = each.metadata.nbgrader.solution
+        assert answer is not each.metadata.nbgrader.locked
+        assert each.metadata.get("editable", True) is answer
+    assert cell(nb, "X12_5_e").metadata.nbgrader.grade
+    assert cell(nb, "setup").metadata.jupyter.source_hidden is True
+
+
+def test_the_title_names_the_student_and_the_date(nb):
+    assert "Ada Lovelace" in cell(nb, "title").source
+    assert re.search(r"due \w+ \d+ December 2026, \d\d:\d\d \S+", cell(nb, "title").source)
+    assert "Your numbers are your own." in cell(nb, "title").source
+
+
+def test_the_numbers_are_the_students_own(nb, problem_set: ProblemSet):
+    other = notebook(worksheet(problem_set, Student("bob"), [at(problem, 12) for problem in problem_set.problems]))
+    ours, theirs = cell(nb, "X12_5_statement").source, cell(other, "X12_5_statement").source
+    assert ours != theirs
+    assert [c.id for c in nb.cells] == [c.id for c in other.cells]
+    assert "{{" not in ours
+
+
+def test_the_figure_travels_with_the_notebook(nb):
+    found = re.fullmatch(r"!\[([^\]]*)\]\(data:image/svg\+xml;base64,([^)]*)\)", cell(nb, "X12_5_figure").source)
+    assert found is not None
+    assert found[1] == "A ball of mass 0.30 kg (at rest)."
+    assert base64.b64decode(found[2]).decode().startswith("<svg")
+
+
+def test_a_picture_cannot_break_out_of_its_markdown():
+    assert picture("<svg/>", "a [b]\nc").startswith("![a (b) c](data:")
+
+
+def drawn(svg: str) -> str:
+    return base64.b64decode(picture(svg, "").partition("base64,")[2][:-1]).decode()
+
+
+def test_a_picture_has_a_size():
+    bare = '<svg xmlns="x" viewBox="0 0 520 150.5">a</svg>'
+    assert drawn(bare) == bare.replace(">a", ' width="520" height="150.5">a')
+    for sized in ('<svg width="3" viewBox="0 0 5 1"/>', '<svg viewBox="0 0 5 1" height="2"/>', "<svg><rect width='3'/></svg>"):
+        assert drawn(sized) == sized
+
+
+def test_the_chapters_own_sheet_names_nobody(problem_set: ProblemSet):
+    nb = notebook(worksheet(problem_set, Student(""), [chapter(problem) for problem in problem_set.problems]))
+    assert "****" not in cell(nb, "title").source
+    assert cell(nb, "title").source.count("**") == 0
+
+
+def test_it_runs_in_a_real_kernel_from_top_to_bottom(ada: Worksheet):
+    nb = notebook(ada)
+    cell(nb, "X12_5_a_answer").source = 'X12_5_a = "8,6 Ns"'
+    cell(nb, "X12_5_f_answer").source = "def force(t, dt, J):\n    return J/dt"
+    NotebookClient(nb, timeout=60, kernel_name="python3").execute()
+    said = {
+        each.id: "".join(output.text for output in each.outputs if output.output_type == "stream")
+        for each in nb.cells
+        if each.cell_type == "code"
+    }
+    assert said["X12_5_a"] == "X12_5_a: read as 8.6 N s (2 figures)\n"
+    assert said["X12_5_f"] == "X12_5_f: force(t, dt, J) is there\n"
+    assert said["check_all"].count("\n") == sum(prompt.part.kind != "explain" for prompt in ada.prompts)
+    assert not any(output.output_type == "error" for each in nb.cells for output in each.get("outputs", []))

@@ -1,0 +1,40 @@
+"""Who changes, by how much, and where; rounding is no change."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.record import marked_record
+from corollary.grading.verdict import Right, Verdict, Wrong
+from corollary.problem.bank import chapter_bank, find
+from corollary.problem.roster import Student
+from corollary.problem.variant import chapter
+from corollary.records.regrading import changes
+
+KICK = chapter(find(chapter_bank(), "X12.5"))
+
+
+def marked(name: str, *points: float, late_share: float = 1.0) -> Marked:
+    parts = []
+    for part, earned in zip(KICK.problem.parts, points, strict=False):
+        verdict: Verdict = Right() if earned else Wrong()
+        parts.append(PartGrade(part, verdict, earned, 1.0, "", ""))
+    return Marked(Student(name), (Grade(KICK, tuple(parts)),), (), (), "", "", 0.0, late_share)
+
+
+def test_the_largest_change_comes_first_and_who_keeps_their_marks_is_not_named() -> None:
+    old = {name: marked_record(marked(name, 1, 0, 0)) for name in ("ada", "ben", "chen")}
+    found = changes(old, [marked("ada", 1, 1, 0), marked("ben", 1, 0, 0), marked("chen", 0, 1, 1), marked("dora", 1, 1, 1)])
+    assert [(each.student, each.before, each.after, each.by) for each in found] == [("ada", 1, 2, 1), ("chen", 1, 2, 1)]
+    assert [(part.part, part.verdict_before, part.verdict, part.before, part.after) for part in found[0].parts] == [
+        ("X12_5_b", "wrong", "right", 0, 1)
+    ]
+    assert [part.part for part in found[1].parts] == ["X12_5_a", "X12_5_b", "X12_5_c"]
+
+
+def test_lateness_alone_is_a_change_and_a_breath_is_none() -> None:
+    old = {"ada": marked_record(marked("ada", 1, 1, 1))}
+    (found,) = changes(old, [marked("ada", 1, 1, 1, late_share=0.5)])
+    assert (found.by, found.parts) == (-1.5, ())
+    assert changes(old, [replace(marked("ada", 1, 1, 1.000001))]) == ()

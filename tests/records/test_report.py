@@ -1,0 +1,121 @@
+"""The instructor's report: sums that are sums, and the same report from marked work and from stored rows."""
+
+from __future__ import annotations
+
+import json
+import runpy
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.console import Console
+
+from corollary.grading.grade import Grade
+from corollary.grading.verdict import Right
+from corollary.records.report import as_json, handed_in, report, rows, summary, terminal
+from corollary.records.report_model import HandedIn, Row
+from corollary.render.verdict_look import LOOKS
+
+SAMPLE = runpy.run_path(str(Path(__file__).with_name("sample.py")))
+
+
+@pytest.fixture
+def works(tmp_path):
+    of = SAMPLE["problem_set"](tmp_path)
+    ada, bo, eve = (SAMPLE["marked"](of, name) for name in ("ada", "bo", "eve"))
+    full = tuple(
+        Grade(grade.variant, tuple(replace(part, verdict=Right(), points=part.out_of) for part in grade.parts))
+        for grade in bo.grades
+    )
+    return [ada, replace(bo, grades=full), replace(SAMPLE["late"](eve), trouble="killed for its memory")]
+
+
+def test_totals_lateness_and_who_is_missing(works):
+    found = summary(works, roster=["ada", "bo", "cy", "eve"])
+    assert [(one.student, one.points) for one in found.handed_in] == [("ada", 4.5), ("bo", 12), ("eve", 2.25)]
+    assert found.mean == pytest.approx((4.5 + 12 + 2.25) / 3)
+    assert found.median == 4.5
+    assert found.out_of == 12
+    assert found.late == pytest.approx(1 / 3)
+    assert found.missing == ("cy",)
+    assert [(one.student, one.trouble) for one in found.failed] == [("eve", "killed for its memory")]
+    assert found.isolation == {"namespaces and rlimits": 3}
+
+
+def test_every_part_counts_its_verdicts(works):
+    parts = {(part.problem, part.part): part for part in summary(works).parts}
+    assert list(parts) == [("X12.5", part) for part in ("a", "b", "c", "c_2", "e")] + [("P12.14", part) for part in "ab"]
+    assert parts["X12.5", "c"].counts == {**dict.fromkeys(LOOKS, 0), "right": 1, "mistaken": 2}
+    assert parts["X12.5", "c"].share == pytest.approx((1 + 0.25 + 0.25) / 3)
+    assert parts["X12.5", "e"].counts["unmarked"] == 2
+    assert parts["X12.5", "e"].share == 1  # what waits does not count as wrong
+
+
+def test_misconceptions_are_gathered_with_their_students(works):
+    met = summary(works).met
+    assert [(one.verdict, one.problem, one.part, one.students) for one in met] == [
+        ("mistaken", "X12.5", "c", ("ada", "eve")),
+        ("slip", "P12.14", "a", ("ada", "eve")),
+    ]
+    assert met[0].text == "You forgot the $\\frac12$."
+
+
+def test_what_waits_says_for_whom_and_why(works):
+    assert [(one.student, one.problem, one.part, one.why) for one in summary(works).waiting] == [
+        (student, "X12.5", "e", "a person reads this") for student in ("ada", "eve")
+    ]
+
+
+def test_stored_records_give_the_same_report(works):
+    stored = json.dumps([[asdict(handed_in(work)), [asdict(row) for row in rows(work)]] for work in works])
+    records = [(msgspec.convert(one, HandedIn), msgspec.convert(its, list[Row])) for one, its in json.loads(stored)]
+    assert report([one for one, _ in records], [row for _, its in records for row in its]) == summary(works)
+
+
+def test_json_holds_everything_as_plain_data(works):
+    found = json.loads(json.dumps(as_json(summary(works, roster=["ada", "bo", "cy", "eve"]))))
+    assert found["handed_in"] == 3
+    assert found["missing"] == ["cy"]
+    assert found["students"]["eve"]["points"] == 2.25
+    assert found["misconceptions"][0]["count"] == 2
+    assert found["parts"][2]["counts"]["mistaken"] == 2
+    assert found["failed"] == [{"student": "eve", "why": "killed for its memory"}]
+
+
+def said(of) -> str:
+    console = Console(width=120, record=True, file=open("/dev/null", "w"))  # noqa: SIM115
+    console.print(terminal(of))
+    return console.export_text()
+
+
+def test_the_terminal_says_the_same(works):
+    more = [replace(works[0], student=replace(works[0].student, id=f"s{n:02}")) for n in range(20)]
+    text = said(summary([*works, *more], roster=["cy"]))
+    assert "23 handed in, 4% of them late" in text
+    assert "You forgot the" in text
+    assert "ada, eve, s00, s01 and 18 more" in text
+    assert "killed for its memory" in text
+    assert "Nothing from 1: cy" in text
+    assert "and 7 more" in text  # 22 wait, 15 are shown
+
+
+def test_nothing_handed_in_is_said_and_not_divided_by():
+    empty = summary([], roster=["ada"])
+    assert (empty.mean, empty.median, empty.late, empty.out_of) == (None, None, 0.0, 0.0)
+    assert "Nothing was handed in yet." in said(empty)
+    assert as_json(empty)["mean"] is None
+
+
+ANSWERS = st.tuples(st.sampled_from("abc"), st.sampled_from(list(LOOKS)), st.floats(0, 1), st.sampled_from([0.0, 1.0, 2.5]))
+
+
+@given(st.lists(ANSWERS, max_size=40))
+def test_counts_add_up_and_shares_are_shares(drawn):
+    some = [Row(f"s{n}", "X", part, verdict, share * worth, worth) for n, (part, verdict, share, worth) in enumerate(drawn)]
+    found = report([], some)
+    assert sum(sum(part.counts.values()) for part in found.parts) == len(drawn)
+    assert all(part.share is None or 0 <= part.share <= 1 for part in found.parts)
+    assert len(found.waiting) == sum(row.verdict == "unmarked" for row in some)

@@ -1,0 +1,117 @@
+"""A student's feedback: everything that was said, nothing that was not meant for them, and nothing from elsewhere."""
+
+from __future__ import annotations
+
+import base64
+import runpy
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from corollary.render.feedback_page import feedback_page, spell
+from corollary.render.verdict_look import LOOKS
+
+SAMPLE = runpy.run_path(str(Path(__file__).with_name("sample.py")))
+Page = SAMPLE["Page"]
+
+
+@pytest.fixture
+def of(tmp_path):
+    return SAMPLE["problem_set"](tmp_path)
+
+
+@pytest.fixture
+def work(of):
+    return SAMPLE["marked"](of)
+
+
+def test_the_page_needs_nothing_beside_it_and_runs_nothing(of, work):
+    solution = "[x](http://example.org) <script>run()</script> $x$"
+    found = Page(feedback_page(SAMPLE["late"](work), of, solutions={"X12.5": solution}))
+    assert found.out == []
+    assert len(found.ids) == len(set(found.ids))
+    assert set(found.links) <= set(found.ids)
+
+
+def test_points_verdicts_answers_and_feedback_are_all_there(of, work):
+    words = Page(feedback_page(work, of)).words
+    assert "Feedback for Ada Lovelace <x>" in words
+    assert "4.5 of 12 points" in words
+    assert "Momentum & impulse" in words
+    for name, look in LOOKS.items():
+        assert look.phrase in words or name == "unread"
+    assert "No answer" in words
+    for part in (part for grade in work.grades for part in grade.parts):
+        assert not part.answer or " ".join(part.answer.split()) in words
+    assert "Too fast <script>alert(2)</script>" in words
+    assert "names the floor" not in words  # the rubric is the marker's
+    assert "1 part still waits for your teacher" in words
+
+
+def test_the_numbers_are_the_students_own(of, work):
+    words = Page(feedback_page(work, of)).words
+    own = work.grades[0].variant
+    assert f"A ball of mass {float(own.values['m']):.2f} kg lies still" in words
+    assert f"m = {float(own.values['m']):.2f}" in words
+
+
+def test_only_answers_that_were_read_are_called_read(of, work):
+    words = Page(feedback_page(work, of)).words
+    assert "Your answer, as read: 8.6 kg m/s" in words
+    assert "Your answer: <b>The</b> Earth recoils" in words
+
+
+def test_late_work_says_what_was_kept(of, work):
+    words = Page(feedback_page(SAMPLE["late"](work), of)).words
+    assert "Handed in 2 h 5 min after the due time, so 50 % of the points are kept: 4.5 became 2.25." in words
+    assert "2.25 of 12 points" in words
+    assert "after the due time" not in Page(feedback_page(work, of)).words
+
+
+def test_trouble_and_stopped_cells_are_told(of, work):
+    words = Page(feedback_page(replace(work, trouble="The notebook ends in the middle."), of)).words
+    assert "The notebook ends in the middle." in words
+    assert "In the cell P12_14_b_answer : NameError: name 'x' is not defined" in words
+    assert "X12_5_a_answer" not in words
+
+
+def test_figures_stand_at_the_part_that_drew_them(of, work):
+    text = feedback_page(work, of)
+    found = Page(text)
+    own = 'src="data:image/png;base64,' + base64.b64encode(SAMPLE["PNG"]).decode()
+    assert text.count(own) == 2
+    assert found.pictures[0] == "Your figure: 1 curve, titled “Force”, x axis “t (s)”, y axis “F (N)”"
+    part = text[text.index('id="X12_5_c_2"') : text.index('id="X12_5_e"')]
+    assert "no picture could be made of it" in part
+    assert own in text[text.index('id="P12_14_a"') : text.index('id="P12_14_b"')]
+    assert own in text[text.index("Other figures of yours") :]
+
+
+def test_a_picture_that_is_none_is_not_embedded(of, work):
+    forged = replace(work, figures=(replace(work.figures[1], png=b"<svg onload=alert(1)>"),))
+    assert "<img" not in feedback_page(forged, of)
+
+
+def test_solutions_are_shown_only_when_given(of, work):
+    assert "Worked solution" not in feedback_page(work, of)
+    words = Page(feedback_page(work, of, solutions={"P12.14": "Follow the *energy*."})).words
+    assert words.count("Worked solution") == 1
+    assert words.index("P12.14 A ball") < words.index("Worked solution")
+
+
+def test_an_empty_submission_is_still_a_page(of, work):
+    empty = replace(work, grades=(), runs=(), figures=(), trouble="There was no file.", isolation="")
+    assert "0 of 0 points" in Page(feedback_page(empty, of)).words
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"), [(1, "1 min"), (3599, "1 h"), (7500, "2 h 5 min"), (86400, "1 day"), (2 * 86400 + 3700, "2 days 1 h")]
+)
+def test_a_length_of_time_is_spelt(seconds, said):
+    assert spell(seconds) == said
+
+
+def test_half_a_surrogate_pair_does_not_keep_a_page_from_being_written(of, work):
+    torn = replace(work, trouble="\ud83d", grades=())
+    feedback_page(torn, of).encode()

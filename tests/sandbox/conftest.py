@@ -1,0 +1,25 @@
+"""One warm parent for all tests of this folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from corollary.sandbox.runner import Ask, Cell, Job, Limits, Runner, Taken
+
+Run = Callable[..., Taken]
+
+
+@pytest.fixture(scope="session")
+def runner() -> Iterator[Runner]:
+    with Runner(Limits(cell_seconds=5.0, total_seconds=30.0)) as running:
+        yield running
+
+
+@pytest.fixture
+def run(runner: Runner) -> Run:
+    def take(*sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False) -> Taken:
+        return runner.take(Job(tuple(Cell(f"c{i}", source) for i, source in enumerate(sources)), names, asks, pictures=pictures))
+
+    return take

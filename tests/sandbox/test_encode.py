@@ -1,0 +1,137 @@
+"""Values go out by their exact type, and what comes in is checked again."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as some
+
+from corollary.formula.value import Complex, Exact, Items, Nothing, Real, Refused, Text
+from corollary.sandbox.decode import read_plain
+from corollary.sandbox.worker.encode import MOST_ITEMS, encode
+
+
+def told(value: object) -> object:
+    return read_plain(encode(value))
+
+
+@given(some.floats())
+def test_every_float_is_told_to_the_last_bit(value: float) -> None:
+    back = told(value)
+    assert isinstance(back, Real)
+    assert back.value == value or (math.isnan(back.value) and math.isnan(value))
+
+
+@given(
+    some.fractions() | some.integers() | some.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9)
+)
+def test_exact_numbers_stay_exact(value: Fraction | int | Decimal) -> None:
+    assert told(value) == Exact(Fraction(value))
+
+
+@given(some.text())
+def test_text_is_told_and_can_be_written_down(text: str) -> None:
+    back = told(text)
+    assert isinstance(back, Text)
+    assert back.text.encode("utf-8").decode() == text.encode("utf-8", "replace").decode()
+
+
+@given(
+    some.recursive(
+        some.none()
+        | some.floats(allow_nan=False)
+        | some.integers()
+        | some.text(max_size=5)
+        | some.complex_numbers(allow_nan=False),
+        lambda inner: some.lists(inner, max_size=4) | some.tuples(inner, inner),
+        max_leaves=20,
+    )
+)
+@settings(max_examples=60)
+def test_lists_keep_their_order_and_survive_the_wire(value: object) -> None:
+    encoded = encode(value)
+    again = msgspec.msgpack.decode(msgspec.msgpack.encode(encoded))
+    assert read_plain(again) == read_plain(encoded)
+    assert not isinstance(read_plain(encoded), Refused)
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (True, "True or False"),
+        ({}, "dictionary"),
+        ({1}, "set"),
+        (range(3), "range"),
+        (len, "function"),
+        (int, "class"),
+        (math, "module"),
+        (b"x", "bytes"),
+        ((i for i in "ab"), "generator"),
+        (object(), "kind object"),
+        (10**40000, "digits"),
+        ("x" * 20_000, "20000 letters"),
+        ([0] * (MOST_ITEMS + 1), "more than"),
+    ],
+    ids=lambda each: type(each).__name__,
+)
+def test_what_is_no_answer_is_refused_in_words(value: object, words: str) -> None:
+    back = told(value)
+    assert isinstance(back, Refused)
+    assert words in back.why
+
+
+def test_an_answer_not_given_is_nothing() -> None:
+    assert told(None) == Nothing() == told(...)
+    assert told(1 + 2j) == Complex(1.0, 2.0)
+
+
+def test_strange_decimals_are_read() -> None:
+    assert told(Decimal("1e999999")) == Real(math.inf)
+    assert told(Decimal("-Infinity")) == Real(-math.inf)
+
+
+def test_pint_quantities_are_known_by_name() -> None:
+    kind = type("Quantity", (), {"__module__": "pint", "magnitude": 8.6, "units": "kilogram * meter / second"})
+    assert encode(kind()) == ("measured", 8.6, "kilogram * meter / second")
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        None,
+        3,
+        "real",
+        [],
+        ["real"],
+        ["real", "x"],
+        ["exact", "1", "0"],
+        ["exact", "1; import os", "1"],
+        ["exact", "g", "1"],
+        ["exact", "f" * 30_000, "1"],
+        ["items", [["real", 1.0]], [2]],
+        ["items", [["real", 1.0]], [-1]],
+        ["items", [], [0] * 100],
+        ["pickle", "x"],
+        ["real", 1.0, 2.0],
+        ["text", 3],
+        ["items", "abc", [3]],
+    ],
+)
+def test_forged_data_is_refused(bad: object) -> None:
+    assert isinstance(read_plain(bad), Refused)
+
+
+def test_deeply_nested_forgeries_are_refused() -> None:
+    deep: object = ["nothing"]
+    for _ in range(100_000):
+        deep = ["items", [deep], [1]]
+    assert isinstance(read_plain(deep), Refused)
+
+
+def test_lists_are_items_with_their_length() -> None:
+    assert told([1, 2.5]) == Items((Exact(Fraction(1)), Real(2.5)), (2,))

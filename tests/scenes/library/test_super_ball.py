@@ -1,0 +1,40 @@
+"""A small ball on a large one: what their weight does while they touch."""
+
+import math
+
+import pytest
+
+from corollary.scenes.catalogue import run
+from corollary.scenes.run import BadSetting
+
+HARD = {"q": 1.0, "k": 1e9}
+
+
+@pytest.mark.parametrize("mb", [0.06, 0.19, 0.5])
+def test_weight_during_the_contacts_changes_little_and_less_than_g_times_their_time(mb):
+    free, weighed = (run("super_ball", HARD | {"mB": mb, "weighed": w}) for w in (0, 1))
+    fastest = max(weighed.observed["velocities"])
+    bound = 2.0 * fastest * free.observed["duration"]
+    lower, upper = (b - a for a, b in zip(free.observed["heights"], weighed.observed["heights"], strict=True))
+    assert upper < 0.0
+    assert 0.01 * bound < abs(upper) < bound
+    assert abs(lower) < bound
+
+
+def test_energy_is_what_the_fall_gave():
+    """Both start h0 above their places at the touch, at rest."""
+    for mb, h0 in ((0.06, 1.0), (0.5, 2.0)):
+        found = run("super_ball", HARD | {"mB": mb, "h0": h0, "weighed": 1})
+        lower, upper = found.observed["heights"]
+        assert 0.6 * lower + mb * upper == pytest.approx((0.6 + mb) * h0, rel=1e-11)
+
+
+def test_the_touch_is_as_long_with_weight_as_without_but_for_what_weight_does_to_the_speed():
+    free, weighed = (run("super_ball", HARD | {"weighed": w}).observed["duration"] for w in (0, 1))
+    assert weighed == pytest.approx(free, rel=9.8 * free / math.sqrt(2 * 9.8))
+    assert weighed < free
+
+
+def test_balls_so_soft_that_they_sink_in_as_deep_as_they_fell_are_refused():
+    with pytest.raises(BadSetting, match="raise k"):
+        run("super_ball", {"q": 1.0, "k": 10.0, "weighed": 1})

@@ -1,0 +1,94 @@
+"""Durations of contacts that were stepped through: closed contact times, and errors that are no less than what they say."""
+
+import math
+
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from corollary.scenes.body import Body
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.measure import measured
+from corollary.scenes.models.beta import contact_time
+from corollary.scenes.observe import Observable
+from corollary.scenes.plan import play
+from corollary.scenes.run import BadSetting
+from corollary.scenes.scene import Scene
+
+MASS, HARD = 0.06, {1.0: 1.4e3, 1.5: 2e4, 3.0: 1.6e11}
+
+
+def two_balls(q, gap, speed, at=0.0, turned=0.0):
+    """A ball meets one at rest; the gap is in m, `at` shifts both."""
+    c, s = math.cos(turned), math.sin(turned)
+    away = 0.02 + 0.02 + gap
+    a = Body(0.1, (at, 0.0), (speed * c, speed * s), 0.02)
+    b = Body(0.15, (at + away * c, away * s), (0.0, 0.0), 0.02)
+    return Scene((a, b), (Contact(HARD[q], q),))
+
+
+def gap_of(scene):
+    a, b = (body.place for body in scene.bodies)
+    return math.dist(a, b) - 0.04
+
+
+@given(
+    st.sampled_from([1.0, 1.5, 3.0]),
+    st.one_of(st.just(0.0), st.floats(-18.0, -1.0).map(lambda x: 10.0**x)),
+    st.floats(-2.0, 0.3).map(lambda x: 10.0**x),
+    st.sampled_from([0.0, 0.3, 1.0, 2.0, 3.14]),
+    st.sampled_from([1e-4, 1e-7, 1e-10, 1e-12]),
+)
+@example(1.5, 0.0, 1.0, 0.0, 1e-10)
+@example(1.0, 0.0, 0.029, 2.0, 1e-4)
+@example(3.0, 0.0, 0.206, 2.0, 1e-4)
+@example(1.0, 0.0, 0.01, 0.0, 1e-4)
+@example(3.0, 1e-17, 2.0, 1.0, 1e-10)
+@settings(max_examples=40, deadline=None)
+def test_a_duration_is_as_exact_as_it_says(q, gap, speed, turned, tolerance):
+    scene = two_balls(q, gap, speed, turned=turned)
+    found = measured(scene, {Observable.DURATION}, tolerance, "asked")
+    exact = contact_time(MASS, HARD[q], q, speed)
+    # A gap that rounding made an overlap cuts the contact short by the time it takes to cross it.
+    cut = max(-gap_of(scene), 0.0) / speed
+    assert found.outcome == "released"
+    assert abs(found.observed["duration"] - exact) <= found.errors["duration"] * exact + cut + 2e-15 * exact
+    assert found.errors["duration"] <= 100.0 * tolerance + 1e-9
+
+
+@pytest.mark.parametrize("at", [1e2, 1e5])
+def test_far_from_the_origin_the_rounding_of_places_is_in_the_error(at):
+    scene = two_balls(1.5, 1e-3, 1.0, at=at)
+    found = measured(scene, {Observable.DURATION}, 1e-10, "asked")
+    exact = contact_time(MASS, HARD[1.5], 1.5, 1.0)
+    assert abs(found.observed["duration"] / exact - 1.0) <= found.errors["duration"]
+    assert 1e-16 * at < found.errors["duration"] < 1e-8 * at
+
+
+def test_a_contact_that_begins_at_the_start_and_is_watched_for_a_part():
+    scene = two_balls(1.5, 0.0, 1.0)
+    exact = contact_time(MASS, HARD[1.5], 1.5, 1.0)
+    for part in (0.3, 0.9):
+        watched = Scene(scene.bodies, scene.forces, until=part * exact)
+        found = measured(watched, {Observable.DURATION}, 1e-10, "asked")
+        assert found.observed["duration"] == pytest.approx(part * exact, rel=1e-13)
+
+
+def test_a_miss_lasts_no_time():
+    apart = Scene((Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.1, 0.05), (0.0, 0.0), 0.02)), (Contact(2e4),))
+    found = measured(apart, {Observable.DURATION}, 1e-10, "asked")
+    assert (found.outcome, found.observed["duration"]) == ("missed", 0.0)
+
+
+@pytest.mark.parametrize("until", [None, 0.2])
+@pytest.mark.parametrize("asked", [Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP])
+@pytest.mark.parametrize("others", [0, 1])
+def test_balls_so_soft_that_they_pass_through_each_other_are_refused_by_every_model(until, asked, others):
+    more = tuple(Body(0.1, (0.1 + 0.05 * i,), (0.0,), 0.02) for i in range(others))
+    for k, refused in ((2e4, False), (3.0, True)):
+        scene = Scene((Body(0.1, (0.0,), (1.0,), 0.02), Body(0.1, (0.05,), (0.0,), 0.02), *more), (Contact(k),), until=until)
+        if refused:
+            with pytest.raises(BadSetting, match="pass through each other"):
+                play(scene, {asked})
+        else:
+            assert play(scene, {asked}).outcome in ("released", "bound")
