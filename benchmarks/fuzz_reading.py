@@ -18,13 +18,35 @@ from corollary.formula.syntax import parse
 from corollary.formula.text import text
 from corollary.units.unit import read_unit, unit
 
-LETTERS = ["m", "M", "v", "v0", "vA0", "v_B0", "mA", "mB", "theta", "mu", "dt", "g", "h", "a", "aa", "e", "r", "n"]
-WORDS = re.split(
-    " ",
-    "m M v v0 vA0 v_B0 mA m_{A} mb θ theta μ mu Δt dt g h a aa e r n sin cos tan asin sqrt √ ln log exp abs atan2 max gamma pi π "
-    "0 1 2 3.5 1,5 1,234 1e3 1e-300 10^3 ·10^-3 9**9 64 ½ ² ⁻¹ ³ + - * / ^ ** ( ) [ ] | = , ; . : _ { } ! % ° deg at i j k "
-    "kg g s ms N Ns Nm J kJ km/h km h W Pa Hz eV u rad min t · × − \u00a0 \u200b \\frac __import__ lambda é 𝐦 ٣",
-) + [" "] * 12
+LETTERS = [
+    "m",
+    "M",
+    "v",
+    "v0",
+    "vA0",
+    "v_B0",
+    "mA",
+    "mB",
+    "theta",
+    "mu",
+    "dt",
+    "g",
+    "h",
+    "a",
+    "aa",
+    "e",
+    "r",
+    "n",
+]
+WORDS = (
+    re.split(
+        " ",
+        "m M v v0 vA0 v_B0 mA m_{A} mb θ theta μ mu Δt dt g h a aa e r n sin cos tan asin sqrt √ ln log exp abs atan2 max gamma pi π "
+        "0 1 2 3.5 1,5 1,234 1e3 1e-300 10^3 ·10^-3 9**9 64 ½ ² ⁻¹ ³ + - * / ^ ** ( ) [ ] | = , ; . : _ { } ! % ° deg at i j k "
+        "kg g s ms N Ns Nm J kJ km/h km h W Pa Hz eV u rad min t · × − \u00a0 \u200b \\frac __import__ lambda é 𝐦 ٣",
+    )
+    + [" "] * 12
+)
 MUTATED = [
     "8.6 kg m/s",
     "8,6 Ns",
@@ -72,7 +94,11 @@ def main(count: int, seed: int) -> int:
             start = time.perf_counter()
             try:
                 found = reader(written)
-                if name == "expression" and not isinstance(found, ParseError) and parse(text(found), LETTERS) != found:
+                if (
+                    name == "expression"
+                    and not isinstance(found, ParseError)
+                    and parse(text(found), LETTERS) != found
+                ):
                     raise AssertionError("its text does not read back")
             except Exception as error:  # every kind of crash is what is looked for
                 crashes += 1
@@ -82,9 +108,13 @@ def main(count: int, seed: int) -> int:
             outcomes[name, found.status if isinstance(found, ParseError) else "ok"] += 1
     for (name, status), times in sorted(outcomes.items()):
         print(f"{name:>10} {status:>8} {times:>9}")
-    print(f"{count} strings, {crashes} crashes, slowest {slowest[0] * 1e3:.2f} ms: {slowest[1]} {slowest[2]!r}")
+    print(
+        f"{count} strings, {crashes} crashes, slowest {slowest[0] * 1e3:.2f} ms: {slowest[1]} {slowest[2]!r}"
+    )
     return 1 if crashes else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000, int(sys.argv[2]) if len(sys.argv) > 2 else 1))
+    sys.exit(
+        main(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000, int(sys.argv[2]) if len(sys.argv) > 2 else 1)
+    )

@@ -55,7 +55,9 @@ NAMES = ("a", "b", "c", "d")
 def course(folder: Path, count: int) -> list[Path]:
     """A plain nbgrader course with this many submissions of six code cells; nothing in it is ours."""
     folder.mkdir(parents=True)
-    config = f"c = get_config()\nc.CourseDirectory.course_id = 'plain'\nc.CourseDirectory.root = {str(folder)!r}\n"
+    config = (
+        f"c = get_config()\nc.CourseDirectory.course_id = 'plain'\nc.CourseDirectory.root = {str(folder)!r}\n"
+    )
     (folder / "nbgrader_config.py").write_text(config)
     source = folder / "source" / NAME / f"{NAME}.ipynb"
     source.parent.mkdir(parents=True)
@@ -77,9 +79,24 @@ def course(folder: Path, count: int) -> list[Path]:
 def _notebook(v: float) -> nbformat.NotebookNode:
     cells = [new_markdown_cell("A football is kicked.")]
     for number, source in enumerate(WORK):
-        mark = {"grade": False, "solution": True, "locked": False, "task": False, "grade_id": f"work{number}", "schema_version": 3}
+        mark = {
+            "grade": False,
+            "solution": True,
+            "locked": False,
+            "task": False,
+            "grade_id": f"work{number}",
+            "schema_version": 3,
+        }
         cells.append(new_code_cell(source.replace("{v}", repr(v)), metadata={"nbgrader": mark}))
-    test = {"grade": True, "solution": False, "locked": True, "task": False, "grade_id": "test", "points": 3, "schema_version": 3}
+    test = {
+        "grade": True,
+        "solution": False,
+        "locked": True,
+        "task": False,
+        "grade_id": "test",
+        "points": 3,
+        "schema_version": 3,
+    }
     cells.append(new_code_cell(TEST, metadata={"nbgrader": test}))
     kernel = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
     return new_notebook(cells=cells, metadata=kernel)
@@ -87,7 +104,14 @@ def _notebook(v: float) -> nbformat.NotebookNode:
 
 def _nbgrader(folder: Path, *words: str) -> None:
     environment = os.environ | {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}"}
-    done = subprocess.run([str(BIN / "nbgrader"), *words], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [str(BIN / "nbgrader"), *words],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if done.returncode:
         raise SystemExit(f"nbgrader {' '.join(words)} failed:\n{done.stderr[-2000:]}")
 
@@ -186,10 +210,14 @@ def speed(folder: Path, count: int, rounds: int, otter: Path | None) -> dict[str
                 seconds = _all(runners, papers, folder / "ours", pictures)
                 note(f"{len(runners)} runners, {label}", count, seconds)
                 whole.setdefault(f"{len(runners)} runners, {label}", []).append(started + seconds)
-                for paper in papers:  # one right after the other, so that the machine's mood is the same for all
+                for (
+                    paper
+                ) in papers:  # one right after the other, so that the machine's mood is the same for all
                     if not pictures:
                         note("cells behind the walls, on the processor", 1, processor(runners[0], paper))
-                    seconds, spent = warm(shell, paper, pictures)  # meanwhile the next child gets ready, as it does while one is judged
+                    seconds, spent = warm(
+                        shell, paper, pictures
+                    )  # meanwhile the next child gets ready, as it does while one is judged
                     note(f"cells in a warm process, {label}", 1, seconds)
                     if not pictures:
                         note("cells in a warm process, on the processor", 1, spent)
@@ -243,27 +271,40 @@ def _memory(runner: Runner) -> dict[str, float]:
     found = {}
     for label, pictures in (("data", False), ("PNG", True)):
         cells = (*(work.replace("{v}", "20.0") for work in WORK), source)
-        taken = runner.take(Job(tuple(Cell(f"c{at}", cell) for at, cell in enumerate(cells)), ("pages",), pictures=pictures))
+        taken = runner.take(
+            Job(tuple(Cell(f"c{at}", cell) for at, cell in enumerate(cells)), ("pages",), pictures=pictures)
+        )
         pages = taken.values["pages"]
         assert isinstance(pages, Exact), pages
-        found[f"MB of its own per child, {label}"] = round(float(pages.value) * os.sysconf("SC_PAGE_SIZE") / 2**20, 1)
+        found[f"MB of its own per child, {label}"] = round(
+            float(pages.value) * os.sysconf("SC_PAGE_SIZE") / 2**20, 1
+        )
     return {"MB warm parent": round(runner.kilobytes / 1024, 1), **found}
 
 
 def main() -> None:
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     options.add_argument("--notebooks", type=int, default=30)
     options.add_argument("--rounds", type=int, default=2)
     options.add_argument("--kill", action="store_true")
     options.add_argument("--submissions", type=int, default=1000)
     options.add_argument("--kills", type=int, default=5)
     options.add_argument("--seed", type=int, default=1)
-    options.add_argument("--otter", type=Path, help="The program otter, of an environment of its own with ipykernel, numpy and matplotlib.")
+    options.add_argument(
+        "--otter",
+        type=Path,
+        help="The program otter, of an environment of its own with ipykernel, numpy and matplotlib.",
+    )
     options.add_argument("--json", action="store_true")
     chosen = options.parse_args()
     folder = Path(tempfile.mkdtemp(prefix="grading-"))
     try:
-        kill, race = (folder, chosen.submissions, chosen.kills, chosen.seed), (folder, chosen.notebooks, chosen.rounds, chosen.otter)
+        kill, race = (
+            (folder, chosen.submissions, chosen.kills, chosen.seed),
+            (folder, chosen.notebooks, chosen.rounds, chosen.otter),
+        )
         found = killed(*kill) if chosen.kill else speed(*race)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
@@ -276,7 +317,12 @@ def main() -> None:
 def _show(found: dict[str, Any]) -> None:
     table = Table("what", "found", title="Grading, measured", title_justify="left")
     for what, value in found.items():
-        table.add_row(what, "\n".join(f"{name}: {each}" for name, each in value.items()) if isinstance(value, dict) else str(value))
+        table.add_row(
+            what,
+            "\n".join(f"{name}: {each}" for name, each in value.items())
+            if isinstance(value, dict)
+            else str(value),
+        )
     Console().print(table)
 
 

@@ -47,8 +47,12 @@ REPEATS = 30
 
 
 def main() -> None:
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("--students", type=int, default=2000, help="simulated students of each sort, for each problem")
+    options = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    options.add_argument(
+        "--students", type=int, default=2000, help="simulated students of each sort, for each problem"
+    )
     options.add_argument("--only", default="", help="codes, parted by commas")
     options.add_argument("--no-students", action="store_true", help="leave out the simulated students")
     options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
@@ -62,7 +66,8 @@ def main() -> None:
         numeric = [solutions.of(problem) for problem in problems if size(problem) > 1]
         numeric = [solution for solution in numeric if any(find.answers for find in solution.finds)]
         tallies = {
-            each.problem.code: _told(each.problem.code, lambda each=each: simulate(each, asked.students)) for each in numeric
+            each.problem.code: _told(each.problem.code, lambda each=each: simulate(each, asked.students))
+            for each in numeric
         }
         result["problems"] = {code: each.record() for code, each in tallies.items()}
         result["overall"] = Tallies.together(tallies.values()).record()
@@ -114,13 +119,21 @@ def formula_pairs() -> tuple[dict[str, Any], list[float]]:
     counted: dict[str, Any] = {"pairs": len(pairs), "equal": sum(same for *_, same in pairs)}
     for name, counts, each in (("corollary", ours, taken), ("sympy.simplify", theirs, slow)):
         outcome = {what: counts[what] for what in ("right", "false equal", "false different", "undecided")}
-        counted[name] = outcome | {"median_ms": round(statistics.median(each), 4), "worst_ms": round(max(each), 3)}
+        counted[name] = outcome | {
+            "median_ms": round(statistics.median(each), 4),
+            "worst_ms": round(max(each), 3),
+        }
     return counted, slow
 
 
 def _for_sympy(tree: Expr, domain: dict[str, tuple[float, float]], letters: frozenset[str]) -> sympy.Expr:
     """The same formula with the assumptions that help sympy most."""
-    known: dict[str, Any] = {"ln": sympy.log, "log10": lambda x: sympy.log(x, 10), "min": sympy.Min, "max": sympy.Max}
+    known: dict[str, Any] = {
+        "ln": sympy.log,
+        "log10": lambda x: sympy.log(x, 10),
+        "min": sympy.Min,
+        "max": sympy.Max,
+    }
     for name in letters - {"pi"}:
         real = domain.get(name, (1.0, 1.0))[0] < 0
         known[name] = sympy.Symbol(name, real=True) if real else sympy.Symbol(name, positive=True)
@@ -129,16 +142,29 @@ def _for_sympy(tree: Expr, domain: dict[str, tuple[float, float]], letters: froz
 
 def times(solutions: Solutions, problems: Sequence[Problem], simplify: list[float]) -> dict[str, Any]:
     """Median time of one verdict, from the value handed in to what is said of it, over all parts, warm."""
-    taken: dict[str, list[float]] = {"symbolic": [], "unit": [], "number": [], "symbolic, wrong": [], "number, wrong": []}
+    taken: dict[str, list[float]] = {
+        "symbolic": [],
+        "unit": [],
+        "number": [],
+        "symbolic, wrong": [],
+        "number, wrong": [],
+    }
     for problem in problems:
         key = solutions.key(chapter(problem))
         for part in problem.parts:
             for sort, answer in answers(key, part):
-                taken[sort].append(_median(lambda key=key, part=part, answer=answer: one_verdict(key, part, answer)))
+                taken[sort].append(
+                    _median(lambda key=key, part=part, answer=answer: one_verdict(key, part, answer))
+                )
     middle = {sort: statistics.median(each) for sort, each in taken.items() if each}
     sympy_ms = statistics.median(simplify)
     return {
-        sort: {"verdicts": len(taken[sort]), "median_ms": ms, "target_ms": TARGETS.get(sort), "of_simplify": ms / sympy_ms}
+        sort: {
+            "verdicts": len(taken[sort]),
+            "median_ms": ms,
+            "target_ms": TARGETS.get(sort),
+            "of_simplify": ms / sympy_ms,
+        }
         for sort, ms in middle.items()
     }
 
@@ -148,12 +174,21 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
     truth = key.truths.get(part.id)
     if truth is None or part.components or part.kind != "value":
         return []
-    value, closed = truth.values[0] / (float(part.unit.factor) * math.pi**part.unit.pi), key.find(truth).closed
-    found: list[tuple[str, Value]] = [("number", Real(value)), ("number, wrong", Real(1.3719 * value + 0.7717))]
+    value, closed = (
+        truth.values[0] / (float(part.unit.factor) * math.pi**part.unit.pi),
+        key.find(truth).closed,
+    )
+    found: list[tuple[str, Value]] = [
+        ("number", Real(value)),
+        ("number, wrong", Real(1.3719 * value + 0.7717)),
+    ]
     if part.unit.text != "1":
         found.append(("unit", Text(f"{value:.4g} {canonical(part.unit)}")))
     if closed is not None and names(closed[0]) - {"pi"}:
-        found += [("symbolic", Text(f"({text(closed[0])})*3/3")), ("symbolic, wrong", Text(f"({text(closed[0])})*1.7"))]
+        found += [
+            ("symbolic", Text(f"({text(closed[0])})*3/3")),
+            ("symbolic, wrong", Text(f"({text(closed[0])})*1.7")),
+        ]
     return found
 
 
@@ -208,10 +243,14 @@ def show(result: dict[str, Any]) -> None:
     for name in ("corollary", "sympy.simplify"):
         table.add_row(name, *(str(each) for each in counted[name].values()))
     console.print(table)
-    table = _table("One verdict, once warm", "answer", "parts", "median ms", "target ms", "of sympy.simplify(a - b) == 0")
+    table = _table(
+        "One verdict, once warm", "answer", "parts", "median ms", "target ms", "of sympy.simplify(a - b) == 0"
+    )
     for sort, record in result["times"].items():
         share = f"1/{1 / record['of_simplify']:.0f}"
-        table.add_row(sort, str(record["verdicts"]), f"{record['median_ms']:.4f}", str(record["target_ms"] or ""), share)
+        table.add_row(
+            sort, str(record["verdicts"]), f"{record['median_ms']:.4f}", str(record["target_ms"] or ""), share
+        )
     console.print(table)
 
 
@@ -219,7 +258,12 @@ def _shares(console: Console, title: str, rows: dict[str, Any], share: str) -> N
     table = _table(title, "problem", "answers", "corollary", *(f"fixed {limit:.0%}" for limit in FIXED))
     for code, each in rows.items():
         if each["answers"]:
-            table.add_row(code, str(each["answers"]), _number(each[share]), *(_number(fixed) for fixed in each["fixed"].values()))
+            table.add_row(
+                code,
+                str(each["answers"]),
+                _number(each[share]),
+                *(_number(fixed) for fixed in each["fixed"].values()),
+            )
     console.print(table)
 
 

@@ -96,7 +96,9 @@ def killed(folder: Path, count: int, kills: int, seed: int) -> dict[str, Any]:
 
 def _grading(file: Path, course: Path) -> subprocess.Popen[str]:
     command = [str(Path(sys.executable).parent / "corollary"), "grade", str(file), "--course", str(course)]
-    return subprocess.Popen(command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return subprocess.Popen(
+        command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
 
 
 def _marked(course: Path) -> int:

@@ -33,15 +33,31 @@ def grade(command: Path, autograder: Path, paper: Path) -> float:
     nb.cells.pop()  # nbgrader's test
     nbformat.write(nb, folder / "paper.ipynb")
     start = time.perf_counter()
-    _call(command, folder, "run", "--no-logo", "-a", str(autograder), "-o", str(folder), str(folder / "paper.ipynb"))
+    _call(
+        command,
+        folder,
+        "run",
+        "--no-logo",
+        "-a",
+        str(autograder),
+        "-o",
+        str(folder),
+        str(folder / "paper.ipynb"),
+    )
     seconds = time.perf_counter() - start
-    scores = [each["score"] for each in json.loads((folder / "results.json").read_text())["tests"] if "score" in each]
+    scores = [
+        each["score"]
+        for each in json.loads((folder / "results.json").read_text())["tests"]
+        if "score" in each
+    ]
     assert scores == [3.0], scores
     return seconds
 
 
 def _call(command: Path, folder: Path, *words: str) -> None:
     environment = {"PATH": f"{command.parent}:/usr/bin:/bin", "HOME": str(folder)}
-    done = subprocess.run([str(command), *words], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [str(command), *words], cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
     if done.returncode:
         raise SystemExit(f"otter {' '.join(words)} failed:\n{done.stderr[-2000:]}")

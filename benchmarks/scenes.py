@@ -41,12 +41,19 @@ TARGETS = {
 
 
 def main() -> None:
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     options.add_argument("--error", type=float, default=1e-9, help="the error at which methods are compared")
     options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
     asked = options.parse_args()
     rows = [compared(case, asked.error) for case in cases()]
-    result = {"error": asked.error, "scenes": rows, "course": [course(steps) for steps in (10, 12)], "momentum": momentum()}
+    result = {
+        "error": asked.error,
+        "scenes": rows,
+        "course": [course(steps) for steps in (10, 12)],
+        "momentum": momentum(),
+    }
     if asked.json:
         print(json.dumps(result))
     else:
@@ -69,15 +76,27 @@ def compared(case: Case, wanted: float) -> dict[str, Any]:
     bought = solvers.routes(case)
     times = {"planned": cheapest(case, case.own[planned].run, case.own[planned].settings, wanted)}
     times["book loop"] = book_loop(case, wanted)
-    slower = timed(lambda: book_arrays(case.program, 1000), 0.02) / timed(lambda: book(case.program, 1000), 0.02)
+    slower = timed(lambda: book_arrays(case.program, 1000), 0.02) / timed(
+        lambda: book(case.program, 1000), 0.02
+    )
     times["book arrays"] = times["book loop"] | {"seconds": slower * times["book loop"]["seconds"]}
-    for label, name in (("DOP853", "scipy_dop853"), ("LSODA", "scipy_lsoda"), ("DOP853, events", "scipy_dop853_events")):
+    for label, name in (
+        ("DOP853", "scipy_dop853"),
+        ("LSODA", "scipy_lsoda"),
+        ("DOP853, events", "scipy_dop853_events"),
+    ):
         times[label] = cheapest(case, bought[name].run, bought[name].settings, wanted) if bought else None
     times["heyoka"], reason = series(case)
     base = times["planned"]
     assert base is not None
-    own = {"steps": base["seconds"], "asked": timed(lambda: asked(case, wanted)), "again": timed(lambda: again(case, wanted))}
-    if (compiled := case.own.get("regularised_compiled")) and (found := cheapest(case, compiled.run, compiled.settings, wanted)):
+    own = {
+        "steps": base["seconds"],
+        "asked": timed(lambda: asked(case, wanted)),
+        "again": timed(lambda: again(case, wanted)),
+    }
+    if (compiled := case.own.get("regularised_compiled")) and (
+        found := cheapest(case, compiled.run, compiled.settings, wanted)
+    ):
         own["compiled"] = found["seconds"]
     return {
         "scene": case.name, "planned": planned, "milliseconds": 1e3 * base["seconds"], "error": base["error"], "own": own,
@@ -97,7 +116,9 @@ def again(case: Case, wanted: float) -> None:
     run(case.ready, case.settings, wanted)
 
 
-def cheapest(case: Case, route: Callable[[float], Answer], settings: tuple[float, ...], wanted: float) -> dict[str, Any] | None:
+def cheapest(
+    case: Case, route: Callable[[float], Answer], settings: tuple[float, ...], wanted: float
+) -> dict[str, Any] | None:
     """The first setting, from the coarsest, from which on every run keeps the error."""
     good = None
     for setting in reversed(settings):
@@ -108,7 +129,11 @@ def cheapest(case: Case, route: Callable[[float], Answer], settings: tuple[float
     if good is None:
         return None
     setting, answer = good
-    return {"seconds": timed(lambda: route(setting)), "evaluations": answer.evaluations, "error": error_of(case, answer)}
+    return {
+        "seconds": timed(lambda: route(setting)),
+        "evaluations": answer.evaluations,
+        "error": error_of(case, answer),
+    }
 
 
 def timed(call: Callable[[], object], least: float = 0.05) -> float:
@@ -136,7 +161,11 @@ def book(program: Program, steps: int) -> Answer:
 
 def book_arrays(program: Program, steps: int) -> Answer:
     """The same as the chapter writes it: every time a row of an array."""
-    x, v, dt = np.zeros((steps + 1, len(program.x))), np.zeros((steps + 1, len(program.x))), program.until / steps
+    x, v, dt = (
+        np.zeros((steps + 1, len(program.x))),
+        np.zeros((steps + 1, len(program.x))),
+        program.until / steps,
+    )
     x[0], v[0] = program.x, program.v
     for i in range(steps):
         a = np.array(program.acceleration(x[i], v[i]))
@@ -150,7 +179,9 @@ def book_loop(case: Case, wanted: float) -> dict[str, Any]:
     steps, errors = 500, []
     while steps <= LONGEST:
         # Neighbouring step counts average out where the touch falls between two steps.
-        errors.append((steps, math.sqrt(sum(error_of(case, book(case.program, steps + i)) ** 2 for i in (0, 1, 3)) / 3)))
+        errors.append(
+            (steps, math.sqrt(sum(error_of(case, book(case.program, steps + i)) ** 2 for i in (0, 1, 3)) / 3))
+        )
         if errors[-1][1] <= wanted:
             break
         steps *= 2
@@ -160,7 +191,13 @@ def book_loop(case: Case, wanted: float) -> dict[str, Any]:
         return {"seconds": each * n, "evaluations": n, "error": last, "extrapolated": False}
     order = math.log(first / last) / math.log(n / first_n)
     needed = n * (last / wanted) ** (1.0 / order)
-    return {"seconds": each * needed, "evaluations": round(needed), "error": wanted, "extrapolated": True, "order": order}
+    return {
+        "seconds": each * needed,
+        "evaluations": round(needed),
+        "error": wanted,
+        "extrapolated": True,
+        "order": order,
+    }
 
 
 def series(case: Case) -> tuple[dict[str, Any] | None, str]:
@@ -171,7 +208,11 @@ def series(case: Case) -> tuple[dict[str, Any] | None, str]:
         return None, str(reason)
     answer = route.run(route.settings[0])
     seconds = timed(lambda: route.run(route.settings[0]))
-    return {"seconds": seconds, "evaluations": answer.evaluations, "error": error_of(case, answer)}, "terminal events"
+    return {
+        "seconds": seconds,
+        "evaluations": answer.evaluations,
+        "error": error_of(case, answer),
+    }, "terminal events"
 
 
 def course(steps: int) -> dict[str, Any]:
@@ -217,8 +258,12 @@ def own_times(rows: list[dict[str, Any]]) -> Table:
     for row in rows:
         cells = []
         for way in ("steps", "asked", "again", "compiled"):
-            others = (other for other in ("book loop", "book arrays", "DOP853, events") if other in row["ratios"])
-            gains = " | ".join(f"{gain(row, way, other):.3g}" for other in others) if way in row["own"] else ""
+            others = (
+                other for other in ("book loop", "book arrays", "DOP853, events") if other in row["ratios"]
+            )
+            gains = (
+                " | ".join(f"{gain(row, way, other):.3g}" for other in others) if way in row["own"] else ""
+            )
             cells.append(f"{1e3 * row['own'][way]:.3f}: {gains}" if gains else "")
         table.add_row(row["scene"], *cells)
     return table
@@ -227,7 +272,9 @@ def own_times(rows: list[dict[str, Any]]) -> Table:
 def show(result: dict[str, Any]) -> None:
     console = Console(width=190)
     names = ("book loop", "book arrays", "DOP853", "LSODA", "DOP853, events", "heyoka")
-    table = Table(title=f"Time at an error of {result['error']:g}, as a multiple of the planned route's (pure Python)")
+    table = Table(
+        title=f"Time at an error of {result['error']:g}, as a multiple of the planned route's (pure Python)"
+    )
     for heading in ("scene", "planned", "ms", "its error", *names):
         table.add_column(heading, justify="left" if heading in {"scene", "planned"} else "right")
     for row in result["scenes"]:
@@ -235,7 +282,9 @@ def show(result: dict[str, Any]) -> None:
         for name in names:
             mark = "*" if row["methods"].get(name, {}).get("extrapolated") else ""
             cells.append(f"{row['ratios'][name]:.3g}{mark}" if name in row["ratios"] else "")
-        table.add_row(row["scene"], row["planned"], f"{row['milliseconds']:.2f}", f"{row['error']:.0e}", *cells)
+        table.add_row(
+            row["scene"], row["planned"], f"{row['milliseconds']:.2f}", f"{row['error']:.0e}", *cells
+        )
     console.print(table)
     console.print("* continued by the measured order from the longest run")
     for row in result["scenes"]:
@@ -244,9 +293,15 @@ def show(result: dict[str, Any]) -> None:
     console.print(own_times(result["scenes"]))
     for way, targets in TARGETS.items():
         for target, least in targets.items():
-            faster = [gain(row, way, target) for row in result["scenes"] if way in row["own"] and target in row["ratios"]]
+            faster = [
+                gain(row, way, target)
+                for row in result["scenes"]
+                if way in row["own"] and target in row["ratios"]
+            ]
             met = sum(times >= least for times in faster)
-            console.print(f"{way}: at least {least:g} times as fast as {target}: {met} of {len(faster)} scenes")
+            console.print(
+                f"{way}: at least {least:g} times as fast as {target}: {met} of {len(faster)} scenes"
+            )
     table = Table(title="10 000 variants of the two spheres, once warm (target: 1e-7 in 0.2 s)")
     for heading in ("steps", "seconds", "worst error", "stated", "followed alone"):
         table.add_column(heading, justify="right")

@@ -26,9 +26,13 @@ from corollary.units.unit import canonical
 
 FIXED = (0.01, 0.02, 0.05)
 STEPS, OPERATIONS = "each step", "each operation"
-SORTS = {f"{figures} figures {often}": (figures, often) for often in (STEPS, OPERATIONS) for figures in (3, 4)}
+SORTS = {
+    f"{figures} figures {often}": (figures, often) for often in (STEPS, OPERATIONS) for figures in (3, 4)
+}
 OTHER_G = {Fraction("9.8"): Fraction("9.81"), Fraction("9.81"): Fraction("9.8")}
-DRAWS_EACH = 20  # draws looked at for each student wanted, before a problem is given up as giving too few variants
+DRAWS_EACH = (
+    20  # draws looked at for each student wanted, before a problem is given up as giving too few variants
+)
 Answers = dict[str, tuple[float, ...]]
 
 
@@ -65,7 +69,10 @@ class Tallies:
         }  # fmt: skip
 
     def _fixed(self, sort: str) -> dict[str, float | None]:
-        return {f"{limit:.0%}": _percent(self.fixed_failed[sort, limit], self.fixed_answers[sort]) for limit in FIXED}
+        return {
+            f"{limit:.0%}": _percent(self.fixed_failed[sort, limit], self.fixed_answers[sort])
+            for limit in FIXED
+        }
 
     @staticmethod
     def together(several: Iterable[Tallies]) -> Tallies:
@@ -101,7 +108,11 @@ def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> 
     for sort, (figures, often) in SORTS.items():
         givens = _givens(key, dice)
         try:
-            found = by_operation(key.solution, givens, figures) if often == OPERATIONS else _by_step(key, givens, figures)
+            found = (
+                by_operation(key.solution, givens, figures)
+                if often == OPERATIONS
+                else _by_step(key, givens, figures)
+            )
         except Undefined:
             continue
         answers = _numbers(key, found)
@@ -114,7 +125,9 @@ def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> 
             if not isinstance(verdict, (Right, Follows)):
                 tallies.rejected[sort] += 1
                 if often == STEPS:
-                    tallies.worst[f"{key.variant.problem.code} ({part}) honest, {sort}, judged {word(verdict)}"] += 1
+                    tallies.worst[
+                        f"{key.variant.problem.code} ({part}) honest, {sort}, judged {word(verdict)}"
+                    ] += 1
 
 
 def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> None:
@@ -137,19 +150,29 @@ def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -
             _fixed(tallies, "mistaken", key, first, answers[first], accepted=True)
             if not dealt:
                 continue
-            so_far = {part: values for part, values in answers.items() if key.truths[part].place <= key.truths[first].place}
+            so_far = {
+                part: values
+                for part, values in answers.items()
+                if key.truths[part].place <= key.truths[first].place
+            }
             *_, (_, ((verdict,), _)) = _judged(key, so_far | {first: answers[first]}, 3)
             tallies.answers["mistaken"] += 1
             tallies.mistaken["named"] += isinstance(verdict, Mistaken)
             if isinstance(verdict, (Right, Follows)):
                 tallies.mistaken["accepted"] += 1
-                tallies.worst[f"{solution.problem.code} ({first}) accepted, {word(verdict)}: {wrong.text[:60]}"] += 1
+                tallies.worst[
+                    f"{solution.problem.code} ({first}) accepted, {word(verdict)}: {wrong.text[:60]}"
+                ] += 1
 
 
 def _numbers(key: Key, found: Sequence[Values]) -> Answers:
     """The numbers of a student's derivation by part, where a number is asked for."""
     problem = key.variant.problem
-    return {part: found[truth.place] for part, truth in key.truths.items() if problem.part(part).kind != "expression"}
+    return {
+        part: found[truth.place]
+        for part, truth in key.truths.items()
+        if problem.part(part).kind != "expression"
+    }
 
 
 def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Values, *, accepted: bool) -> None:
@@ -211,7 +234,9 @@ def _rounded(tree: Expr, values: Mapping[str, RationalPi], short: Callable[[floa
 
 def _judged(key: Key, answers: Answers, figures: int) -> Iterator[tuple[str, Any]]:
     problem = key.variant.problem
-    judged = judge(key, {part: written(problem.part(part), values, figures) for part, values in answers.items()})
+    judged = judge(
+        key, {part: written(problem.part(part), values, figures) for part, values in answers.items()}
+    )
     return ((part, judged[part]) for part in answers)
 
 
@@ -233,19 +258,29 @@ def wild(solutions: Iterable[Solution], count: int) -> dict[str, Any]:
         "even in -3..3": lambda: dice.uniform(-3, 3),
         "even in the logarithm, 1/100..100": lambda: dice.choice((-1, 1)) * 10 ** dice.uniform(-2, 2),
     }
-    keys = [make_key(solution, variant) for solution in solutions for variant in sample(solution.problem, 5, salt="wild")]
+    keys = [
+        make_key(solution, variant)
+        for solution in solutions
+        for variant in sample(solution.problem, 5, salt="wild")
+    ]
     for name, ratio in scatter.items():
         for earlier in (False, True):
             verdicts: Counter[str] = Counter()
             for _ in range(max(1, count // 100)):
                 for key in keys:
                     truths = {part: truth for part, truth in key.truths.items() if truth.scale}
-                    answers = {part: tuple(ratio() * truth.scale for _ in truth.values) for part, truth in truths.items()}
-                    for chosen in [answers] if earlier else [{part: values} for part, values in answers.items()]:
+                    answers = {
+                        part: tuple(ratio() * truth.scale for _ in truth.values)
+                        for part, truth in truths.items()
+                    }
+                    for chosen in (
+                        [answers] if earlier else [{part: values} for part, values in answers.items()]
+                    ):
                         verdicts.update(word(verdict) for _, ((verdict,), _) in _judged(key, chosen, 5))
             total = sum(verdicts.values())
             result[f"{name}; {'after wild answers' if earlier else 'alone'}"] = {"answers": total} | {
-                verdict: _percent(verdicts[verdict], total) for verdict in ("right", "follows", "mistaken", "slip", "wrong")
+                verdict: _percent(verdicts[verdict], total)
+                for verdict in ("right", "follows", "mistaken", "slip", "wrong")
             }
     return result
 

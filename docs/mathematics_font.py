@@ -17,10 +17,14 @@ from fontTools.ttLib import TTFont
 
 NAME = "Corollary Mathematics"
 RANGES = (
-    (0x20, 0x7E), (0x391, 0x3A9), (0x3B1, 0x3C9),    # ASCII and Greek
-    (0x1D400, 0x1D433), (0x1D434, 0x1D49B),          # bold; italic and bold italic
-    (0x1D6E2, 0x1D71B), (0x1D736, 0x1D74F),          # italic Greek; bold italic small Greek
-    (0x1D7CE, 0x1D7D7),                              # bold digits
+    (0x20, 0x7E),
+    (0x391, 0x3A9),
+    (0x3B1, 0x3C9),  # ASCII and Greek
+    (0x1D400, 0x1D433),
+    (0x1D434, 0x1D49B),  # bold; italic and bold italic
+    (0x1D6E2, 0x1D71B),
+    (0x1D736, 0x1D74F),  # italic Greek; bold italic small Greek
+    (0x1D7CE, 0x1D7D7),  # bold digits
 )
 SIGNS = (
     "\u00a0¬°±·×÷¯¨²³´µ`ϑϕϖϱϵℎℏℓıȷˆ˜˙′″\u2061‾―–—’…\u0305\u20d7ℂℝℕℤℒ"
@@ -30,9 +34,16 @@ SIGNS = (
 
 def main(source: str, target: str) -> None:
     options = Options()
-    options.flavor, options.hinting, options.layout_features, options.notdef_outline = "woff2", False, [], True
+    options.flavor, options.hinting, options.layout_features, options.notdef_outline = (
+        "woff2",
+        False,
+        [],
+        True,
+    )
     font = TTFont(source)
-    letters = {code for first, last in RANGES for code in range(first, last + 1)} | {ord(sign) for sign in SIGNS}
+    letters = {code for first, last in RANGES for code in range(first, last + 1)} | {
+        ord(sign) for sign in SIGNS
+    }
     subsetter = Subsetter(options)
     subsetter.populate(unicodes=letters)
     subsetter.subset(font)

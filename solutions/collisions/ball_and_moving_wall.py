@@ -50,5 +50,10 @@ def scene(vA, vB, answer, neglected):
     after = (answer["a"], 0.0, vB, 0.0)
     return [
         simulate("spheres", hit | {"mB": 1e9}, neglected=1e-8, velocities=after),
-        simulate("spheres", hit | {"mB": 1e4}, neglected=1.5 * neglected["a"] / max(map(abs, after)), velocities=after),
+        simulate(
+            "spheres",
+            hit | {"mB": 1e4},
+            neglected=1.5 * neglected["a"] / max(map(abs, after)),
+            velocities=after,
+        ),
     ]

@@ -51,4 +51,11 @@ def derive(m, M, mu, d, g):
 
 def scene(m, M, mu, d, g, answer):
     """A bullet of the speed found is braked inside the block; then friction stops both, where it must."""
-    return [simulate("bullet_block", {"m": m, "M": M, "mu": mu, "g": g, "v": answer["a"]}, distance=d, energy_change=answer["b"])]
+    return [
+        simulate(
+            "bullet_block",
+            {"m": m, "M": M, "mu": mu, "g": g, "v": answer["a"]},
+            distance=d,
+            energy_change=answer["b"],
+        )
+    ]

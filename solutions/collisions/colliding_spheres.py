@@ -16,7 +16,9 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
     F = vector("F")
 
     def contact(k=k, eta=eta):
-        return sphere_contact(F, theta=theta, k=k, delta=delta, eta=eta, apart=(dx, dy), r=r, passing=(ux, uy))
+        return sphere_contact(
+            F, theta=theta, k=k, delta=delta, eta=eta, apart=(dx, dy), r=r, passing=(ux, uy)
+        )
 
     return derivation(
         step(r, "The distance of the centres.", distance(r, (dx, dy))),
@@ -67,11 +69,24 @@ def scene(R, mA, mB, dx, dy, ux, uy, k, eta, answer):
     deep, force, mu = 2 * R - r, math.hypot(*answer["a"]), mA * mB / (mA + mB)
     # The spring grows and turns as the spheres move on, the brake changes with their relative velocity.
     growth = (1.5 * k * deep**0.5 + k * deep**1.5 / r) * u + eta * force / mu
-    spheres = {"R": R, "mA": mA, "mB": mB, "dx": dx, "dy": dy, "vA": (0.0, 0.0), "vB": (ux, uy), "k": k, "q": 1.5, "eta": eta, "g": 0.0, "t": t}
+    spheres = {
+        "R": R,
+        "mA": mA,
+        "mB": mB,
+        "dx": dx,
+        "dy": dy,
+        "vA": (0.0, 0.0),
+        "vB": (ux, uy),
+        "k": k,
+        "q": 1.5,
+        "eta": eta,
+        "g": 0.0,
+        "t": t,
+    }
     return [simulate("touching_spheres", spheres, mean_force=answer["a"], neglected=growth * t / force)]
 
 
-EXAMPLE = '''
+EXAMPLE = """
 def spheres(mA, mB, R, k, eta, rA, vA, rB, vB, T, dt):
     rA, vA, rB, vB = (np.array(x, dtype=float) for x in (rA, vA, rB, vB))
     for step in range(round(T / dt)):
@@ -83,8 +98,8 @@ def spheres(mA, mB, R, k, eta, rA, vA, rB, vB, T, dt):
         rA = rA + vA * dt
         rB = rB + vB * dt
     return [vA[0], vA[1], vB[0], vB[1]]
-'''
-PLOT = '''
+"""
+PLOT = """
 R, k, eta, m = {R}, {k}, {eta}, np.array([[{mA}], [{mB}]])
 dt, n = 1e-4, 1000
 r, v = np.zeros((n + 1, 2, 2)), np.zeros((n + 1, 2, 2))
@@ -106,4 +121,4 @@ for axis, x, y in zip(axes, ("x [m]", "t [s]", "t [s]"), ("y [m]", "p_x [kg m/s]
     axis.set_ylabel(y)
     axis.legend()
 plt.show()
-'''
+"""

@@ -4,7 +4,15 @@ import sympy
 
 from corollary.author import derivation, mistake, reject, route, step, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.laws import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, momentum, restitution
+from corollary.laws import (
+    after_elastic,
+    conservation_of_momentum,
+    elastic,
+    in_the_limit,
+    law,
+    momentum,
+    restitution,
+)
 
 
 def derive(mA, mB, vA):
@@ -99,6 +107,10 @@ def scene(mA, mB, vA, answer):
     return [
         simulate("cradle", {"N": 2, "masses": (mA, mB), "v0": speed}, velocities=(answer["a"], answer["b"])),
         simulate("cradle", {"N": 2, "masses": (mA, mA), "v0": speed}, velocities=answer["e"]),
-        simulate("cradle", {"N": 2, "masses": (mA, 1e6 * mA), "v0": speed}, neglected=1e-5, velocities=answer["f"]),
-        simulate("cradle", {"N": 2, "masses": (mA, 1e-6 * mA), "v0": speed}, neglected=1e-5, velocities=answer["g"]),
+        simulate(
+            "cradle", {"N": 2, "masses": (mA, 1e6 * mA), "v0": speed}, neglected=1e-5, velocities=answer["f"]
+        ),
+        simulate(
+            "cradle", {"N": 2, "masses": (mA, 1e-6 * mA), "v0": speed}, neglected=1e-5, velocities=answer["g"]
+        ),
     ]

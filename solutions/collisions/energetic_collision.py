@@ -55,4 +55,8 @@ def derive(m1, v1, m2):
 
 def scene(m1, v1, m2, answer):
     """Object 1 gets stuck in object 2, seen from object 2, which is then at rest before and moves at -v2 after."""
-    return [simulate("bullet_block", {"m": m1, "M": m2, "v": v1 - answer["c"]}, velocities=(-answer["c"], -answer["c"]))]
+    return [
+        simulate(
+            "bullet_block", {"m": m1, "M": m2, "v": v1 - answer["c"]}, velocities=(-answer["c"], -answer["c"])
+        )
+    ]

@@ -4,7 +4,15 @@ import sympy
 
 from corollary.author import derivation, mistake, proof, reject, step, unknown, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.laws import Law, angle_between, conservation_of_momentum, elastic, law, line_of_centres, magnitude
+from corollary.laws import (
+    Law,
+    angle_between,
+    conservation_of_momentum,
+    elastic,
+    law,
+    line_of_centres,
+    magnitude,
+)
 
 
 def plane_energy(m, v0, A, B) -> Law:
@@ -150,5 +158,7 @@ def scene(v0, theta, s, D, mA, mB, answer):
     ax_d, ay_d = v0 - mB / mA * vx, -mB / mA * vy
     return [
         simulate("spheres", hard | {"mA": mA, "mB": mA}, neglected=10 * flat, velocities=(ax, ay, bx, by)),
-        simulate("spheres", hard | {"mA": mA, "mB": mB}, neglected=10 * flat, velocities=(ax_d, ay_d, vx, vy)),
+        simulate(
+            "spheres", hard | {"mA": mA, "mB": mB}, neglected=10 * flat, velocities=(ax_d, ay_d, vx, vy)
+        ),
     ]

@@ -71,6 +71,11 @@ def scene(m, M, L, g, answer, neglected):
     whole = {"m": m, "M": M, "L": L, "g": g}
     return [
         simulate("cradle", {"N": 2, "masses": (m, M), "v0": answer["a0"]}, velocities=answer["a"]),
-        simulate("pendulum_block", whole, velocities=answer["a"], neglected=neglected["a"] / math.hypot(*answer["a"])),
+        simulate(
+            "pendulum_block",
+            whole,
+            velocities=answer["a"],
+            neglected=neglected["a"] / math.hypot(*answer["a"]),
+        ),
         simulate("pendulum_block", whole, height=answer["b"], neglected=neglected["b"] / answer["b"]),
     ]

@@ -93,7 +93,17 @@ def scene(m, v0, r, h0, n, g, answer, neglected):
     damped = {"m": m, "k": k, "q": 1, "g": 0.0, "R": 0.02, "y0": 0.02, "eta": 2 * m * loss / touch}
     fall, rise = math.sqrt(2 * g * h0), math.sqrt(2 * g * answer["c"])
     return [
-        simulate("ball_on_floor", damped | {"v0": -v0}, rebound_speed=-answer["a"], energy_ratio=1 + answer["b"] / (m * v0 * v0 / 2)),
+        simulate(
+            "ball_on_floor",
+            damped | {"v0": -v0},
+            rebound_speed=-answer["a"],
+            energy_ratio=1 + answer["b"] / (m * v0 * v0 / 2),
+        ),
         simulate("ball_on_floor", damped | {"v0": -fall}, rebound_speed=rise),
-        simulate("ball_on_floor", damped | {"v0": -fall, "g": g}, rebound_speed=rise, neglected=neglected["c"] / answer["c"] / 2),
+        simulate(
+            "ball_on_floor",
+            damped | {"v0": -fall, "g": g},
+            rebound_speed=rise,
+            neglected=neglected["c"] / answer["c"] / 2,
+        ),
     ]

@@ -6,7 +6,15 @@ import sympy
 
 from corollary.author import derivation, mistake, neglected, reject, route, step, supposed, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.laws import after_elastic, conservation_of_momentum, elastic, falling, in_the_limit, law, restitution
+from corollary.laws import (
+    after_elastic,
+    conservation_of_momentum,
+    elastic,
+    falling,
+    in_the_limit,
+    law,
+    restitution,
+)
 
 
 def derive(mA, mB, h0, g):
@@ -110,11 +118,32 @@ def scene(mA, mB, h0, g, answer, neglected):
     There the balls are weighed while they touch, as hard ones do for some tenths of a millisecond.
     """
     fall = answer["a"]
-    met = {"mA": mA, "mB": mB, "k": 1e9, "eta": 0.0, "dx": 0.08, "dy": 0.0, "vA": (fall, 0.0), "vB": (-fall, 0.0)}
+    met = {
+        "mA": mA,
+        "mB": mB,
+        "k": 1e9,
+        "eta": 0.0,
+        "dx": 0.08,
+        "dy": 0.0,
+        "vA": (fall, 0.0),
+        "vB": (-fall, 0.0),
+    }
     dropped = {"mA": mA, "mB": mB, "h0": h0, "g": g, "q": 1.0, "k": 1e9, "weighed": 1}
     return [
         simulate("spheres", met, velocities=(answer["c"], 0.0, answer["b"], 0.0)),
-        simulate("spheres", met | {"mA": 1e6 * mB}, neglected=1e-5, velocities=(fall, 0.0, math.sqrt(2 * g * answer["e"]), 0.0)),
-        simulate("ball_on_floor", {"m": mA, "g": g, "R": 0.02, "y0": 0.02 + h0, "v0": 0.0}, rebound_speed=fall),
-        simulate("super_ball", dropped, heights=(answer["c"] ** 2 / (2 * g), answer["d"]), neglected=neglected["d"] / answer["d"]),
+        simulate(
+            "spheres",
+            met | {"mA": 1e6 * mB},
+            neglected=1e-5,
+            velocities=(fall, 0.0, math.sqrt(2 * g * answer["e"]), 0.0),
+        ),
+        simulate(
+            "ball_on_floor", {"m": mA, "g": g, "R": 0.02, "y0": 0.02 + h0, "v0": 0.0}, rebound_speed=fall
+        ),
+        simulate(
+            "super_ball",
+            dropped,
+            heights=(answer["c"] ** 2 / (2 * g), answer["d"]),
+            neglected=neglected["d"] / answer["d"],
+        ),
     ]

@@ -2,7 +2,15 @@
 
 from corollary.author import choice, derivation, explain, mistake, neglected, reject, step, supposed, unknowns
 from corollary.derive.simulation import simulate
-from corollary.laws import conservation_of_momentum, elastic, elastic_on_hinge, hit_on_hinge, law, momentum, sticking
+from corollary.laws import (
+    conservation_of_momentum,
+    elastic,
+    elastic_on_hinge,
+    hit_on_hinge,
+    law,
+    momentum,
+    sticking,
+)
 
 
 def derive(m, M, v, h, I):
@@ -79,6 +87,12 @@ def derive(m, M, v, h, I):
 def scene(m, M, v, h, I, answer):
     """A free book is a row of two balls; a book that turns is, where it is hit, as heavy as I/h² (hit at h, it moves at omega h)."""
     return [
-        simulate("cradle", {"N": 2, "masses": (m, M), "v0": v}, velocities=(v - answer["d"] / m, answer["d"] / M)),
-        simulate("cradle", {"N": 2, "masses": (m, I / h**2), "v0": v}, velocities=(v - I / h * answer["e"] / m, h * answer["e"])),
+        simulate(
+            "cradle", {"N": 2, "masses": (m, M), "v0": v}, velocities=(v - answer["d"] / m, answer["d"] / M)
+        ),
+        simulate(
+            "cradle",
+            {"N": 2, "masses": (m, I / h**2), "v0": v},
+            velocities=(v - I / h * answer["e"] / m, h * answer["e"]),
+        ),
     ]

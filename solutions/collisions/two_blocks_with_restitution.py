@@ -12,7 +12,16 @@ def derive(mA, mB, vA, vB, r):
     momentum_kept = conservation_of_momentum(before=[(mA, vA), (mB, vB)], after=[(mA, v_A1), (mB, v_B1)])
     given_r = restitution(r, A=(vA, v_A1), B=(vB, v_B1))
     energy = change_of_kinetic_energy(dK, before=[(mA, vA), (mB, vB)], after=[(mA, v_A1), (mB, v_B1)])
-    loss = law("Loss in a collision", "dK = -m_A*m_B/(2*(m_A + m_B))*(1 - r^2)*(v_A - v_B)^2", dK=dK, m_A=mA, m_B=mB, r=r, v_A=vA, v_B=vB)
+    loss = law(
+        "Loss in a collision",
+        "dK = -m_A*m_B/(2*(m_A + m_B))*(1 - r^2)*(v_A - v_B)^2",
+        dK=dK,
+        m_A=mA,
+        m_B=mB,
+        r=r,
+        v_A=vA,
+        v_B=vB,
+    )
     return derivation(
         step(
             v_A1, "Momentum is kept, and the relative velocity is turned round and shrinks by r: two equations for the two velocities.",
@@ -81,6 +90,23 @@ def scene(mA, mB, vA, vB, r, answer):
     """Two soft spheres, head-on, with just as much damping in the contact as r asks for."""
     k, loss, mass = 1e9, -math.log(r), mA * mB / (mA + mB)
     eta = 2 * math.sqrt(k * mass) * loss / math.hypot(math.pi, loss)
-    settings = {"mA": mA, "mB": mB, "k": k, "q": 1, "eta": eta, "dx": 0.08, "dy": 0.0, "vA": (vA, 0.0), "vB": (vB, 0.0)}
+    settings = {
+        "mA": mA,
+        "mB": mB,
+        "k": k,
+        "q": 1,
+        "eta": eta,
+        "dx": 0.08,
+        "dy": 0.0,
+        "vA": (vA, 0.0),
+        "vB": (vB, 0.0),
+    }
     before = (mA * vA * vA + mB * vB * vB) / 2
-    return [simulate("spheres", settings, velocities=(answer["a"], 0.0, answer["b"], 0.0), energy_ratio=1 + answer["c"] / before)]
+    return [
+        simulate(
+            "spheres",
+            settings,
+            velocities=(answer["a"], 0.0, answer["b"], 0.0),
+            energy_ratio=1 + answer["c"] / before,
+        )
+    ]

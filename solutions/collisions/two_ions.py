@@ -72,7 +72,7 @@ def scene(C, mA, mB, v, r0, s, dx, dy, answer):
     ]
 
 
-EXAMPLE = '''
+EXAMPLE = """
 def ions(C, mA, mB, rA, vA, rB, vB, T, dt):
     rA, vA, rB, vB = (np.array(x, dtype=float) for x in (rA, vA, rB, vB))
     for step in range(round(T / dt)):
@@ -83,4 +83,4 @@ def ions(C, mA, mB, rA, vA, rB, vB, T, dt):
         rA = rA + vA * dt
         rB = rB + vB * dt
     return [vA[0], vA[1], vB[0], vB[1]]
-'''
+"""

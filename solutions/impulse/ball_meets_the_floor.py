@@ -50,4 +50,8 @@ def derive(m, v0, dt, g):
 
 def scene(m, v0, dt, g, answer):
     """The mean net force, for the time of contact, turns the velocity round."""
-    return [simulate("kick", {"m": m, "v0": v0, "F": answer["b"], "dt": dt}, velocities=(-v0,), impulse=answer["a"])]
+    return [
+        simulate(
+            "kick", {"m": m, "v0": v0, "F": answer["b"], "dt": dt}, velocities=(-v0,), impulse=answer["a"]
+        )
+    ]

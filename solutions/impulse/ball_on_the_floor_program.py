@@ -96,7 +96,7 @@ def scene(g, R, m, y0, v0, k, answer):
     ]  # fmt: skip
 
 
-EXAMPLE = '''
+EXAMPLE = """
 def bounce(m, k, R, y0, v0, g, dt):
     y, v = y0, v0
     largest, steps = 0.0, 0
@@ -110,8 +110,8 @@ def bounce(m, k, R, y0, v0, g, dt):
         largest = max(largest, F)
         v = v + F / m * dt
         y = y + v * dt
-'''
-PLOT = '''
+"""
+PLOT = """
 m, k, R, g = {m}, {k}, {R}, {g}
 y, v, dt, touched, after = {y0}, {v0}, 1e-5, False, 0
 t, F, p = [], [], []
@@ -132,4 +132,4 @@ below.plot(t, p)
 below.set_xlabel("t [s]")
 below.set_ylabel("p [kg m/s]")
 plt.show()
-'''
+"""

@@ -59,4 +59,12 @@ def derive(m, v0, theta, dt):
 
 def scene(m, v0, theta, dt, answer):
     """A smooth wall that gives like a spring and lets go after dt."""
-    return [simulate("wall", {"m": m, "v0": v0, "theta": theta, "dt": dt}, momentum_change=answer["a"], impulse=answer["b"], mean_force=answer["c"])]
+    return [
+        simulate(
+            "wall",
+            {"m": m, "v0": v0, "theta": theta, "dt": dt},
+            momentum_change=answer["a"],
+            impulse=answer["b"],
+            mean_force=answer["c"],
+        )
+    ]

@@ -6,7 +6,14 @@ import sympy
 
 from corollary.author import derivation, mistake, neglected, printed, step, unknowns, vector
 from corollary.derive.simulation import simulate
-from corollary.laws import change_of_momentum, direction, impulse_momentum, impulse_of_constant_force, law, mean_force
+from corollary.laws import (
+    change_of_momentum,
+    direction,
+    impulse_momentum,
+    impulse_of_constant_force,
+    law,
+    mean_force,
+)
 
 
 def derive(m, v0, v1, w, alpha, dt, g):
@@ -110,7 +117,22 @@ def scene(m, v0, v1, w, alpha, dt, g, answer, neglected):
     push = {"m": m, "dt": dt}
     return [
         simulate("kick", {**push, "v0": -v0, "F": answer["b"][0]}, velocities=(v1,), impulse=answer["a"][0]),
-        simulate("kick", {**push, "v0": -v0, "F": answer["c2"][0]}, velocities=(w * math.cos(alpha),), impulse=answer["c1"][0]),
-        simulate("kick", {**push, "v0": 0.0, "F": answer["c2"][1]}, velocities=(w * math.sin(alpha),), impulse=answer["c1"][1]),
-        simulate("kick", {**push, "v0": 0.0, "F": answer["c2"][1] - m * g}, velocities=(w * math.sin(alpha),), neglected=neglected["c2"] / answer["c2"][1]),
+        simulate(
+            "kick",
+            {**push, "v0": -v0, "F": answer["c2"][0]},
+            velocities=(w * math.cos(alpha),),
+            impulse=answer["c1"][0],
+        ),
+        simulate(
+            "kick",
+            {**push, "v0": 0.0, "F": answer["c2"][1]},
+            velocities=(w * math.sin(alpha),),
+            impulse=answer["c1"][1],
+        ),
+        simulate(
+            "kick",
+            {**push, "v0": 0.0, "F": answer["c2"][1] - m * g},
+            velocities=(w * math.sin(alpha),),
+            neglected=neglected["c2"] / answer["c2"][1],
+        ),
     ]

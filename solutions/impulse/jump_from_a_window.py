@@ -81,4 +81,11 @@ def derive(h, m, dt, s, g):
 
 def scene(h, m, dt, s, g, answer):
     """The film run backwards: the net force the other way brings you from rest to the speed of the landing."""
-    return [simulate("kick", {"m": m, "v0": 0.0, "F": answer["c"], "dt": dt}, velocities=(answer["a"],), impulse=answer["b"])]
+    return [
+        simulate(
+            "kick",
+            {"m": m, "v0": 0.0, "F": answer["c"], "dt": dt},
+            velocities=(answer["a"],),
+            impulse=answer["b"],
+        )
+    ]

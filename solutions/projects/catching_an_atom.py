@@ -4,7 +4,19 @@ import math
 
 import sympy
 
-from corollary.author import choice, code, derivation, explain, mistake, plot, simulated, step, unknown, unknowns, vector
+from corollary.author import (
+    choice,
+    code,
+    derivation,
+    explain,
+    mistake,
+    plot,
+    simulated,
+    step,
+    unknown,
+    unknowns,
+    vector,
+)
 from corollary.derive.simulation import simulate
 from corollary.grading.programs.atom_plot import judge_orbit_plot, judge_potential_plot
 from corollary.grading.programs.catch import catch_inputs, judge_catch
@@ -328,12 +340,40 @@ def scene(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1, answer):
         simulate("atom", line | {"r0": near, "v0": 0.0}, turning_points=(near, far), period=answer["a2"]),
         simulate("atom", line | {"r0": b, "v0": math.sqrt(epsx * k / m) * d}, velocities=answer["a3"]),
         simulate("atom", line | {"r0": b, "v0": -answer["c"]}, velocities=vA0),
-        simulate("atom", well | {"r0": b, "v0": v0}, turning_points=(b, answer["h1"]), period=answer["h2"], angle=answer["h3"]),
-        simulate("atom", well | {"r0": answer["i1"], "v0": v}, turning_points=(answer["i1"], answer["i1"]), neglected=1e-7),
-        simulate("atom", pair | {"r0": (b, 0.0), "v0": (swift * answer["k2"] / 2 * cos, swift * answer["k2"] / 2 * sin)}, escapes=1.0),
-        simulate("atom", pair | {"r0": (b, 0.0), "v0": (answer["k2"] / 2 / swift * cos, answer["k2"] / 2 / swift * sin)}, escapes=0.0),
-        *(simulate("atom", pair | {"r0": (b, 0.0), "v0": halved(m, k, b, d, s, answer["k3"] * share)}, escapes=out) for share, out in ((swift, 1.0), (1 / swift, 0.0))),
-        simulate("atom", well | {"r0": (b, 0.0), "v0": halved(m, k, b, d, 0.0, answer["e"] * swift)}, escapes=1.0),
+        simulate(
+            "atom",
+            well | {"r0": b, "v0": v0},
+            turning_points=(b, answer["h1"]),
+            period=answer["h2"],
+            angle=answer["h3"],
+        ),
+        simulate(
+            "atom",
+            well | {"r0": answer["i1"], "v0": v},
+            turning_points=(answer["i1"], answer["i1"]),
+            neglected=1e-7,
+        ),
+        simulate(
+            "atom",
+            pair | {"r0": (b, 0.0), "v0": (swift * answer["k2"] / 2 * cos, swift * answer["k2"] / 2 * sin)},
+            escapes=1.0,
+        ),
+        simulate(
+            "atom",
+            pair | {"r0": (b, 0.0), "v0": (answer["k2"] / 2 / swift * cos, answer["k2"] / 2 / swift * sin)},
+            escapes=0.0,
+        ),
+        *(
+            simulate(
+                "atom",
+                pair | {"r0": (b, 0.0), "v0": halved(m, k, b, d, s, answer["k3"] * share)},
+                escapes=out,
+            )
+            for share, out in ((swift, 1.0), (1 / swift, 0.0))
+        ),
+        simulate(
+            "atom", well | {"r0": (b, 0.0), "v0": halved(m, k, b, d, 0.0, answer["e"] * swift)}, escapes=1.0
+        ),
         simulate("atom", well | {"r0": edge, "v0": (0.0, 0.999 * answer["i2"])}, escapes=0.0),
     ]
 
@@ -344,7 +384,7 @@ def halved(m, k, b, d, s, v):
     return math.sqrt(v**2 + k * d**2 / m - across**2) / 2, across / 2
 
 
-POTENTIAL = '''
+POTENTIAL = """
 k, b, d = {k}, {b}, {d}
 U0 = k * d**2 / 2
 x = np.linspace(b - d, b + 2 * d, 400)
@@ -356,8 +396,8 @@ plt.xlabel("x [m]")
 plt.ylabel("U [J]")
 plt.legend()
 plt.show()
-'''
-ORBIT = '''
+"""
+ORBIT = """
 def orbit(m, k, b, d, x, y, vx, vy, T, dt):
     r, v = np.array([x, y], dtype=float), np.array([vx, vy], dtype=float)
     for step in range(round(T / dt)):
@@ -366,8 +406,8 @@ def orbit(m, k, b, d, x, y, vx, vy, T, dt):
         v = v + F / m * dt
         r = r + v * dt
     return r[0], r[1]
-'''
-ORBIT_PLOT = '''
+"""
+ORBIT_PLOT = """
 period = 2 * np.pi * np.sqrt({m} / {k})
 places = [({b}, 0.0)]
 r, v = np.array([{b}, 0.0]), np.array([0.0, {v0}])
@@ -383,8 +423,8 @@ plt.gca().set_aspect("equal")
 plt.xlabel("x [m]")
 plt.ylabel("y [m]")
 plt.show()
-'''
-CATCH = '''
+"""
+CATCH = """
 def catch(m, k, b, d, x, y, vx, vy, t1, T, dt):
     r, v = np.array([x, y], dtype=float), np.array([vx, vy], dtype=float)
     met = False
@@ -396,4 +436,4 @@ def catch(m, k, b, d, x, y, vx, vy, t1, T, dt):
         v = v + F / m * dt
         r = r + v * dt
     return r[0], r[1]
-'''
+"""

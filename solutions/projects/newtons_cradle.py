@@ -199,13 +199,19 @@ def scene(m, h0, r, k, v0, g, answer):
     gap = 100 * v0 * answer["h1"]
     return [
         simulate("cradle", {"N": 2, "q": 1, "m": m, "k": k, "v0": answer["a"]}, velocities=answer["b"]),
-        simulate("cradle", {"N": 2, "q": 1, "m": m, "k": k, "v0": v0}, duration=answer["h1"], largest_overlap=answer["h2"]),
-        simulate("cradle", {"N": 3, "q": 1, "m": m, "k": k, "v0": v0, "gaps": (0.0, gap)}, velocities=answer["f2"]),
+        simulate(
+            "cradle",
+            {"N": 2, "q": 1, "m": m, "k": k, "v0": v0},
+            duration=answer["h1"],
+            largest_overlap=answer["h2"],
+        ),
+        simulate(
+            "cradle", {"N": 3, "q": 1, "m": m, "k": k, "v0": v0, "gaps": (0.0, gap)}, velocities=answer["f2"]
+        ),
     ]
 
 
-
-EXAMPLE = '''
+EXAMPLE = """
 def cradle(N, m, k, q, v0, dt):
     v = np.zeros(N)
     v[0] = v0
@@ -223,12 +229,12 @@ def cradle(N, m, k, q, v0, dt):
         v = v + a * dt
         shift = shift + v * dt
     return list(v)
-'''
-CONTACT = '''
+"""
+CONTACT = """
 def contact():
     return 1e9, 6.0
-'''
-PLOT = '''
+"""
+PLOT = """
 T = np.pi * np.sqrt({m} / 2 / {k})
 t = np.linspace(0, 1.2 * T, 400)
 half = {v0} / 2
@@ -238,8 +244,8 @@ plt.xlabel("t [s]")
 plt.ylabel("v [m/s]")
 plt.legend()
 plt.show()
-'''
-PLOT_THREE = '''
+"""
+PLOT_THREE = """
 def motion(N, m, k, q, v0, dt, steps):
     v, shift, out = np.zeros(N), np.zeros(N), []
     v[0] = v0
@@ -263,4 +269,4 @@ plt.xlabel("t [s]")
 plt.ylabel("v [m/s]")
 plt.legend()
 plt.show()
-'''
+"""

@@ -2,7 +2,15 @@
 
 from corollary.author import derivation, mistake, route, step, unknowns
 from corollary.derive.simulation import simulate
-from corollary.laws import change_in_absorption, change_of_momentum, growing, impulse_of_growing_weight, law, sticking, thrust
+from corollary.laws import (
+    change_in_absorption,
+    change_of_momentum,
+    growing,
+    impulse_of_growing_weight,
+    law,
+    sticking,
+    thrust,
+)
 
 
 def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):

@@ -60,7 +60,17 @@ def step(
 ) -> Step:  # fmt: skip
     """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
     return Step(
-        _tuple(finds), because, laws, answers, tuple(also), where, tuple(reject), tuple(mistakes), tuple(routes), check, scale
+        _tuple(finds),
+        because,
+        laws,
+        answers,
+        tuple(also),
+        where,
+        tuple(reject),
+        tuple(mistakes),
+        tuple(routes),
+        check,
+        scale,
     )
 
 
@@ -86,7 +96,15 @@ def optimum(
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
     low, high = between
     return Optimum(
-        _tuple(finds), because, of, over, (as_expression(low), as_expression(high)), largest, answers, tuple(mistakes), check
+        _tuple(finds),
+        because,
+        of,
+        over,
+        (as_expression(low), as_expression(high)),
+        largest,
+        answers,
+        tuple(mistakes),
+        check,
     )
 
 
@@ -99,7 +117,9 @@ def simulated(
     return Simulated(_tuple(finds), because, scene, formulas, observe, answers, tuple(mistakes), check)
 
 
-def choice(part: str, because: str, *, mistakes: Mapping[str, str] | None = None, **options: Boolean | bool) -> Choice:
+def choice(
+    part: str, because: str, *, mistakes: Mapping[str, str] | None = None, **options: Boolean | bool
+) -> Choice:
     """Each option with the condition under which it is the right one; exactly one may hold."""
     return Choice(part, because, options, mistakes or {})
 
@@ -122,7 +142,9 @@ def plot(part: str, because: str, *, judge: Callable, example: str) -> Plot:
     return Plot(part, because, judge, example)
 
 
-def proof(part: str, because: str, *laws: Law, target: Law, lines: Sequence[str], mistakes: Sequence[Mistake] = ()) -> Proof:
+def proof(
+    part: str, because: str, *laws: Law, target: Law, lines: Sequence[str], mistakes: Sequence[Mistake] = ()
+) -> Proof:
     """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line."""
     return Proof(part, because, laws, target, tuple(lines), tuple(mistakes))
 

@@ -9,14 +9,16 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Real
-from corollary.sandbox.runner import Ask, Cell, Job, Limits, Runner, Taken
+from corollary.sandbox.runner import Ask, Cell, ExecutionResult, Job, Limits, Runner
 
 SECRET = "the key to part a is 8.6"
 
 
 @pytest.fixture(scope="session")
 def narrow_runner() -> Iterator[Runner]:
-    limits = Limits(cell_seconds=1.0, total_seconds=5.0, memory_bytes=512 << 20, output_bytes=100_000, file_bytes=4 << 20)
+    limits = Limits(
+        cell_seconds=1.0, total_seconds=5.0, memory_bytes=512 << 20, output_bytes=100_000, file_bytes=4 << 20
+    )
     os.environ["COURSE_SECRET"] = SECRET
     try:
         with Runner(limits) as running:
@@ -28,8 +30,10 @@ def narrow_runner() -> Iterator[Runner]:
 
 
 @pytest.fixture
-def run(narrow_runner: Runner) -> Iterator[Callable[..., Taken]]:
-    def take(*sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False) -> Taken:
+def run(narrow_runner: Runner) -> Iterator[Callable[..., ExecutionResult]]:
+    def take(
+        *sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False
+    ) -> ExecutionResult:
         cells = tuple(Cell(f"c{number}", source) for number, source in enumerate(sources))
         return narrow_runner.take(Job(cells, names, asks, pictures=pictures))
 

@@ -7,16 +7,16 @@ from collections.abc import Callable
 import pytest
 
 from corollary.formula.value import Nothing, Real, Refused
-from corollary.sandbox.runner import Taken
+from corollary.sandbox.runner import ExecutionResult
 
-Run = Callable[..., Taken]
+Run = Callable[..., ExecutionResult]
 
 
-def statuses(taken: Taken) -> list[str]:
+def statuses(taken: ExecutionResult) -> list[str]:
     return [cell.status for cell in taken.cells]
 
 
-def said(taken: Taken) -> str:
+def said(taken: ExecutionResult) -> str:
     return str([cell.outputs for cell in taken.cells]) + "".join(cell.error for cell in taken.cells)
 
 
@@ -151,7 +151,11 @@ def test_hundreds_of_figures_are_bounded(run: Run) -> None:
 
 
 def test_errors_that_cannot_be_printed_are_still_errors(run: Run) -> None:
-    taken = run("class E(Exception):\n    def __str__(self): raise ValueError\nraise E", "raise ValueError('\\ud800')", "b = 2.5")
+    taken = run(
+        "class E(Exception):\n    def __str__(self): raise ValueError\nraise E",
+        "raise ValueError('\\ud800')",
+        "b = 2.5",
+    )
     assert statuses(taken) == ["error", "error", "ok"]
 
 
@@ -176,7 +180,9 @@ def test_input_is_refused_with_a_sentence(run: Run) -> None:
 
 
 def test_warnings_and_messages_on_stderr_cost_nothing(run: Run) -> None:
-    taken = run("import sys, warnings, logging\nprint('x', file=sys.stderr); warnings.warn('w'); logging.warning('l')\na = 1.5")
+    taken = run(
+        "import sys, warnings, logging\nprint('x', file=sys.stderr); warnings.warn('w'); logging.warning('l')\na = 1.5"
+    )
     assert statuses(taken) == ["ok"]
     assert {each.get("name") for each in taken.cells[0].outputs} == {"stderr"}
     assert taken.values["a"] == Real(1.5)

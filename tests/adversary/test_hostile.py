@@ -9,16 +9,16 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Nothing, Real
-from corollary.sandbox.runner import Ask, Taken
+from corollary.sandbox.runner import Ask, ExecutionResult
 
-Run = Callable[..., Taken]
+Run = Callable[..., ExecutionResult]
 
 
-def statuses(taken: Taken) -> list[str]:
+def statuses(taken: ExecutionResult) -> list[str]:
     return [cell.status for cell in taken.cells]
 
 
-def said(taken: Taken) -> str:
+def said(taken: ExecutionResult) -> str:
     return str([cell.outputs for cell in taken.cells]) + "".join(cell.error for cell in taken.cells)
 
 
@@ -100,7 +100,11 @@ def test_a_growing_list_is_bounded(run: Run) -> None:
 def test_no_process_can_be_started(run: Run, source: str) -> None:
     taken = run(source, "b = 2.5")
     assert statuses(taken) == ["error", "ok"]
-    assert "Operation not permitted" in said(taken) or "No such file" in said(taken) or "Permission denied" in said(taken)
+    assert (
+        "Operation not permitted" in said(taken)
+        or "No such file" in said(taken)
+        or "Permission denied" in said(taken)
+    )
 
 
 def test_filling_the_disk_is_an_error_of_its_cell(run: Run) -> None:
@@ -158,12 +162,25 @@ def test_a_function_that_ends_the_process_costs_its_own_calls_alone(run: Run) ->
 def test_a_notebook_that_dies_everywhere_is_run_again_a_few_times_only(run: Run) -> None:
     taken = run("a = 8.6", *["import os; os._exit(0)"] * 8, "b = 2.5")
     assert taken.values["a"] == Real(8.6)
-    assert statuses(taken) == ["ok", "error", "error", "error", "error", "not run", "not run", "not run", "not run", "not run"]
+    assert statuses(taken) == [
+        "ok",
+        "error",
+        "error",
+        "error",
+        "error",
+        "not run",
+        "not run",
+        "not run",
+        "not run",
+        "not run",
+    ]
     assert taken.trouble.count("The rest was run again without it.") == 3
 
 
 def test_killing_the_parent_harms_nobody(run: Run) -> None:
-    taken = run("a = 1.5", "import os, signal\nfor p in (os.getppid(), 1):\n    os.kill(p, signal.SIGKILL)", "b = 2.5")
+    taken = run(
+        "a = 1.5", "import os, signal\nfor p in (os.getppid(), 1):\n    os.kill(p, signal.SIGKILL)", "b = 2.5"
+    )
     assert taken.values["a"] == Real(1.5)
 
 
@@ -173,7 +190,9 @@ def test_deep_recursion_is_an_ordinary_error(run: Run) -> None:
     assert taken.values["b"] == Real(2.5)
 
 
-@pytest.mark.parametrize("source", ["exit()", "quit()", "import sys; sys.exit(3)", "raise SystemExit", "raise KeyboardInterrupt"])
+@pytest.mark.parametrize(
+    "source", ["exit()", "quit()", "import sys; sys.exit(3)", "raise SystemExit", "raise KeyboardInterrupt"]
+)
 def test_leaving_leaves_nothing_out(run: Run, source: str) -> None:
     taken = run(source, "b = 2.5")
     assert taken.values["b"] == Real(2.5)

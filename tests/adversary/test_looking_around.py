@@ -11,16 +11,16 @@ import pytest
 
 import corollary
 from corollary.formula.value import Exact, Nothing
-from corollary.sandbox.runner import Taken
+from corollary.sandbox.runner import ExecutionResult
 
-Run = Callable[..., Taken]
+Run = Callable[..., ExecutionResult]
 
 
-def statuses(taken: Taken) -> list[str]:
+def statuses(taken: ExecutionResult) -> list[str]:
     return [cell.status for cell in taken.cells]
 
 
-def said(taken: Taken) -> str:
+def said(taken: ExecutionResult) -> str:
     return str([cell.outputs for cell in taken.cells]) + "".join(cell.error for cell in taken.cells)
 
 
@@ -43,7 +43,9 @@ def said(taken: Taken) -> str:
     ],
 )
 def test_files_outside_cannot_be_read(run: Run, path: str) -> None:
-    taken = run(f"import os\na = len(os.listdir({path!r}) if os.path.isdir({path!r}) else open({path!r}).read())")
+    taken = run(
+        f"import os\na = len(os.listdir({path!r}) if os.path.isdir({path!r}) else open({path!r}).read())"
+    )
     assert statuses(taken) == ["error"]
     assert taken.values["a"] == Nothing()
 

@@ -1,7 +1,13 @@
 """Formulas of the chapter as students write them, beside the right one: equal in other words, or subtly different."""
 
 POSITIVE: dict[str, tuple[float, float]] = {}
-VELOCITIES = {"v": (-10.0, 10.0), "w": (-10.0, 10.0), "vA": (-10.0, 10.0), "vB": (-10.0, 10.0), "u": (-10.0, 10.0)}
+VELOCITIES = {
+    "v": (-10.0, 10.0),
+    "w": (-10.0, 10.0),
+    "vA": (-10.0, 10.0),
+    "vB": (-10.0, 10.0),
+    "u": (-10.0, 10.0),
+}
 ANGLE = {"theta": (0.1, 1.4), "alpha": (0.2, 1.3)}
 FRACTION = {"r": (0.1, 0.95)}
 
@@ -90,7 +96,11 @@ FAMILIES = [
         "(mA*vA + mB*vB - mB*r*(vA - vB))/(mA + mB)",
         "mA mB vA vB r",
         VELOCITIES | FRACTION,
-        ["vA - (1+r)*mB*(vA-vB)/(mA+mB)", "((mA - r mB)vA + (1+r)mB vB)/(mA + mB)", "(mA vA + mB vB + mB r (vB - vA))/(mA+mB)"],
+        [
+            "vA - (1+r)*mB*(vA-vB)/(mA+mB)",
+            "((mA - r mB)vA + (1+r)mB vB)/(mA + mB)",
+            "(mA vA + mB vB + mB r (vB - vA))/(mA+mB)",
+        ],
         [
             "(mA vA + mB vB + mB r (vA - vB))/(mA+mB)",
             "(mA vA + mB vB - mA r (vA - vB))/(mA+mB)",
@@ -115,7 +125,13 @@ FAMILIES = [
             "-mA mB (1-r^2)(vA^2-vB^2)/(2(mA+mB))",
         ],
     ),
-    ("r^2*h", "r h", FRACTION, ["r²h", "h r r", "h*r^2", "(r h)^2/h"], ["r h", "sqrt(r) h", "r^4 h", "(1-r^2)h"]),
+    (
+        "r^2*h",
+        "r h",
+        FRACTION,
+        ["r²h", "h r r", "h*r^2", "(r h)^2/h"],
+        ["r h", "sqrt(r) h", "r^4 h", "(1-r^2)h"],
+    ),
     (
         "sqrt(2*g*h)",
         "g h",
@@ -148,7 +164,13 @@ FAMILIES = [
         "acos(1 - h/L)",
         "h L",
         {"h": (0.05, 0.8), "L": (0.9, 2.0)},
-        ["arccos(1 - h/L)", "2 asin(sqrt(h/(2L)))", "arccos((L-h)/L)", "pi/2 - arcsin(1-h/L)", "2arctan(sqrt(h/(2L-h)))"],
+        [
+            "arccos(1 - h/L)",
+            "2 asin(sqrt(h/(2L)))",
+            "arccos((L-h)/L)",
+            "pi/2 - arcsin(1-h/L)",
+            "2arctan(sqrt(h/(2L-h)))",
+        ],
         ["arcsin(1 - h/L)", "acos(h/L)", "asin(sqrt(2h/L))", "acos(1-h/L)*180/pi", "sqrt(2h/L)"],
     ),
     (
@@ -176,8 +198,18 @@ FAMILIES = [
         "m*sqrt(v^2 + w^2 + 2*v*w*cos(alpha))",
         "m v w alpha",
         ANGLE,
-        ["m sqrt((v + w cos α)^2 + (w sin α)^2)", "m sqrt((v-w)^2 + 4v w cos(α/2)^2)", "sqrt(m^2(v^2+w^2) + 2m^2 v w cos(α))"],
-        ["m sqrt(v^2+w^2-2 v w cos α)", "m sqrt(v^2+w^2)", "m(v + w cos α)", "m(v+w)", "m sqrt(v^2 + w^2 + v w cos α)"],
+        [
+            "m sqrt((v + w cos α)^2 + (w sin α)^2)",
+            "m sqrt((v-w)^2 + 4v w cos(α/2)^2)",
+            "sqrt(m^2(v^2+w^2) + 2m^2 v w cos(α))",
+        ],
+        [
+            "m sqrt(v^2+w^2-2 v w cos α)",
+            "m sqrt(v^2+w^2)",
+            "m(v + w cos α)",
+            "m(v+w)",
+            "m sqrt(v^2 + w^2 + v w cos α)",
+        ],
     ),
     (
         "atan2(w*sin(alpha), v + w*cos(alpha))",
@@ -211,7 +243,13 @@ FAMILIES = [
         "-v*ln(m1/m0)",
         "v m0 m1",
         POSITIVE,
-        ["v ln(m0/m1)", "v(ln(m0) - ln(m1))", "-v ln(1 - (m0-m1)/m0)", "v ln(10) log10(m0/m1)", "-ln((m1/m0)^v)"],
+        [
+            "v ln(m0/m1)",
+            "v(ln(m0) - ln(m1))",
+            "-v ln(1 - (m0-m1)/m0)",
+            "v ln(10) log10(m0/m1)",
+            "-ln((m1/m0)^v)",
+        ],
         ["v ln(m1/m0)", "v log10(m0/m1)", "v(m0-m1)/m0", "v ln(m0)/ln(m1)", "v(m0/m1 - 1)", "v ln(m0 - m1)"],
     ),
     (

@@ -37,7 +37,9 @@ def test_no_false_verdict(student, truth, letters, domain, same):
     assert isinstance(verdict, Equal if same else Different), verdict
 
 
-@pytest.mark.parametrize(("student", "truth", "letters", "domain", "same"), [each for each in PAIRS if not each[-1]])
+@pytest.mark.parametrize(
+    ("student", "truth", "letters", "domain", "same"), [each for each in PAIRS if not each[-1]]
+)
 def test_a_counterexample_is_one(student, truth, letters, domain, same):
     left, right = read(student, letters), author_formula(truth, letters)
     verdict = compare(left, right, domain)

@@ -18,7 +18,11 @@ PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
 
 @pytest.mark.parametrize(
     ("typed", "its_unit", "meant"),
-    [("1/m v", "m/(s*kg)", "1/m*v"), ("1/m v", "s/(kg*m)", "1/(m*v)"), ("v cos 2/m", "m/(s*kg)", "v*cos(2)/m")],
+    [
+        ("1/m v", "m/(s*kg)", "1/m*v"),
+        ("1/m v", "s/(kg*m)", "1/(m*v)"),
+        ("v cos 2/m", "m/(s*kg)", "v*cos(2)/m"),
+    ],
 )
 def test_the_dimension_decides(typed, its_unit, meant):
     assert isinstance(formula(typed, PROBLEM), ParseError)

@@ -40,7 +40,8 @@ def test_a_formula_turns_too():
 
 
 @pytest.mark.parametrize(
-    "typed", ["-3 Ns to the right", "3 Ns in the direction of the kick", "3 Ns away from the wall", "3 Ns lost"]
+    "typed",
+    ["-3 Ns to the right", "3 Ns in the direction of the kick", "3 Ns away from the wall", "3 Ns lost"],
 )
 def test_words_that_do_not_tell_the_sign_have_two_readings(typed):
     found = read(typed)

@@ -25,7 +25,16 @@ def test_the_answer_is_found(written):
 
 @pytest.mark.parametrize(
     "written",
-    ["8.6 or 9 N", "not 8.6 N", "less than 9 N", "between 8 and 9 N", "8.6 N if v = 3", "> 8 N", "half of 8.6 N", "x = 3, y = 4"],
+    [
+        "8.6 or 9 N",
+        "not 8.6 N",
+        "less than 9 N",
+        "between 8 and 9 N",
+        "8.6 N if v = 3",
+        "> 8 N",
+        "half of 8.6 N",
+        "x = 3, y = 4",
+    ],
 )
 def test_what_changes_an_answer_stays(written):
     found, _ = answer_in(written.translate(PLAIN))
@@ -34,7 +43,8 @@ def test_what_changes_an_answer_stays(written):
 
 
 @pytest.mark.parametrize(
-    ("written", "answer"), [("minus 3 m/s", "-3 m/s"), ("8.6 ± 0.1 N", "8.6 N"), ("(8.6 ± 0.1) N", "(8.6 ) N")]
+    ("written", "answer"),
+    [("minus 3 m/s", "-3 m/s"), ("8.6 ± 0.1 N", "8.6 N"), ("(8.6 ± 0.1) N", "(8.6 ) N")],
 )
 def test_a_minus_in_words_and_an_uncertainty(written, answer):
     assert " ".join(answer_in(written)[0].split()) == answer

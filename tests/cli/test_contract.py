@@ -48,7 +48,17 @@ def test_list(tmp_path: Path):
     problems = {each["code"]: each for each in document("list", "--bank", tmp_path)}
     assert {"X12.5", "X12.7", "P12.14"} <= problems.keys()
     for problem in problems.values():
-        assert {"code", "name", "title", "topic", "source", "given", "parts", "variants", "exact"} <= problem.keys()
+        assert {
+            "code",
+            "name",
+            "title",
+            "topic",
+            "source",
+            "given",
+            "parts",
+            "variants",
+            "exact",
+        } <= problem.keys()
         assert problem["variants"] >= 1
         assert problem["parts"]
         for part in problem["parts"].values():
@@ -83,7 +93,10 @@ def test_key_of_every_kind_of_part():
 
 def test_key_at_the_extremes(cases):
     huge, tiny, beyond, refused = document(
-        "key", "X12.5", "--cases", cases([{"m": 1e150, "v": 1e150}, {"m": 1e-150}, {"m": 1e200, "v": 1e200}, {"m": 0}])
+        "key",
+        "X12.5",
+        "--cases",
+        cases([{"m": 1e150, "v": 1e150}, {"m": 1e-150}, {"m": 1e200, "v": 1e200}, {"m": 0}]),
     )
     assert huge["parts"]["a"]["value"] == 1e300
     assert tiny["parts"]["a"]["value"] == pytest.approx(2e-149, rel=1e-15)
@@ -137,7 +150,11 @@ def test_judge_takes_components_and_programs(cases):
         "--cases",
         cases([{"answers": {"b": ["0", "1.4 m/s"], "g": [-1 / 3, 2 / 3, 2 / 3], "k": "So.", "j": program}}]),
     )
-    assert {part: found["parts"][part]["verdict"] for part in "bgk"} == {"b": "right", "g": "right", "k": "unmarked"}
+    assert {part: found["parts"][part]["verdict"] for part in "bgk"} == {
+        "b": "right",
+        "g": "right",
+        "k": "unmarked",
+    }
     assert found["parts"]["k"]["rubric"]
     assert found["parts"]["j"]["verdict"] in VERDICTS
 
@@ -158,7 +175,17 @@ def test_show(tmp_path: Path):
 
 def test_scene():
     found = document("scene", "cradle", "--set", "N=3", "--set", "q=1.5", "--tolerance", "1e-10")
-    assert {"scene", "set", "observed", "error", "model", "why", "evaluations", "seconds", "outcome"} <= found.keys()
+    assert {
+        "scene",
+        "set",
+        "observed",
+        "error",
+        "model",
+        "why",
+        "evaluations",
+        "seconds",
+        "outcome",
+    } <= found.keys()
     assert found["set"]["N"] == 3
     assert len(found["observed"]["velocities"]) == 3
     assert found["error"] < 1e-8
@@ -181,7 +208,10 @@ def test_scene():
         (("key", "X12.5", "--set", "m=1", "--cases", "nowhere.json"), "one of them"),
         (("key", "X12.5", "--set", "=3"), "name=value"),
         (("key", ""), "empty name"),
-        (("key", "X12.2", "--set", "v1=0", "--set", "m2=0"), "part c has no value for these numbers: division by zero"),
+        (
+            ("key", "X12.2", "--set", "v1=0", "--set", "m2=0"),
+            "part c has no value for these numbers: division by zero",
+        ),
         (("read", "v", "--names", "v", "--equals", "v", "--domain", "v=3..1"), "lower bound comes first"),
         (("read", "v", "--names", "v", "--equals", "v", "--domain", "v=nan..1"), "lower bound comes first"),
         (("grade", "momentum_1", "--course", "nowhere", "--require-isolation", "9"), "3"),

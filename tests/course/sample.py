@@ -91,9 +91,19 @@ def marked(of: ProblemSet, student: str = "ada") -> Marked:
         (Follows(("a",)), 1, "8.6 N s", "It follows from (a)."),
         (Mistaken("You forgot the $\\frac12$."), 0.25, "172 J", "You forgot the $\\frac12$."),
         (Unread("", blank=True), 0, "", "Nothing was handed in."),
-        (Unmarked("a person reads this", ("names the floor",)), 0, "<b>The</b> Earth\nrecoils", "Your teacher reads this."),
+        (
+            Unmarked("a person reads this", ("names the floor",)),
+            0,
+            "<b>The</b> Earth\nrecoils",
+            "Your teacher reads this.",
+        ),
         (Slip("the sign is turned round"), 0.5, "function bounce", "The sign of $F(t)$ is turned round."),
-        (Wrong("this is too fast"), 0, "3e9 m/s", "Too fast <script>alert(2)</script> [here](http://example.org)."),
+        (
+            Wrong("this is too fast"),
+            0,
+            "3e9 m/s",
+            "Too fast <script>alert(2)</script> [here](http://example.org).",
+        ),
     ]
     parts = [part for problem in of.problems for part in problem.parts]
     grades = tuple(
@@ -102,7 +112,17 @@ def marked(of: ProblemSet, student: str = "ada") -> Marked:
     )
     kick, fall = of.problems
     first = len(kick.parts)
-    axes = Axes("Force", "t (s)", "F (N)", (0, 1), (0, 1), "linear", "linear", (), (Line((0, 1), (0, 1), "F", "line"),))
+    axes = Axes(
+        "Force",
+        "t (s)",
+        "F (N)",
+        (0, 1),
+        (0, 1),
+        "linear",
+        "linear",
+        (),
+        (Line((0, 1), (0, 1), "F", "line"),),
+    )
     return Marked(
         Student(student, "Ada", "Lovelace <x>"),
         (Grade(at(kick, 7), grades[:first]), Grade(at(fall, 3), grades[first:])),
@@ -110,7 +130,11 @@ def marked(of: ProblemSet, student: str = "ada") -> Marked:
             CellRun("X12_5_a_answer", "ok", (), 0.1, ""),
             CellRun("P12_14_b_answer", "error", (), 0.1, "NameError: name 'x' is not defined"),
         ),
-        (Figure("X12_5_c_2_answer", (axes,), None), Figure("P12_14_a_plot", (axes,), PNG), Figure("scratch", (), PNG)),
+        (
+            Figure("X12_5_c_2_answer", (axes,), None),
+            Figure("P12_14_a_plot", (axes,), PNG),
+            Figure("scratch", (), PNG),
+        ),
         "namespaces and rlimits",
         "",
         0.0,
@@ -151,7 +175,9 @@ class Page(HTMLParser):
             self.ids += [value] if name == "id" else []
             self.links += [value[1:]] if name == "href" and value.startswith("#") else []
             self.pictures += [value] if tag == "img" and name == "alt" else []
-            if name.startswith("on") or (name in self.LEADS and not value.startswith(("#", "data:image/png;base64,"))):
+            if name.startswith("on") or (
+                name in self.LEADS and not value.startswith(("#", "data:image/png;base64,"))
+            ):
                 self.out.append(f"{tag} {name}={value}")
             self.out += self.FETCHES.findall(value) if name != "alttext" else []
 

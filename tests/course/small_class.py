@@ -29,7 +29,9 @@ def order(folder: Path, runner: Callable[[], Runner] = RUNNER) -> GradingContext
     file = folder / "small.md"
     file.write_text(SET)
     bank = chapter_bank()
-    return GradingContext(find_set(bank, str(file)), Solutions(bank), b"the key of a course for the tests", runner)
+    return GradingContext(
+        find_set(bank, str(file)), Solutions(bank), b"the key of a course for the tests", runner
+    )
 
 
 def handed_in(by: GradingContext) -> list[Submission]:

@@ -33,7 +33,10 @@ def test_a_worker_killed_on_the_way_loses_nothing(tmp_path: Path) -> None:
 
 def test_nobody_answers(monkeypatch, tmp_path: Path) -> None:
     monkeypatch.setattr(cluster, "SECONDS_TO_CONNECT", 1)
-    with pytest.raises(NoCluster, match="no Dask scheduler answers"), on_cluster("tcp://127.0.0.1:9")(order(tmp_path), []):
+    with (
+        pytest.raises(NoCluster, match="no Dask scheduler answers"),
+        on_cluster("tcp://127.0.0.1:9")(order(tmp_path), []),
+    ):
         pytest.fail("there is no cluster to mark on")
 
 

@@ -77,13 +77,17 @@ def test_few_are_marked_in_this_process_and_many_on_all_cores() -> None:
     assert here(2, 3) is not in_turn
 
 
-def test_what_a_dead_process_was_at_is_done_again(by: GradingContext, papers: list[Submission], tmp_path: Path) -> None:
+def test_what_a_dead_process_was_at_is_done_again(
+    by: GradingContext, papers: list[Submission], tmp_path: Path
+) -> None:
     found = marked(side_by_side(2), replace(by, runner=deadly(tmp_path / "died")), papers)
     assert (tmp_path / "died").exists()
     assert {name: one.marked.points for name, one in found.items()} == POINTS
 
 
-def test_a_submission_that_always_kills_waits_for_a_person_and_costs_no_marks(by: GradingContext, papers: list[Submission]) -> None:
+def test_a_submission_that_always_kills_waits_for_a_person_and_costs_no_marks(
+    by: GradingContext, papers: list[Submission]
+) -> None:
     found = marked(side_by_side(2), replace(by, runner=deadly()), papers)
     for name in ("ada", "ben", "jon"):
         parts = found[name].marked.grades[0].parts
@@ -92,7 +96,9 @@ def test_a_submission_that_always_kills_waits_for_a_person_and_costs_no_marks(by
     assert found["nils"].marked.trouble.startswith("The notebook could not be opened")
 
 
-def test_a_failing_of_the_judge_goes_to_a_person_and_the_others_are_marked(by: GradingContext, papers: list[Submission], monkeypatch) -> None:
+def test_a_failing_of_the_judge_goes_to_a_person_and_the_others_are_marked(
+    by: GradingContext, papers: list[Submission], monkeypatch
+) -> None:
     key = Solutions.key
 
     def stumbling(self: Solutions, variant: Any) -> Any:
@@ -127,7 +133,9 @@ def test_no_process_outlives_a_killed_grading(tmp_path: Path) -> None:
         "def _parent(task):\n    try:\n        return int(open(f'/proc/{task}/stat').read().rpartition(')')[2].split()[1])\n"
         "    except OSError:\n        return 0\n"
     )
-    done = subprocess.run([sys.executable, "-c", parent + script], stdout=subprocess.PIPE, text=True, timeout=100, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", parent + script], stdout=subprocess.PIPE, text=True, timeout=100, check=False
+    )
     workers = done.stdout.split()
     assert done.returncode == -signal.SIGKILL
     assert len(workers) >= 2

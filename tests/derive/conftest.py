@@ -45,7 +45,9 @@ Make = Callable[..., Bank]
 def make(tmp_path) -> Make:
     """`make(body, asks=…)` puts a problem and its solution into a bank; `body` is the body of derive, `whole` the whole file."""
 
-    def put(body: str = "", *, asks: str = ASKS, front: str = FRONT, whole: str | bytes | None = None) -> Bank:
+    def put(
+        body: str = "", *, asks: str = ASKS, front: str = FRONT, whole: str | bytes | None = None
+    ) -> Bank:
         problem, solution = (tmp_path / folder / "carts" for folder in ("problems", "solutions"))
         for folder in (problem, solution):
             folder.mkdir(parents=True, exist_ok=True)

@@ -178,7 +178,10 @@ def test_the_chapter_comes_back_whole(folder, solvings, code):
 
 def test_what_is_kept_is_used_without_the_algebra(folder):
     """Half a second of every command."""
-    loaded = [subprocess.run([sys.executable, "-c", KEY], capture_output=True, text=True, check=True).stdout for _ in range(2)]
+    loaded = [
+        subprocess.run([sys.executable, "-c", KEY], capture_output=True, text=True, check=True).stdout
+        for _ in range(2)
+    ]
     assert ["sympy" in each.splitlines()[-1].split() for each in loaded] == [True, False]
     assert loaded[0].splitlines()[:-1] == loaded[1].splitlines()[:-1]
 

@@ -72,6 +72,6 @@ def test_what_marks_depend_on_changes_with_the_file(make):
 def test_every_problem_of_the_chapter_has_its_solution(problem):
     loaded = load(chapter_bank(), problem)
     assert loaded.derivation.entries
-    assert loaded.path.relative_to(chapter_bank().folder / "solutions").with_suffix("") == problem.path.relative_to(
-        chapter_bank().problems
-    ).with_suffix("")
+    assert loaded.path.relative_to(chapter_bank().folder / "solutions").with_suffix(
+        ""
+    ) == problem.path.relative_to(chapter_bank().problems).with_suffix("")

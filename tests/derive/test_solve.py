@@ -87,7 +87,9 @@ def test_two_answers(refused):
     assert "say which, with where= or reject=" in sentence
 
 
-@pytest.mark.parametrize("more", [", where=b > a", ", where=sympy.Gt(b, 0)", ', reject=[reject("no collision took place", a=v)]'])
+@pytest.mark.parametrize(
+    "more", [", where=b > a", ", where=sympy.Gt(b, 0)", ', reject=[reject("no collision took place", a=v)]']
+)
 def test_the_root_that_is_meant(solved, more):
     found = solved(ELASTIC.format(more=more), asks=TWO_CARTS)
     assert closed(found, "a") == ["0", "v"]
@@ -119,7 +121,9 @@ def test_a_root_that_is_not_real_everywhere(refused):
 
 
 def test_an_equation_no_formula_solves(refused):
-    _, sentence = refused("""return derivation(step(p, "Hard.", law("Odd", "p + exp(p) = sin(p)", p=p), answers="a"))""")
+    _, sentence = refused(
+        """return derivation(step(p, "Hard.", law("Odd", "p + exp(p) = sin(p)", p=p), answers="a"))"""
+    )
     assert "part a:" in sentence
 
 
@@ -190,7 +194,10 @@ def test_a_choice_that_follows_from_a_find(solved):
         return derivation(step(p, "First.", momentum(p, m, v)), choice("a", "So.", a=p > 1, b=p <= 1))""",
         asks=WHICH,
     )
-    assert {letter: text(held) for letter, held in found.choices["a"].options.items()} == {"a": "m*v > 1", "b": "m*v <= 1"}
+    assert {letter: text(held) for letter, held in found.choices["a"].options.items()} == {
+        "a": "m*v > 1",
+        "b": "m*v <= 1",
+    }
 
 
 def test_an_example_counts_what_stays_free(refused, solved):

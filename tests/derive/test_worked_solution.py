@@ -21,7 +21,9 @@ def told(code: str, index: int | None = None) -> str:
     solution = solve(BANK, problem)
     variant = chapter(problem) if index is None else at(problem, index)
     key = make_key(solution, variant)
-    return story(solution, variant, key.values, key.choices, [(each.most, each.share) for each in neglects(key)])
+    return story(
+        solution, variant, key.values, key.choices, [(each.most, each.share) for each in neglects(key)]
+    )
 
 
 def test_law_letters_number_and_unit():

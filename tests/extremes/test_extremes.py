@@ -28,13 +28,24 @@ def in_many_digits(tree: Expr, at: dict[str, RationalPi]):
     """The formula in 900 digits, by mpmath: enough for 1e150 to cancel to the last digit."""
     import mpmath as mp
 
-    calls = {"sqrt": mp.sqrt, "abs": abs, "sin": mp.sin, "cos": mp.cos, "exp": mp.exp, "ln": mp.log, "max": max, "min": min}
+    calls = {
+        "sqrt": mp.sqrt,
+        "abs": abs,
+        "sin": mp.sin,
+        "cos": mp.cos,
+        "exp": mp.exp,
+        "ln": mp.log,
+        "max": max,
+        "min": min,
+    }
     match tree:
         case Number(value):
             return mp.mpf(value.numerator) / value.denominator
         case Name(name):
             known = at.get(name)
-            return mp.mpf(known.ratio.numerator) / known.ratio.denominator * mp.pi**known.pi if known else mp.pi
+            return (
+                mp.mpf(known.ratio.numerator) / known.ratio.denominator * mp.pi**known.pi if known else mp.pi
+            )
         case Negative(term):
             return -in_many_digits(term, at)
         case Sum(terms):

@@ -107,4 +107,6 @@ def test_cradles_of_any_length_and_exponent_keep_momentum_and_energy(count, q):
 
 def test_a_run_can_be_written_down():
     found = run("cradle", {"q": 1.5})
-    assert json.loads(json.dumps({"observed": found.observed, "why": found.why, "seconds": found.seconds}))["observed"]
+    assert json.loads(json.dumps({"observed": found.observed, "why": found.why, "seconds": found.seconds}))[
+        "observed"
+    ]

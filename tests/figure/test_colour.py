@@ -9,7 +9,9 @@ from corollary.figure.colour import BLACK, CYCLE, contrast, ink
 
 def test_black_on_white_is_21():
     assert contrast(BLACK, "#FFFFFF") == pytest.approx(21)
-    assert contrast("#777777", "#FFFFFF") == pytest.approx(4.48, abs=0.01)  # the grey WCAG's own example just fails with
+    assert contrast("#777777", "#FFFFFF") == pytest.approx(
+        4.48, abs=0.01
+    )  # the grey WCAG's own example just fails with
 
 
 @pytest.mark.parametrize("colour", CYCLE)

@@ -19,7 +19,9 @@ def bars() -> str:
 
 
 def totals() -> str:
-    return histogram([1, 2, 2, 9.5], low=0, high=10, bins=5, x_label="points", y_label="students", alt="totals")
+    return histogram(
+        [1, 2, 2, 9.5], low=0, high=10, bins=5, x_label="points", y_label="students", alt="totals"
+    )
 
 
 def curves() -> str:
@@ -54,7 +56,9 @@ def test_curves_are_named_as_they_are_called():
 
 
 def test_bars_of_nothing_are_still_drawn():
-    assert "students" in words(stacked_bars(["a"], [Layer("right", (0,), GREEN)], x_label="students", alt="nothing"))
+    assert "students" in words(
+        stacked_bars(["a"], [Layer("right", (0,), GREEN)], x_label="students", alt="nothing")
+    )
 
 
 def test_intervals_are_closed_on_the_left_and_the_last_on_both_sides():

@@ -49,7 +49,9 @@ def test_the_root_of_a_pair(a):
 
 def test_zero_and_pi():
     assert exact(root(DoubleDouble(0.0))) == 0
-    assert abs(exact(PI) - Fraction("3.14159265358979323846264338327950288419716939937510")) < Fraction(1, 10**31)
+    assert abs(exact(PI) - Fraction("3.14159265358979323846264338327950288419716939937510")) < Fraction(
+        1, 10**31
+    )
     assert exact(DoubleDouble.of(Fraction(1, 3))) != Fraction(1, 3)
     assert abs(exact(DoubleDouble.of(Fraction(1, 3))) - Fraction(1, 3)) < Fraction(1, 2**105)
 
@@ -59,7 +61,9 @@ def test_every_arithmetic_finds_the_same(m, v):
     true = m * v**2 / 2 - math.sqrt(m) * v / (1 + v) + 3
     room = 1e-14 * (m * v**2 + math.sqrt(m) + 3)
     assert ready(FORMULA, DOUBLES)({"m": m, "v": v}) == pytest.approx(true, abs=room)
-    assert ready(FORMULA, ARRAYS)({"m": np.array([m, m]), "v": np.array([v, v])})[1] == pytest.approx(true, abs=room)
+    assert ready(FORMULA, ARRAYS)({"m": np.array([m, m]), "v": np.array([v, v])})[1] == pytest.approx(
+        true, abs=room
+    )
     fine = ready(FORMULA, PAIRS)({"m": DoubleDouble(m), "v": DoubleDouble(v)})
     assert float(fine) == pytest.approx(true, abs=room)
     between = intervals()

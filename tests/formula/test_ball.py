@@ -32,7 +32,11 @@ def by_many_digits(tree: Expr, values: dict[str, RationalPi]):
         case Name("pi"):
             return +mpmath.pi
         case Name(name):
-            return mpmath.mpf(values[name].ratio.numerator) / values[name].ratio.denominator * mpmath.pi ** values[name].pi
+            return (
+                mpmath.mpf(values[name].ratio.numerator)
+                / values[name].ratio.denominator
+                * mpmath.pi ** values[name].pi
+            )
         case Negative(term):
             return -of(term)
         case Sum(terms):
@@ -141,7 +145,13 @@ def test_a_fraction_is_rounded_as_python_does(number):
 
 
 @pytest.mark.parametrize(
-    "tie", [Fraction(2**53 + 1), Fraction(2**54 + 2), Fraction(1) + Fraction(1, 2**53), Fraction(3, 2) * Fraction(1, 2**1074)]
+    "tie",
+    [
+        Fraction(2**53 + 1),
+        Fraction(2**54 + 2),
+        Fraction(1) + Fraction(1, 2**53),
+        Fraction(3, 2) * Fraction(1, 2**1074),
+    ],
 )
 def test_a_tie_goes_to_the_even_double(tie):
     halves = author_formula("x/2 + y/2")
@@ -183,12 +193,18 @@ def test_beyond_the_doubles(number, double):
     ],
 )
 def test_degrees_are_exact(formula, degrees, double):
-    values = {"theta": RationalPi(Fraction(degrees) / 180, 1), "m": RationalPi(Fraction(2)), "v": RationalPi(Fraction(3))}
+    values = {
+        "theta": RationalPi(Fraction(degrees) / 180, 1),
+        "m": RationalPi(Fraction(2)),
+        "v": RationalPi(Fraction(3)),
+    }
     found = certified(author_formula(formula), values)
     assert (found.value, found.proven) == (double, True)
 
 
-@pytest.mark.parametrize("formula", ["sqrt(2) - sqrt(2)", "exp(1)*x - x*exp(1)", "ln(x)*0", "sqrt(x)*sqrt(x) - x"])
+@pytest.mark.parametrize(
+    "formula", ["sqrt(2) - sqrt(2)", "exp(1)*x - x*exp(1)", "ln(x)*0", "sqrt(x)*sqrt(x) - x"]
+)
 def test_an_exact_zero_is_zero(formula):
     assert certified(author_formula(formula), {"x": RationalPi(Fraction(3, 7))}).value == 0.0
 
@@ -217,7 +233,14 @@ def test_where_there_is_no_value_it_says_so(formula, why):
 
 @pytest.mark.parametrize(
     ("formula", "found"),
-    [("x - 3", 0), ("x - 4", -1), ("x", 1), ("sqrt(x^2) - x", 0), ("x*10^(-300) - 10^(-301)", 1), ("sqrt(2) - sqrt(2)", None)],
+    [
+        ("x - 3", 0),
+        ("x - 4", -1),
+        ("x", 1),
+        ("sqrt(x^2) - x", 0),
+        ("x*10^(-300) - 10^(-301)", 1),
+        ("sqrt(2) - sqrt(2)", None),
+    ],
 )
 def test_the_sign_of_a_formula(formula, found):
     assert sign(author_formula(formula), {"x": RationalPi(Fraction(3))}) == found
@@ -267,7 +290,11 @@ def test_the_precision_is_put_back_even_beside_other_threads():
 
     def work():
         for _ in range(200):
-            results.append(certified(TREES[3], {name: RationalPi(Fraction(1, 3)) for name in ("mA", "mB", "vA", "vB")}).value)
+            results.append(
+                certified(
+                    TREES[3], {name: RationalPi(Fraction(1, 3)) for name in ("mA", "mB", "vA", "vB")}
+                ).value
+            )
 
     threads = [threading.Thread(target=work) for _ in range(4)]
     for thread in threads:

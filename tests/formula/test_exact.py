@@ -89,4 +89,7 @@ def test_whole_roots(number, degree):
 def test_an_undefined_value_is_not_called_exact():
     with pytest.raises(Undefined):
         evaluate(author_formula("1/0"), {}, 64)
-    assert math.isnan(float(evaluate(author_formula("tan(pi/2)"), {}, 64))) or exactly(author_formula("tan(pi/2)"), {}) is None
+    assert (
+        math.isnan(float(evaluate(author_formula("tan(pi/2)"), {}, 64)))
+        or exactly(author_formula("tan(pi/2)"), {}) is None
+    )

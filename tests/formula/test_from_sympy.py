@@ -46,7 +46,8 @@ def cradle(m, h0, r, k, v0, g):
 
 
 @pytest.mark.parametrize(
-    ("code", "by_hand"), [("X12.5", kick), ("X12.7", wall), ("X12.8", snowball), ("X12.10", bullet), ("P12.14", cradle)]
+    ("code", "by_hand"),
+    [("X12.5", kick), ("X12.7", wall), ("X12.8", snowball), ("X12.10", bullet), ("P12.14", cradle)],
 )
 def test_against_formulas_worked_out_by_hand(code, by_hand):
     """To a few ulp: the certified value is exact, the formula by hand takes at most a dozen rounded operations."""

@@ -48,7 +48,10 @@ def test_letters(name, tex):
     ("formula", "tex"),
     [
         ("m*v/dt", r"\frac{m\, v}{\Delta t}"),
-        ("m_A*v_A0 + m_B*v_B0 = (m_A + m_B)*v", r"m_{A}\, v_{A,0} + m_{B}\, v_{B,0} = \left(m_{A} + m_{B}\right)\, v"),
+        (
+            "m_A*v_A0 + m_B*v_B0 = (m_A + m_B)*v",
+            r"m_{A}\, v_{A,0} + m_{B}\, v_{B,0} = \left(m_{A} + m_{B}\right)\, v",
+        ),
         ("-(1/2)*m*v^2", r"-\frac{1}{2}\, m\, v^{2}"),
         ("sqrt(2*g*h)", r"\sqrt{2\, g\, h}"),
         ("((m - M)/(m + M))^2*L", r"\left(\frac{m - M}{m + M}\right)^{2}\, L"),

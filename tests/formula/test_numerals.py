@@ -118,7 +118,11 @@ def test_what_is_no_number_is_refused(text):
     assert found.position is None or 0 <= found.position <= len(text)
 
 
-@given(st.decimals(min_value=Decimal("-1e12"), max_value=Decimal("1e12"), allow_nan=False, allow_infinity=False, places=5))
+@given(
+    st.decimals(
+        min_value=Decimal("-1e12"), max_value=Decimal("1e12"), allow_nan=False, allow_infinity=False, places=5
+    )
+)
 def test_decimals_come_back(number):
     found = read_number(f"{number:f}")
     assert isinstance(found, Written)

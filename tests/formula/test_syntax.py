@@ -15,7 +15,28 @@ from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
 
-LETTERS = ["m", "M", "v", "v0", "vA0", "v_B0", "mA", "mB", "theta", "mu", "dt", "g", "h", "h0", "L", "k", "r", "n", "x", "y"]
+LETTERS = [
+    "m",
+    "M",
+    "v",
+    "v0",
+    "vA0",
+    "v_B0",
+    "mA",
+    "mB",
+    "theta",
+    "mu",
+    "dt",
+    "g",
+    "h",
+    "h0",
+    "L",
+    "k",
+    "r",
+    "n",
+    "x",
+    "y",
+]
 
 
 def shown(written: str, names=LETTERS, **how) -> str:
@@ -115,7 +136,11 @@ def test_what_has_two_readings_is_asked_about(written, choices):
 
 @pytest.mark.parametrize(
     ("written", "names", "choices"),
-    [("ma", "m a mA", ("mA", "m*a")), ("asin(x)", "a x", ("arcsin(…)", "a*sin(…)")), ("abc", "a b c ab bc", ("a*bc", "ab*c"))],
+    [
+        ("ma", "m a mA", ("mA", "m*a")),
+        ("asin(x)", "a x", ("arcsin(…)", "a*sin(…)")),
+        ("abc", "a b c ab bc", ("a*bc", "ab*c")),
+    ],
 )
 def test_letters_run_together_with_two_readings_are_asked_about(written, names, choices):
     found = parse(written, names.split())
@@ -246,7 +271,9 @@ trees: st.SearchStrategy[Expr] = st.recursive(
         st.lists(inner, min_size=2, max_size=3).map(lambda each: Product(tuple(each))),
         st.builds(Quotient, inner, inner),
         st.builds(Power, inner, st.integers(0, 4).map(lambda value: Number(Fraction(value))) | letters),
-        st.builds(lambda name, part: Call(name, (part,)), st.sampled_from(["sqrt", "sin", "ln", "abs"]), inner),
+        st.builds(
+            lambda name, part: Call(name, (part,)), st.sampled_from(["sqrt", "sin", "ln", "abs"]), inner
+        ),
         st.builds(lambda left, right: Call("max", (left, right)), inner, inner),
     ),
     max_leaves=12,

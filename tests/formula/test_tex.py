@@ -53,11 +53,19 @@ def test_what_a_formula_is_set_as_reads_back(formula):
 def _value(formula: str, values: dict[str, float]) -> float:
     import math
 
-    return eval(formula.replace("^", "**"), {"sqrt": math.sqrt, "cos": math.cos, "exp": math.exp}, dict(values))
+    return eval(
+        formula.replace("^", "**"), {"sqrt": math.sqrt, "cos": math.cos, "exp": math.exp}, dict(values)
+    )
 
 
 @pytest.mark.parametrize(
-    "typed", [r"$8.6\,\mathrm{kg\,m/s}$", r"8.6 \frac{kg m}{s}", r"\Delta p = 8.6 kg \cdot m s^{-1}", r"8.6~\si{kg.m/s}"]
+    "typed",
+    [
+        r"$8.6\,\mathrm{kg\,m/s}$",
+        r"8.6 \frac{kg m}{s}",
+        r"\Delta p = 8.6 kg \cdot m s^{-1}",
+        r"8.6~\si{kg.m/s}",
+    ],
 )
 def test_a_quantity_in_tex(typed):
     found = read_quantity(typed, None)

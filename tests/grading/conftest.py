@@ -125,7 +125,9 @@ def key(solution: Callable[[str], Solution]) -> Callable[..., Key]:
 
     def of(code: str, **given: str) -> Key:
         solved = solution(code)
-        return make_key(solved, chosen(solved.problem, {name: Fraction(value) for name, value in given.items()}))
+        return make_key(
+            solved, chosen(solved.problem, {name: Fraction(value) for name, value in given.items()})
+        )
 
     return of
 

@@ -131,7 +131,7 @@ def test_no_listed_mistake_is_right_on_what_is_dealt(solution, code):
         for place, find in enumerate(solved.finds):
             for wrong in find.mistakes if find.answers and len(find.names) == 1 else ():
                 value = replay(solved, variant.exact, WhatIf(rules={place: wrong.rule}), place)[place][0]
-                ((verdict,), _) = judge(key, {find.answers: Real(value / float(solved.problem.part(find.answers).unit.factor))})[
-                    find.answers
-                ]
+                ((verdict,), _) = judge(
+                    key, {find.answers: Real(value / float(solved.problem.part(find.answers).unit.factor))}
+                )[find.answers]
                 assert not isinstance(verdict, (Right, Follows)), (variant.label, wrong.text)

@@ -117,7 +117,10 @@ CHAIN = ["F - mu*g = v0*R", "R = (m/L)*v0", "mu = (m/L)*y", "F = mu*g + v0*R", "
     [
         (CHAIN, "right"),
         ("F = mu*g + v0*R\n= (m/L)*y*g + (m/L)*v0*v0\n= (m/L)*(v0^2 + g*y)", "right"),
-        ("Newton: F - mu*g = v0*R\nThe mass that hangs: mu = m*y/L\nThe rate: R = m*v0/L\nSo F = (m/L)*(v0^2 + g*y).", "right"),
+        (
+            "Newton: F - mu*g = v0*R\nThe mass that hangs: mu = m*y/L\nThe rate: R = m*v0/L\nSo F = (m/L)*(v0^2 + g*y).",
+            "right",
+        ),
         (
             "1) $F - \\mu g = v_0 R$\n2) $\\mu = \\frac{m y}{L}$\n3) $R = \\frac{m v_0}{L}$\n=> $F = \\frac{m}{L}(v_0^2 + g y)$",
             "right",
@@ -137,6 +140,7 @@ def test_a_proof_shows_the_way(verdicts, lines, wanted):
 def test_a_factor_of_nought_makes_no_law(key):
     """The claim times the mass is no law, though both hold when the mass is nought."""
     ((verdict,), _) = judge(
-        key("S12.5nc"), {"f": plainly(["mA*A_x*B_x + mA*A_y*B_y = 0", "v0 = A_x + B_x", "A_x*B_x + A_y*B_y = 0"])}
+        key("S12.5nc"),
+        {"f": plainly(["mA*A_x*B_x + mA*A_y*B_y = 0", "v0 = A_x + B_x", "A_x*B_x + A_y*B_y = 0"])},
     )["f"]
     assert isinstance(verdict, Wrong)

@@ -121,7 +121,9 @@ SINGLE = [
 
 
 @pytest.mark.parametrize(
-    ("code", "part", "answer", "wanted", "told"), SINGLE, ids=[f"{c} {p} {str(a)[:30]!r}" for c, p, a, *_ in SINGLE]
+    ("code", "part", "answer", "wanted", "told"),
+    SINGLE,
+    ids=[f"{c} {p} {str(a)[:30]!r}" for c, p, a, *_ in SINGLE],
 )
 def test_an_answer_alone(verdicts, code, part, answer, wanted, told):
     verdict = verdicts(code, **{part: answer})[part]

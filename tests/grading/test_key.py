@@ -24,7 +24,11 @@ def with_sympy(formula: str, values: dict[str, sympy.Expr]) -> float:
     expression = sympy.parse_expr(
         formula.replace("^", "**"), local_dict={name: sympy.Symbol(name, positive=True) for name in values}
     )
-    return float(expression.subs({sympy.Symbol(name, positive=True): value for name, value in values.items()}).evalf(60))
+    return float(
+        expression.subs({sympy.Symbol(name, positive=True): value for name, value in values.items()}).evalf(
+            60
+        )
+    )
 
 
 @pytest.mark.parametrize("code", CODES)

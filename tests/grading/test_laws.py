@@ -50,7 +50,9 @@ leaves: st.SearchStrategy[Value] = st.one_of(
     st.builds(Refused, st.text(max_size=10), st.text(max_size=10)),
 )
 plains = st.recursive(
-    leaves, lambda inner: st.lists(inner, max_size=4).map(lambda items: Items(tuple(items), (len(items),))), max_leaves=6
+    leaves,
+    lambda inner: st.lists(inner, max_size=4).map(lambda items: Items(tuple(items), (len(items),))),
+    max_leaves=6,
 )
 
 
@@ -65,7 +67,9 @@ def single(key, part, answer: Value):
     return judge(key, {part: answer})[part][0][0]
 
 
-@pytest.mark.parametrize(("code", "part", "unit"), [("X12.5", "c", "N"), ("X12.8", "b", "m/s"), ("X12.10", "b", "J")])
+@pytest.mark.parametrize(
+    ("code", "part", "unit"), [("X12.5", "c", "N"), ("X12.8", "b", "m/s"), ("X12.10", "b", "J")]
+)
 @QUICK
 @given(index=indices, prefix=st.sampled_from(sorted(PREFIXES)))
 def test_a_right_answer_stays_right_in_another_unit(solution, code, part, unit, index, prefix):
@@ -87,7 +91,9 @@ def test_three_figures_are_always_enough(solution, code, part, index, figures):
     assert isinstance(single(key, part, Text(f"{value:.{figures - 1}e} {unit}")), Right)
 
 
-@pytest.mark.parametrize(("code", "part"), [("X12.5", "d"), ("X12.10", "a"), ("X12.10", "b"), ("X12.8", "a"), ("X12.7", "c")])
+@pytest.mark.parametrize(
+    ("code", "part"), [("X12.5", "d"), ("X12.10", "a"), ("X12.10", "b"), ("X12.8", "a"), ("X12.7", "c")]
+)
 @QUICK
 @given(index=indices, off=st.floats(1.01, 400), below=st.booleans())
 def test_beyond_the_tolerance_nothing_is_right(solution, code, part, index, off, below):
@@ -98,7 +104,9 @@ def test_beyond_the_tolerance_nothing_is_right(solution, code, part, index, off,
     factor = 1 + truth.tolerance * off * (-1 if below else 1)
     size_of = float(solved.problem.part(part).unit.factor)
     values = tuple(Real(value * factor / size_of + 0.0) for value in truth.values)
-    assume(all(len(repr(each.value)) > 8 or each.value == 0 for each in values))  # as calculated, not as rounded by hand
+    assume(
+        all(len(repr(each.value)) > 8 or each.value == 0 for each in values)
+    )  # as calculated, not as rounded by hand
     verdict = single(key, part, values[0] if len(values) == 1 else Items(values, (len(values),)))
     assert not isinstance(verdict, (Right, Follows)), verdict
 

@@ -33,7 +33,9 @@ def verdict(program: Callable[[dict], Sequence[float]], student: str = "ada"):
     shown = {}
     for ask in asks(SOLUTION, VARIANT, PART, SECRET, student):
         returned = program(dict(ask.arguments))
-        shown[ask.key] = Answered(Items(tuple(map(Real, returned)), (len(returned),)) if returned else Nothing(), "", "")
+        shown[ask.key] = Answered(
+            Items(tuple(map(Real, returned)), (len(returned),)) if returned else Nothing(), "", ""
+        )
     return judge_code(SOLUTION, VARIANT, PART, ProgramRun(shown, (), True), SECRET, student)
 
 
@@ -52,7 +54,12 @@ def test_what_is_right_is_right_and_the_remark_is_what_the_student_reads():
 
 
 def test_a_usual_mistake_is_a_mistake_and_another_one_is_wrong():
-    assert isinstance(verdict(lambda inputs: (exact(inputs)[0], exact(inputs)[1] + inputs["m"] * inputs["g"], exact(inputs)[2])), Mistaken)
+    assert isinstance(
+        verdict(
+            lambda inputs: (exact(inputs)[0], exact(inputs)[1] + inputs["m"] * inputs["g"], exact(inputs)[2])
+        ),
+        Mistaken,
+    )
     assert isinstance(verdict(lambda inputs: (1.3 * exact(inputs)[0], *exact(inputs)[1:])), Wrong)
 
 

@@ -25,5 +25,7 @@ def test_honest_three_figure_work_is_right_and_listed_mistakes_are_not(solution,
 def test_answers_that_are_just_anything_are_mostly_wrong(solution):
     found = students.wild([solution(code) for code in ("X12.5", "X12.8", "X12.10")], 600)
     for record in found.values():
-        assert record["wrong"] > 94  # some twenty known slips and mistakes, each half a per cent wide on either side
+        assert (
+            record["wrong"] > 94
+        )  # some twenty known slips and mistakes, each half a per cent wide on either side
         assert record["right"] < 1

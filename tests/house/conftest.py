@@ -38,12 +38,18 @@ class Module:
 
     def of_ours(self) -> list[tuple[str, int]]:
         """What it imports of the package, without "corollary"."""
-        return [(name.removeprefix("corollary."), line) for name, line in self.imports if name.startswith("corollary.")]
+        return [
+            (name.removeprefix("corollary."), line)
+            for name, line in self.imports
+            if name.startswith("corollary.")
+        ]
 
     def of_others(self) -> list[tuple[str, int]]:
         """What it imports from elsewhere, when it runs."""
         return [
-            (name, line) for name, line in self.imports if name.partition(".")[0] != "corollary" and line not in self.for_types
+            (name, line)
+            for name, line in self.imports
+            if name.partition(".")[0] != "corollary" and line not in self.for_types
         ]
 
     def nodes(self, kind: type[Node]) -> list[Node]:
@@ -74,7 +80,11 @@ def _read(path: Path, known: set[str]) -> Module:
             for alias in node.names:  # `from corollary.laws import law` may name a module or what is in one
                 inside = f"{module}.{alias.name}"
                 found.append((inside if inside.removeprefix("corollary.") in known else module, node.lineno))
-    guarded = [node for node in ast.walk(tree) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"]
+    guarded = [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+    ]
     for_types = frozenset(each.lineno for node in guarded for each in node.body)
     return Module(_name(path), path, tree, tuple(dict.fromkeys(found)), for_types)
 

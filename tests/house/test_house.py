@@ -14,7 +14,7 @@ from corollary.problem.bank import chapter_bank
 
 ORDER = (  # from the top; what stands in one line are siblings, which do not know each other
     "cli", "course", "nbgrader", "render", "records", "verify", "grading author", "notebook derive", "answers",
-    "laws problem sandbox scenes", "units", "formula figure",
+    "laws problem sandbox scenes", "units", "formula figure", "messages",
 )  # fmt: skip
 FLOORS = {room: len(ORDER) - floor for floor, rooms in enumerate(ORDER) for room in rooms.split()}
 LONGEST, MEDIAN = 300, 150
@@ -73,7 +73,10 @@ def test_no_circles(modules):
 )
 def test_a_library_is_known_only_where_it_is_at_home(modules, library, rooms):
     homes = [
-        f"{module.name}:{line}" for module in modules for name, line in module.of_others() if name.partition(".")[0] == library
+        f"{module.name}:{line}"
+        for module in modules
+        for name, line in module.of_others()
+        if name.partition(".")[0] == library
     ]
     assert homes
     assert not [home for home in homes if not home.startswith(rooms)]
@@ -88,10 +91,17 @@ def test_one_door_to_the_solutions(modules):
         if (node.attr.startswith("read_") or node.attr == "open") and ".solution(" in ast.unparse(node.value)
     ]  # fmt: skip
     assert not opened
-    loaders = {module.name for module in modules for node in module.nodes(ast.Attribute) if node.attr == "spec_from_file_location"}
+    loaders = {
+        module.name
+        for module in modules
+        for node in module.nodes(ast.Attribute)
+        if node.attr == "spec_from_file_location"
+    }
     assert loaders == {"derive.load"}
     assert not [module.name for module in modules for name, _ in module.of_others() if name == "runpy"]
-    namers = {module.name for module in modules for node in module.nodes(ast.Constant) if node.value == "solutions"}
+    namers = {
+        module.name for module in modules for node in module.nodes(ast.Constant) if node.value == "solutions"
+    }
     assert namers == {"problem.bank"}
 
 
@@ -117,7 +127,9 @@ def test_names_come_from_the_classroom(modules):
     for module in modules:
         for node in module.nodes(ast.ClassDef):
             library_says_so = any(FORBIDDEN.search(ast.unparse(base)) for base in node.bases)
-            assert library_says_so or not FORBIDDEN.search(node.name), f"{module.name}:{node.lineno}: {node.name}"
+            assert library_says_so or not FORBIDDEN.search(node.name), (
+                f"{module.name}:{node.lineno}: {node.name}"
+            )
 
 
 def test_classes_are_abstract_or_final(modules):
@@ -125,7 +137,9 @@ def test_classes_are_abstract_or_final(modules):
     classes = {node.name: node for module in modules for node in module.nodes(ast.ClassDef)}
     for name, node in classes.items():
         for base in map(ast.unparse, node.bases):
-            assert base not in classes or _abstract(classes[base]), f"{name} inherits from {base}, which is not abstract"
+            assert base not in classes or _abstract(classes[base]), (
+                f"{name} inherits from {base}, which is not abstract"
+            )
 
 
 def _abstract(node: ast.ClassDef) -> bool:
@@ -137,17 +151,23 @@ def test_nothing_is_asked_by_name_and_nothing_swallowed(modules):
         for call in module.nodes(ast.Call):
             assert ast.unparse(call.func) != "hasattr", f"{module.name}:{call.lineno}: hasattr"
         for handler in module.nodes(ast.ExceptHandler):
-            assert not all(isinstance(each, ast.Pass) for each in handler.body), f"{module.name}:{handler.lineno}: except … pass"
+            assert not all(isinstance(each, ast.Pass) for each in handler.body), (
+                f"{module.name}:{handler.lineno}: except … pass"
+            )
 
 
 @pytest.mark.parametrize("asked", ["--help", "generate --help", "key --help"])
 def test_help_loads_nothing_heavy(asked):
-    seen = subprocess.run([sys.executable, "-c", HELP, *asked.split()], capture_output=True, text=True, timeout=60, check=True)
+    seen = subprocess.run(
+        [sys.executable, "-c", HELP, *asked.split()], capture_output=True, text=True, timeout=60, check=True
+    )
     loaded = set(seen.stderr.split())
     assert "Usage" in seen.stdout
     assert "corollary.cli.main" in loaded
     assert not HEAVY & loaded
-    assert not {name for name in loaded if name.startswith("corollary.") and not name.startswith("corollary.cli")}
+    assert not {
+        name for name in loaded if name.startswith("corollary.") and not name.startswith("corollary.cli")
+    }
 
 
 HELP = """

@@ -48,12 +48,18 @@ FAULTY = {  # file: (problem, solution)
     "holed": (PROBLEM.replace("{{v}}", "{{w}}").replace("X1.1", "X2.3"), SOLUTION),
     "no_python": (PROBLEM.replace("X1.1", "X3.1"), SOLUTION.replace("derive(m, v):", "derive(m, v:")),
     "raising": (PROBLEM.replace("X1.1", "X3.2"), SOLUTION.replace("unknowns(", "1 / 0 + unknowns(")),
-    "too_few": (PROBLEM.replace("X1.1", "X3.3"), SOLUTION.replace("momentum(p, m, v)", "momentum(p, q, v), also=[q]")),
+    "too_few": (
+        PROBLEM.replace("X1.1", "X3.3"),
+        SOLUTION.replace("momentum(p, m, v)", "momentum(p, q, v), also=[q]"),
+    ),
     "too_many": (
         PROBLEM.replace("X1.1", "X3.4"),
         SOLUTION.replace("momentum(p, m, v)", "momentum(p, m, v), momentum(p, m, 2*v)"),
     ),
-    "two_roots": (PROBLEM.replace("X1.1", "X3.5"), SOLUTION.replace("momentum(p, m, v)", 'law("R", "a^2 = b^2", a=p, b=m*v)')),
+    "two_roots": (
+        PROBLEM.replace("X1.1", "X3.5"),
+        SOLUTION.replace("momentum(p, m, v)", 'law("R", "a^2 = b^2", a=p, b=m*v)'),
+    ),
     "partless": (PROBLEM.replace("X1.1", "X3.6"), SOLUTION.replace(', answers="a"', "")),
     "unsolved": (PROBLEM.replace("X1.1", "X3.7"), None),
 }
@@ -97,13 +103,20 @@ Run = Callable[..., Said]
 def run(tmp_path_factory) -> Iterator[Run]:
     """The front door in a fresh child for each call; only libraries of others are loaded beforehand, to save the time."""
     place = tmp_path_factory.mktemp("said")
-    server = subprocess.Popen([sys.executable, "-c", SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    server = subprocess.Popen(
+        [sys.executable, "-c", SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
     assert server.stdin is not None
     assert server.stdout is not None
     stdin, stdout = server.stdin, server.stdout
 
     def call(*argv: object, cwd: Path = place) -> Said:
-        job = {"argv": list(map(str, argv)), "out": str(place / "out"), "err": str(place / "err"), "cwd": str(cwd)}
+        job = {
+            "argv": list(map(str, argv)),
+            "out": str(place / "out"),
+            "err": str(place / "err"),
+            "cwd": str(cwd),
+        }
         stdin.write(json.dumps(job) + "\n")
         stdin.flush()
         return Said(int(stdout.readline()), (place / "out").read_text(), (place / "err").read_text())
@@ -125,8 +138,14 @@ def bank(tmp_path_factory) -> Path:
                 path.write_text(text, encoding="utf-8")
     sets = folder / "problems" / "sets"
     sets.mkdir()
-    for name, code in {"week_1": "X1.1", "week_2": "X1.1", **{f"with_{fault}": fault for fault in FAULTY}}.items():
-        (sets / f"{name}.md").write_text(f"---\ntitle: A week\nproblems:\n  - {code}\n---\n", encoding="utf-8")
+    for name, code in {
+        "week_1": "X1.1",
+        "week_2": "X1.1",
+        **{f"with_{fault}": fault for fault in FAULTY},
+    }.items():
+        (sets / f"{name}.md").write_text(
+            f"---\ntitle: A week\nproblems:\n  - {code}\n---\n", encoding="utf-8"
+        )
     return folder
 
 
@@ -150,7 +169,10 @@ def refused(said: Said, *words: str) -> None:
 
 def picture(folder: Path) -> dict[str, bytes | None]:
     """Everything below a folder, byte for byte."""
-    return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None for path in folder.rglob("*")}
+    return {
+        str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None
+        for path in folder.rglob("*")
+    }
 
 
 FAULTS = [
@@ -175,7 +197,20 @@ def test_a_fault_of_the_author_is_named_with_its_line(run, bank, name, words):
 @pytest.mark.parametrize(("name", "words"), [FAULTS[0], FAULTS[3], FAULTS[5]])
 def test_a_set_with_such_a_problem_is_not_begun(run, bank, roster, tmp_path, name, words):
     before = picture(tmp_path)
-    refused(run("generate", f"with_{name}", "--roster", roster, "--course", tmp_path / "course", "--bank", bank, "--json"), words)
+    refused(
+        run(
+            "generate",
+            f"with_{name}",
+            "--roster",
+            roster,
+            "--course",
+            tmp_path / "course",
+            "--bank",
+            bank,
+            "--json",
+        ),
+        words,
+    )
     assert picture(tmp_path) == before
 
 
@@ -210,7 +245,10 @@ def test_verify_says_all_of_it_and_goes_on(run, bank):
         (["show", "X1.1", "--format", "docx"], ["--format docx is not known; choose one of"]),
         (["show", "X1.1", "-o", "nowhere/cart.txt"], ["No such file or directory", "nowhere/cart.txt"]),
         (["show", "X1.1", "--student", "ada", "--course", "nowhere"], ["is no course of ours"]),
-        (["judge", "X1.1", "--cases", "nowhere.json", "--json"], ["nowhere.json cannot be read: No such file"]),
+        (
+            ["judge", "X1.1", "--cases", "nowhere.json", "--json"],
+            ["nowhere.json cannot be read: No such file"],
+        ),
         (["judge", "X1.1", "--cases", ".", "--json"], ["cannot be read: Is a directory"]),
         (["judge", "X1.1", "--cases", "words.json", "--json"], ["words.json is not JSON"]),
         (["judge", "X1.1", "--cases", "nested.json", "--json"], ["nested.json is not JSON"]),
@@ -224,7 +262,10 @@ def test_verify_says_all_of_it_and_goes_on(run, bank):
         (["scene", "cradle", "--set", "m=-1", "--json"], ["must be more than 0"]),
         (["scene", "cradle", "--set", "m=heavy", "--json"], ["write it as name=number"]),
         (["scene", "cradle", "--tolerance", "nan", "--json"], ["cannot be kept"]),
-        (["grade", "week_1", "--course", "nowhere", "--json"], ["is no course of ours", "corollary generate"]),
+        (
+            ["grade", "week_1", "--course", "nowhere", "--json"],
+            ["is no course of ours", "corollary generate"],
+        ),
         (["report", "week_1", "--course", "nowhere", "--json"], ["is no course of ours"]),
         (["grade", "week_1", "--course", "words.json", "--json"], ["words.json"]),
         (["demo", "."], ["is not empty; name a fresh folder"]),
@@ -240,24 +281,52 @@ def test_a_request_that_is_wrong(run, bank, tmp_path, argv, words):
     }.items():
         (tmp_path / name).write_bytes(content)
     before = picture(tmp_path)
-    refused(run(*argv, *(["--bank", bank] if argv[0] not in {"read", "scene", "demo"} else []), cwd=tmp_path), *words)
+    refused(
+        run(*argv, *(["--bank", bank] if argv[0] not in {"read", "scene", "demo"} else []), cwd=tmp_path),
+        *words,
+    )
     assert picture(tmp_path) == before
 
 
 @pytest.mark.parametrize(
-    "argv", [["list"], ["key", "X1.1"], ["verify"], ["generate", "week_1", "--roster", "r", "--course", "c"]], ids=" ".join
+    "argv",
+    [["list"], ["key", "X1.1"], ["verify"], ["generate", "week_1", "--roster", "r", "--course", "c"]],
+    ids=" ".join,
 )
 def test_a_bank_that_is_none(run, tmp_path, argv):
-    refused(run(*argv, "--bank", tmp_path, "--json", cwd=tmp_path), f"{tmp_path} is no bank: it has no folder problems/")
+    refused(
+        run(*argv, "--bank", tmp_path, "--json", cwd=tmp_path),
+        f"{tmp_path} is no bank: it has no folder problems/",
+    )
 
 
 def test_one_bad_case_does_not_spoil_the_others(run, bank, tmp_path):
-    cases = [{"m": 2}, {"m": 0}, {"M": 1}, {"m": "heavy"}, {"m": [1]}, {"m": None}, 7, {"m": 1e150}, {"m": True}]
+    cases = [
+        {"m": 2},
+        {"m": 0},
+        {"M": 1},
+        {"m": "heavy"},
+        {"m": [1]},
+        {"m": None},
+        7,
+        {"m": 1e150},
+        {"m": True},
+    ]
     (tmp_path / "cases.json").write_text(json.dumps(cases), encoding="utf-8")
     said = run("key", "X1.1", "--bank", bank, "--cases", tmp_path / "cases.json", "--json")
     assert said.status == 0
     answers = json.loads(said.out)
-    assert ["error" in answer for answer in answers] == [False, True, True, True, True, True, True, False, True]
+    assert ["error" in answer for answer in answers] == [
+        False,
+        True,
+        True,
+        True,
+        True,
+        True,
+        True,
+        False,
+        True,
+    ]
     assert all("\n" not in answer["error"] for answer in answers if "error" in answer)
     assert answers[0]["parts"]["a"]["value"] == 6.0
     assert answers[7]["parts"]["a"]["value"] == 3e150
@@ -277,7 +346,11 @@ def test_one_bad_answer_does_not_spoil_the_others(run, bank, tmp_path):
     found = json.loads(said.out)
     verdicts = [each["parts"]["a"]["verdict"] for each in found[: len(answers)]]
     assert [verdicts[0], verdicts[7]] == ["right", "right"]
-    assert not {verdict for place, verdict in enumerate(verdicts) if place not in {0, 7}} & {"right", "follows", "unmarked"}
+    assert not {verdict for place, verdict in enumerate(verdicts) if place not in {0, 7}} & {
+        "right",
+        "follows",
+        "unmarked",
+    }
     assert all("error" in each for each in found[len(answers) :])
 
 
@@ -296,13 +369,28 @@ def test_a_roster_that_will_not_do(run, bank, roster, tmp_path, content, words):
     if content is not None:
         roster.write_text(content, encoding="utf-8")
     before = picture(tmp_path)
-    refused(run("generate", "week_1", "--roster", roster, "--course", tmp_path / "course", "--bank", bank, "--json"), words)
+    refused(
+        run(
+            "generate",
+            "week_1",
+            "--roster",
+            roster,
+            "--course",
+            tmp_path / "course",
+            "--bank",
+            bank,
+            "--json",
+        ),
+        words,
+    )
     assert picture(tmp_path) == before
 
 
 def test_a_set_that_is_not_there(run, bank, roster, tmp_path):
     before = picture(tmp_path)
-    said = run("generate", "week_9", "--roster", roster, "--course", tmp_path / "course", "--bank", bank, "--json")
+    said = run(
+        "generate", "week_9", "--roster", roster, "--course", tmp_path / "course", "--bank", bank, "--json"
+    )
     refused(said, "there is no problem set week_9; the bank has: ", "week_1")
     assert picture(tmp_path) == before
 
@@ -310,7 +398,8 @@ def test_a_set_that_is_not_there(run, bank, roster, tmp_path):
 def test_a_course_where_a_file_stands(run, bank, roster, tmp_path):
     (tmp_path / "course").write_text("mine", encoding="utf-8")
     refused(
-        run("generate", "week_1", "--roster", roster, "--course", tmp_path / "course", "--bank", bank), "is a file; name a folder"
+        run("generate", "week_1", "--roster", roster, "--course", tmp_path / "course", "--bank", bank),
+        "is a file; name a folder",
     )
     assert (tmp_path / "course").read_text() == "mine"
 
@@ -332,7 +421,17 @@ def course(run, bank, tmp_path_factory) -> Path:
     """A course with one set generated and one sheet handed in."""
     place = tmp_path_factory.mktemp("term")
     (place / "roster.csv").write_text("id\nada\n", encoding="utf-8")
-    said = run("generate", "week_1", "--roster", place / "roster.csv", "--course", place / "course", "--bank", bank, "--json")
+    said = run(
+        "generate",
+        "week_1",
+        "--roster",
+        place / "roster.csv",
+        "--course",
+        place / "course",
+        "--bank",
+        bank,
+        "--json",
+    )
     assert said.status == 0, said
     handed_in = place / "course" / "submitted" / "ada" / "week_1"
     handed_in.mkdir(parents=True)
@@ -356,7 +455,11 @@ def test_a_set_never_generated(run, bank, course):
 
 
 def test_nothing_to_report_yet(run, bank, course):
-    refused(run("report", "week_1", "--course", course, "--bank", bank), "nothing of week_1 is graded", "corollary grade week_1")
+    refused(
+        run("report", "week_1", "--course", course, "--bank", bank),
+        "nothing of week_1 is graded",
+        "corollary grade week_1",
+    )
 
 
 def test_a_gradebook_that_is_locked(run, bank, course):
@@ -364,11 +467,15 @@ def test_a_gradebook_that_is_locked(run, bank, course):
     before = picture(course)
     lock = sqlite3.connect(course / "gradebook.db")
     try:
-        lock.execute("BEGIN EXCLUSIVE")  # and no look into the file from here until it is over: that would lift the lock
+        lock.execute(
+            "BEGIN EXCLUSIVE"
+        )  # and no look into the file from here until it is over: that would lift the lock
         said = run("grade", "week_1", "--course", course, "--bank", bank, "--json")
         refused(said, "gradebook.db is locked by another program; close", "and grade again")
         after = picture(course)
-        assert {name for name in after if "graded" in name or "feedback" in name or "reports" in name} <= before.keys()
+        assert {
+            name for name in after if "graded" in name or "feedback" in name or "reports" in name
+        } <= before.keys()
         assert all(after[name] == content for name, content in before.items())
     finally:
         lock.close()
@@ -381,7 +488,10 @@ def test_a_damaged_key_of_the_course(run, bank, course, tmp_path):
     copy = tmp_path / "copy"
     shutil.copytree(course, copy)
     (copy / ".corollary" / "key").write_bytes(b"short")
-    refused(run("grade", "week_1", "--course", copy, "--bank", bank, "--json"), ".corollary/key is damaged: 5 bytes, not 32")
+    refused(
+        run("grade", "week_1", "--course", copy, "--bank", bank, "--json"),
+        ".corollary/key is damaged: 5 bytes, not 32",
+    )
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -392,7 +502,15 @@ def test_help(run, command):
 
 
 @pytest.mark.parametrize(
-    "line", ["key", "grade week_1", "nonsense", "verify --variants 0", "verify --variants many", "key X1.1 --unknown"]
+    "line",
+    [
+        "key",
+        "grade week_1",
+        "nonsense",
+        "verify --variants 0",
+        "verify --variants many",
+        "key X1.1 --unknown",
+    ],
 )
 def test_a_command_line_that_is_wrong(run, line):
     said = run(*line.split())
@@ -405,10 +523,15 @@ def test_a_command_line_that_is_wrong(run, line):
 
 @pytest.mark.parametrize(
     ("argv", "words"),
-    [(["key", "X9.9", "--json"], "no problem is called X9.9"), (["list", "--bank", "nowhere"], "nowhere is no bank")],
+    [
+        (["key", "X9.9", "--json"], "no problem is called X9.9"),
+        (["list", "--bank", "nowhere"], "nowhere is no bank"),
+    ],
 )
 def test_through_the_installed_command(argv, words, tmp_path):
     """The same without anything loaded beforehand."""
     plain = {name: value for name, value in os.environ.items() if not name.startswith("COROLLARY")}
-    done = subprocess.run([COMMAND, *argv], capture_output=True, text=True, cwd=tmp_path, timeout=60, env=plain, check=False)
+    done = subprocess.run(
+        [COMMAND, *argv], capture_output=True, text=True, cwd=tmp_path, timeout=60, env=plain, check=False
+    )
     refused(Said(done.returncode, done.stdout, done.stderr), words)

@@ -15,7 +15,9 @@ BIN = Path(sys.executable).parent
 
 
 def corollary(*words: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([str(BIN / "corollary"), *map(str, words)], capture_output=True, text=True, timeout=240, check=False)
+    return subprocess.run(
+        [str(BIN / "corollary"), *map(str, words)], capture_output=True, text=True, timeout=240, check=False
+    )
 
 
 @pytest.fixture(scope="module")
@@ -29,7 +31,9 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict]:
 def test_everybody_gets_what_they_deserve(played: tuple[Path, dict]) -> None:
     _, told = played
     assert len(told["students"]) >= 12
-    assert {id: row["points"] for id, row in told["students"].items()} == {id: row["deserved"] for id, row in told["students"].items()}
+    assert {id: row["points"] for id, row in told["students"].items()} == {
+        id: row["deserved"] for id, row in told["students"].items()
+    }
     assert told["fair"]
 
 
@@ -57,7 +61,9 @@ def test_a_second_run_skips_everybody_and_changes_nothing(played: tuple[Path, di
 
 def test_feedback_says_what_went_wrong_and_needs_nothing_from_outside(played: tuple[Path, dict]) -> None:
     folder, _ = played
-    page = (folder / "feedback" / "finn" / "momentum_1" / "momentum_1.feedback.html").read_text(encoding="utf-8")
+    page = (folder / "feedback" / "finn" / "momentum_1" / "momentum_1.feedback.html").read_text(
+        encoding="utf-8"
+    )
     assert "Momentum has a direction" in page
     assert "<math" in page
     assert 'src="http' not in page
@@ -78,7 +84,14 @@ def test_nbgraders_own_commands_work_on_it(played: tuple[Path, dict], tmp_path: 
     course = tmp_path / "course"
     shutil.copytree(folder, course)
     for words in (["generate_feedback", "momentum_1", "--student", "ada"], ["export", "--to", "grades.csv"]):
-        done = subprocess.run([str(BIN / "nbgrader"), *words], cwd=course, capture_output=True, text=True, timeout=200, check=False)
+        done = subprocess.run(
+            [str(BIN / "nbgrader"), *words],
+            cwd=course,
+            capture_output=True,
+            text=True,
+            timeout=200,
+            check=False,
+        )
         assert done.returncode == 0, done.stderr
     assert (course / "feedback" / "ada" / "momentum_1" / "momentum_1.html").stat().st_size > 10_000
     rows = (course / "grades.csv").read_text(encoding="utf-8").splitlines()

@@ -56,7 +56,9 @@ def in_gradebook(course: Course) -> list[tuple]:
 
 def start(pair: Path, course: Course, *words: str) -> subprocess.Popen[str]:
     line = [str(BIN / "corollary"), "grade", str(pair), "--course", str(course.folder), "--json", *words]
-    return subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    return subprocess.Popen(
+        line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
 
 
 def grade(pair: Path, course: Course, *words: str) -> tuple[int, dict, str]:
@@ -65,11 +67,18 @@ def grade(pair: Path, course: Course, *words: str) -> tuple[int, dict, str]:
     return running.returncode, json.loads(out) if out else {}, said
 
 
-def answers(course: Course, problem_set: ProblemSet, solutions: Solutions, student: Student, **others: str) -> None:
+def answers(
+    course: Course, problem_set: ProblemSet, solutions: Solutions, student: Student, **others: str
+) -> None:
     variants = variants_of(problem_set, read_dealt(course, problem_set.name)[student.id])
     paper = worksheet(problem_set, student, variants)
     keys = {variant.problem.code: solutions.key(variant) for variant in variants}
-    hand_in(course, problem_set, paper, Hand(right_sources(paper, keys) | others, late=5.0 if student.id == "ben" else 0.0))
+    hand_in(
+        course,
+        problem_set,
+        paper,
+        Hand(right_sources(paper, keys) | others, late=5.0 if student.id == "ben" else 0.0),
+    )
 
 
 @pytest.fixture(scope="module")
@@ -152,7 +161,9 @@ def test_a_history_cut_short_at_either_end_of_its_last_line_is_settled(
     assert sorted(entry["student"] for entry in history(course, "pair")) == [student.id for student in ROSTER]
 
 
-def test_a_locked_gradebook_is_said_and_nothing_is_half_kept(fresh: Course, pair: Path, tmp_path: Path) -> None:
+def test_a_locked_gradebook_is_said_and_nothing_is_half_kept(
+    fresh: Course, pair: Path, tmp_path: Path
+) -> None:
     course = copied(fresh, tmp_path)
     other = sqlite3.connect(course.gradebook, isolation_level=None)
     other.execute("BEGIN IMMEDIATE")
@@ -167,10 +178,14 @@ def test_a_locked_gradebook_is_said_and_nothing_is_half_kept(fresh: Course, pair
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can mount a small disk")
-def test_a_full_disk_is_said_and_the_next_run_finishes(fresh: Course, undisturbed: Course, pair: Path, tmp_path: Path) -> None:
+def test_a_full_disk_is_said_and_the_next_run_finishes(
+    fresh: Course, undisturbed: Course, pair: Path, tmp_path: Path
+) -> None:
     disk = tmp_path / "disk"
     disk.mkdir()
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16m", "tmpfs", str(disk)], check=False, capture_output=True).returncode:
+    if subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=16m", "tmpfs", str(disk)], check=False, capture_output=True
+    ).returncode:
         pytest.skip("no disk can be mounted here")
     try:
         course = copied(fresh, disk)
@@ -183,12 +198,16 @@ def test_a_full_disk_is_said_and_the_next_run_finishes(fresh: Course, undisturbe
         ballast.unlink()
         assert grade(pair, course)[0] == 0
         assert in_gradebook(course) == in_gradebook(undisturbed)
-        assert sorted(entry["student"] for entry in history(course, "pair")) == [student.id for student in ROSTER]
+        assert sorted(entry["student"] for entry in history(course, "pair")) == [
+            student.id for student in ROSTER
+        ]
     finally:
         subprocess.run(["umount", "-l", str(disk)], check=False)
 
 
-def test_hand_ins_that_do_not_fit_have_a_defined_outcome(undisturbed: Course, pair: Path, tmp_path: Path) -> None:
+def test_hand_ins_that_do_not_fit_have_a_defined_outcome(
+    undisturbed: Course, pair: Path, tmp_path: Path
+) -> None:
     course = copied(undisturbed, tmp_path)
     mine = course.notebook("submitted", "ada", "pair")
     write_atomically(course.notebook("submitted", "zoe", "pair"), mine.read_bytes())
@@ -208,14 +227,18 @@ def test_hand_ins_that_do_not_fit_have_a_defined_outcome(undisturbed: Course, pa
     assert told["students"]["ben"]["points"] == told["students"]["ada"]["points"] / 2
 
 
-def test_a_regrade_shows_who_changes_before_it_writes(undisturbed: Course, pair: Path, tmp_path: Path) -> None:
+def test_a_regrade_shows_who_changes_before_it_writes(
+    undisturbed: Course, pair: Path, tmp_path: Path
+) -> None:
     course = copied(undisturbed, tmp_path)
     before = in_gradebook(course)
     own = tmp_path / "pair.md"
     own.write_text(pair.read_text().replace("late: 0.5", "late: 0.8"))
     status, told, said = grade(own, course, "--regrade", "--dry-run")
     assert status == 0
-    assert [(each["student"], round(each["by"], 3)) for each in told["changed"]] == [("ben", round(0.3 * 10, 3))]
+    assert [(each["student"], round(each["by"], 3)) for each in told["changed"]] == [
+        ("ben", round(0.3 * 10, 3))
+    ]
     assert "ben" in said
     assert in_gradebook(course) == before
     assert len(list(history(course, "pair"))) == len(ROSTER)

@@ -24,7 +24,12 @@ def test_prints_what_the_readme_says(command: str, printed: str) -> None:
     program = str(Path(sys.executable).parent / "corollary")
     assert command.startswith("corollary ")
     done = subprocess.run(
-        program + command.removeprefix("corollary"), shell=True, capture_output=True, text=True, timeout=60, check=False
+        program + command.removeprefix("corollary"),
+        shell=True,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
     )
     said = done.stdout.replace("\N{NO-BREAK SPACE}", " ")
     wanted = printed.replace("\N{NO-BREAK SPACE}", " ")

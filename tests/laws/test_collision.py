@@ -19,7 +19,9 @@ AFTER_A, AFTER_B = after_elastic(A=(M_A, V_A), B=(M_B, V_B))
 
 
 @given(MASS, MASS, VELOCITY, VELOCITY)
-def test_an_elastic_collision_turns_every_velocity_round_in_the_frame_of_the_centre_of_mass(m_a, m_b, v_a, v_b):
+def test_an_elastic_collision_turns_every_velocity_round_in_the_frame_of_the_centre_of_mass(
+    m_a, m_b, v_a, v_b
+):
     point = {M_A: m_a, M_B: m_b, V_A: v_a, V_B: v_b}
     centre = sympy.Rational(m_a * v_a + m_b * v_b, m_a + m_b)
     assert AFTER_A.subs(point) == 2 * centre - v_a

@@ -18,7 +18,9 @@ def test_the_line_of_centres_is_a_unit_vector_whose_y_is_the_share_of_the_impact
     n = math.cos(alpha), math.sin(alpha)
     for stated in line_of_centres(n, s=3 * math.sin(alpha), D=3):
         ((left, right),) = sides(stated)
-        assert math.isclose(left, right, abs_tol=2e-8)  # near 90° the root of 1 - n_y² loses half of the digits
+        assert math.isclose(
+            left, right, abs_tol=2e-8
+        )  # near 90° the root of 1 - n_y² loses half of the digits
 
 
 @given(ANGLE, ANGLE)

@@ -72,7 +72,12 @@ def test_every_function_of_the_list_has_its_meaning():
 
     for name, count in ARGUMENTS.items():
         arguments = ", ".join(["a", "b"][:count])
-        stated = law("Any", f"c = {name}({arguments})", c=x, **{letter: sympy.Rational(1, 2) for letter in ["a", "b"][:count]})
+        stated = law(
+            "Any",
+            f"c = {name}({arguments})",
+            c=x,
+            **{letter: sympy.Rational(1, 2) for letter in ["a", "b"][:count]},
+        )
         ((_, right),) = sides(stated)
         assert right.is_number
 
@@ -102,14 +107,36 @@ stated(laws.impulse_of_constant_force(a, b, c), J=PEE, F=NEWTON, dt=SECOND)
 stated(laws.force_on_standing(a, b, c, d), F=NEWTON, N=NEWTON, m=KG, g=MS / SECOND)
 stated(laws.direction(a, (b, c)), beta=NOTHING, J_x=PEE, J_y=PEE)
 stated(laws.kinetic_energy(a, b, c), K=JOULE, m=KG, v=MS)
-stated(laws.change_of_kinetic_energy(a, before=[(b, c)], after=[(b, d)]), dK=JOULE, m_0=KG, m_1=KG, v_0=MS, v_1=MS)
+stated(
+    laws.change_of_kinetic_energy(a, before=[(b, c)], after=[(b, d)]),
+    dK=JOULE,
+    m_0=KG,
+    m_1=KG,
+    v_0=MS,
+    v_1=MS,
+)
 stated(laws.change_of_kinetic_energy_in_plane(a, before=[(b, (c, d))], after=[(b, (e, 0))]),
        dK=JOULE, m_A=KG, v_Ax0=MS, v_Ay0=MS, v_Ax1=MS, v_Ay1=MS)  # fmt: skip
 stated(laws.falling(a, b, c), v=MS, g=MS / SECOND, h=METRE)
-stated(laws.elastic(before=[(a, b), (c, 0)], after=[(a, d), (c, e)]), m_A=KG, m_B=KG, v_A0=MS, v_B0=MS, v_A1=MS, v_B1=MS)
+stated(
+    laws.elastic(before=[(a, b), (c, 0)], after=[(a, d), (c, e)]),
+    m_A=KG,
+    m_B=KG,
+    v_A0=MS,
+    v_B0=MS,
+    v_A1=MS,
+    v_B1=MS,
+)
 stated(laws.sliding_to_rest(m=a, v=b, mu=c, N=d, d=e), m=KG, v=MS, mu=NOTHING, N=NEWTON, d=METRE)
 stated(laws.spring_at_rest(m=a, v=b, k=c, x=d), m=KG, v=MS, k=NEWTON / METRE, x=METRE)
-stated(laws.energy_at_heights(a, before=(b, c), after=(d, e)), g=MS / SECOND, v_0=MS, v_1=MS, y_0=METRE, y_1=METRE)
+stated(
+    laws.energy_at_heights(a, before=(b, c), after=(d, e)),
+    g=MS / SECOND,
+    v_0=MS,
+    v_1=MS,
+    y_0=METRE,
+    y_1=METRE,
+)
 stated(laws.work_of_net_force(a, b, c, before=d, after=e), F=NEWTON, s=METRE, m=KG, v_0=MS, v_1=MS)
 stated(laws.restitution(a, A=(b, c), B=(d, e)), r=NOTHING, v_A0=MS, v_A1=MS, v_B0=MS, v_B1=MS)
 stated(laws.reduced_mass(a, b, c), mu=KG, m_A=KG, m_B=KG)

@@ -30,7 +30,9 @@ def test_a_body_in_two_pieces_has_the_same_momentum(one, other, v):
 @given(st.tuples(mass, velocity), st.tuples(mass, velocity))
 def test_bodies_that_stick_keep_their_total_momentum(a, b):
     unknown = sympy.symbols("u_x u_y", real=True)
-    found = sympy.solve([left - right for left, right in sides(sticking(before=[a, b], together=unknown))], unknown)
+    found = sympy.solve(
+        [left - right for left, right in sides(sticking(before=[a, b], together=unknown))], unknown
+    )
     assert total([(a[0] + b[0], tuple(found[u] for u in unknown))]) == total([a, b])
 
 

@@ -19,6 +19,8 @@ def test_the_far_turning_point_keeps_energy_and_angular_momentum(kappa):
 
 def test_the_lowest_order_is_that_of_the_cubic():
     k, b, v, m = 100, 1, sympy.Rational(1, 1000), 2
-    ((_, small),) = sides(small_excess(sympy.Symbol("x"), m=sympy.Integer(m), k=sympy.Integer(k), b=sympy.Integer(b), v=v))
+    ((_, small),) = sides(
+        small_excess(sympy.Symbol("x"), m=sympy.Integer(m), k=sympy.Integer(k), b=sympy.Integer(b), v=v)
+    )
     ((_, r),) = sides(far_turning_point(sympy.Symbol("r"), b=b, kappa=m * v**2 / (k * sympy.Integer(b) ** 2)))
     assert float(small / (r - b).evalf(40)) == pytest.approx(1, abs=1e-6)

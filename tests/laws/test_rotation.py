@@ -16,7 +16,9 @@ def after() -> dict[sympy.Symbol, sympy.Expr]:
         hit_on_hinge(m=M, h=H, before=V, after=U, I=INERTIA, omega=OMEGA),
         elastic_on_hinge(m=M, before=V, after=U, I=INERTIA, omega=OMEGA),
     )
-    found = sympy.solve([left - right for stated in laws for left, right in sides(stated)], [U, OMEGA], dict=True)
+    found = sympy.solve(
+        [left - right for stated in laws for left, right in sides(stated)], [U, OMEGA], dict=True
+    )
     (met,) = (root for root in found if sympy.simplify(root[OMEGA]) != 0)
     return met
 

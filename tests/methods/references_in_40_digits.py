@@ -83,7 +83,9 @@ def series(w, rate, spin, time, turn, stiff, drag, reach):
         square.append(product(y[0], y[0], n))
         cube.append(product(y[0], square, n))
         near.append((reach if n == 0 else 0) - square[n])
-        inverse.append(1 / near[0] if n == 0 else -mp.fsum(near[i] * inverse[n - i] for i in range(1, n + 1)) / near[0])
+        inverse.append(
+            1 / near[0] if n == 0 else -mp.fsum(near[i] * inverse[n - i] for i in range(1, n + 1)) / near[0]
+        )
         two.append(product(inverse, inverse, n))
         three.append(product(two, inverse, n))
         ell.append(product(y[2], y[2], n))
@@ -108,7 +110,9 @@ def spheres(eta):
         h = mp.mpf("0.3") * (abs(y[0][1]) / size) ** (mp.mpf(1) / (ORDER - 1)) if y[0][1] else h
         after = [mp.polyval(row[::-1], h) for row in y]
         if after[0] <= 0:
-            h = mp.findroot(lambda s, y=y: mp.polyval(y[0][::-1], s), (mp.mpf(0) + h / 10, h), solver="anderson")
+            h = mp.findroot(
+                lambda s, y=y: mp.polyval(y[0][::-1], s), (mp.mpf(0) + h / 10, h), solver="anderson"
+            )
             after = [mp.polyval(row[::-1], h) for row in y]
             break
         state = after

@@ -4,7 +4,15 @@ import math
 
 import pytest
 
-from corollary.scenes.trade.contact_orders import ASIDE, DAMPINGS, SAMPLINGS, Sampling, chapters, least_order, order_on
+from corollary.scenes.trade.contact_orders import (
+    ASIDE,
+    DAMPINGS,
+    SAMPLINGS,
+    Sampling,
+    chapters,
+    least_order,
+    order_on,
+)
 from corollary.scenes.trade.measures import at_the_fine_end, fitted
 
 

@@ -41,7 +41,9 @@ def slopes(errors):
 )
 def test_order_on_a_smooth_force(name, order, steps):
     exact = march(YOSHIDA_8, pendulum, [1.0], [0.3], 0.01, 400).places[-1][0]
-    errors = [abs(march(METHODS[name], pendulum, [1.0], [0.3], 4.0 / n, n).places[-1][0] - exact) for n in steps]
+    errors = [
+        abs(march(METHODS[name], pendulum, [1.0], [0.3], 4.0 / n, n).places[-1][0] - exact) for n in steps
+    ]
     # The last halving is the asymptotic one; it may not promise more than half an order above the table.
     assert order - 0.25 < slopes(errors)[-1] < order + 0.5
 
@@ -51,12 +53,16 @@ def spread(method, q, steps, whole=6.0):
     runs = []
     for i in range(12):
         dt = whole / steps * (1.0 + 0.002 * i)
-        runs.append(march(METHODS[method], cradle(q), [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], dt, steps).velocities[-1])
+        runs.append(
+            march(METHODS[method], cradle(q), [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], dt, steps).velocities[-1]
+        )
     return runs
 
 
 def root_mean_square(runs, reference):
-    return math.sqrt(sum((a - b) ** 2 for run in runs for a, b in zip(run, reference, strict=True)) / len(runs))
+    return math.sqrt(
+        sum((a - b) ** 2 for run in runs for a, b in zip(run, reference, strict=True)) / len(runs)
+    )
 
 
 HERTZ = (-0.070952353651436871, 0.076403039071206993, 0.994549314580229878)
@@ -79,7 +85,13 @@ def test_high_order_is_lost_where_the_force_is_not_smooth():
 
 
 def test_evaluations_are_counted_and_a_shared_kick_is_paid_once():
-    costs = [("euler_cromer", 1, 0), ("velocity_verlet", 1, 1), ("rk4", 4, 0), ("yoshida4", 3, 1), ("yoshida8", 15, 1)]
+    costs = [
+        ("euler_cromer", 1, 0),
+        ("velocity_verlet", 1, 1),
+        ("rk4", 4, 0),
+        ("yoshida4", 3, 1),
+        ("yoshida8", 15, 1),
+    ]
     for name, each, extra in costs:
         assert march(METHODS[name], pendulum, [1.0], [0.0], 0.1, 10).evaluations == 10 * each + extra
 

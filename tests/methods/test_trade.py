@@ -104,7 +104,11 @@ def test_the_step_suggested_to_students_is_a_hundredth_of_the_contact_and_good(r
     assert suggested_step(0.05, 1e4, 1.5, 1.0) == contact_time(0.05, 1e4, 1.5, 1.0) / 100.0
     for name in ("cradle N=3 q=1.5", "cradle N=3 q=3"):
         each = raced[name]
-        near = [lap for lap in each.laps if lap.method == "euler_cromer" and lap.setting < each.case.contact_time / 70.0]
+        near = [
+            lap
+            for lap in each.laps
+            if lap.method == "euler_cromer" and lap.setting < each.case.contact_time / 70.0
+        ]
         assert near[0].error < 5e-4, name
 
 
@@ -128,7 +132,12 @@ def lap(method, error, evaluations, seconds):
 
 
 def test_a_lucky_hit_is_not_an_accuracy():
-    lucky = (lap("a", 1e-2, 10, 1e-3), lap("a", 1e-7, 20, 2e-3), lap("a", 1e-4, 40, 4e-3), lap("a", 1e-6, 80, 8e-3))
+    lucky = (
+        lap("a", 1e-2, 10, 1e-3),
+        lap("a", 1e-7, 20, 2e-3),
+        lap("a", 1e-4, 40, 4e-3),
+        lap("a", 1e-6, 80, 8e-3),
+    )
     found = WorkPrecision(cases()[0], (*lucky, lap("b", 1e-7, 9, 9e-3)), "a", {})
     best = cheapest(found, 1e-5)
     assert best is not None
@@ -139,7 +148,10 @@ def test_a_lucky_hit_is_not_an_accuracy():
 
 def test_a_run_out_of_range_is_no_answer():
     case = cases()[0]
-    assert math.isnan(error_of(case, Answer((math.nan,) * 3, 1))) or error_of(case, Answer((math.nan,) * 3, 1)) > 1.0
+    assert (
+        math.isnan(error_of(case, Answer((math.nan,) * 3, 1)))
+        or error_of(case, Answer((math.nan,) * 3, 1)) > 1.0
+    )
     assert error_of(case, Answer(case.reference.numbers, 1)) == 0.0
 
 

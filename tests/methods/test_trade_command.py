@@ -16,7 +16,11 @@ def test_the_document(capsys, tmp_path, monkeypatch):
     assert trade.run(["ball_on_floor"], None, True, True) == 0
     found = json.loads(capsys.readouterr().out)
     (scene,) = found["scenes"]
-    assert (scene["scene"], scene["planned"], scene["cheapest"]["1e-12"]) == ("ball_on_floor", "quadrature", "quadrature")
+    assert (scene["scene"], scene["planned"], scene["cheapest"]["1e-12"]) == (
+        "ball_on_floor",
+        "quadrature",
+        "quadrature",
+    )
     assert not list(tmp_path.iterdir())  # --json alone writes nothing
 
 
@@ -25,7 +29,10 @@ def test_table_and_picture(capsys, tmp_path):
     printed = capsys.readouterr().out
     assert "| atom bound" in printed
     assert (tmp_path / "out" / "trade.md").read_text(encoding="utf-8").strip() == printed.strip()
-    assert json.loads((tmp_path / "out" / "trade.json").read_text(encoding="utf-8"))["scenes"][0]["ready"] == "atom"
+    assert (
+        json.loads((tmp_path / "out" / "trade.json").read_text(encoding="utf-8"))["scenes"][0]["ready"]
+        == "atom"
+    )
     drawn = ElementTree.parse(tmp_path / "out" / "atom_bound_evaluations.svg").getroot()
     assert drawn.tag == "{http://www.w3.org/2000/svg}svg"
 

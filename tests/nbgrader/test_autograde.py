@@ -73,22 +73,33 @@ def problem_set(solutions: Solutions) -> ProblemSet:
 
 
 @pytest.fixture(scope="module")
-def courses(solutions: Solutions, problem_set: ProblemSet, tmp_path_factory: pytest.TempPathFactory) -> tuple[Course, Course, str]:
+def courses(
+    solutions: Solutions, problem_set: ProblemSet, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Course, Course, str]:
     """The demonstration's class handed in twice: marked by us, and by nbgrader's own command; and what that command said."""
     folder = tmp_path_factory.mktemp("class")
-    players = [player for player in PLAYERS if player.student.id != "kim"]  # whose endless loop takes its time, twice
+    players = [
+        player for player in PLAYERS if player.student.id != "kim"
+    ]  # whose endless loop takes its time, twice
     made = generate(folder / "ours", problem_set, [player.student for player in players], solutions)
     for player in players:
         row = read_dealt(made.course, SET)[player.student.id]
         paper = worksheet(problem_set, player.student, variants_of(problem_set, row))
-        hand: Hand = player.hand(paper, {each.problem.code: solutions.key(each.variant) for each in paper.exercises})
+        hand: Hand = player.hand(
+            paper, {each.problem.code: solutions.key(each.variant) for each in paper.exercises}
+        )
         hand_in(made.course, problem_set, paper, hand)
     vandalised(made.course.notebook("submitted", "chen", SET))
     write_atomically(made.course.notebook("submitted", "zoe", SET), file_text(nbformat.v4.new_notebook()))
     subprocess.run(["cp", "-a", str(folder / "ours"), str(folder / "theirs")], check=True)
     grade_set(made.course, problem_set, solutions, Runner)
     done = subprocess.run(
-        [str(BIN / "nbgrader"), "autograde", SET], cwd=folder / "theirs", capture_output=True, text=True, timeout=300, check=False
+        [str(BIN / "nbgrader"), "autograde", SET],
+        cwd=folder / "theirs",
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
     )
     assert done.returncode == 1, "zoe is on no roster, and that is said"
     return made.course, open_course(folder / "theirs"), done.stdout + done.stderr
@@ -102,7 +113,9 @@ def test_the_same_scores_to_the_cent(courses: tuple[Course, Course, str]) -> Non
     assert [row for row in rows(theirs, COMMENTS) if row[0] != "zoe"] == rows(ours, COMMENTS)
 
 
-def test_who_is_on_no_roster_gets_no_marks_and_a_flag_and_stops_nobody(courses: tuple[Course, Course, str]) -> None:
+def test_who_is_on_no_roster_gets_no_marks_and_a_flag_and_stops_nobody(
+    courses: tuple[Course, Course, str],
+) -> None:
     _, theirs, said = courses
     assert "zoe handed in momentum_1 but is not on the roster" in said
     assert {(row[2], row[3]) for row in rows(theirs, GRADES) if row[0] == "zoe"} == {(None, 1)}
@@ -116,9 +129,15 @@ def test_a_notebook_that_came_to_grief_has_no_marks_and_a_flag(courses: tuple[Co
 
 def test_a_statement_is_restored_with_the_students_own_numbers(courses: tuple[Course, Course, str]) -> None:
     ours, theirs, _ = courses
-    handed_out = {cell.id: cell.source for cell in nbformat.read(theirs.notebook("release", "chen", SET), as_version=4).cells}
+    handed_out = {
+        cell.id: cell.source
+        for cell in nbformat.read(theirs.notebook("release", "chen", SET), as_version=4).cells
+    }
     for course in (ours, theirs):
-        cells = {cell.id: cell for cell in nbformat.read(course.notebook("autograded", "chen", SET), as_version=4).cells}
+        cells = {
+            cell.id: cell
+            for cell in nbformat.read(course.notebook("autograded", "chen", SET), as_version=4).cells
+        }
         assert cells["X12_5_statement"].source == handed_out["X12_5_statement"]
         assert cells["X12_5_a"].metadata["nbgrader"]["points"] == 1
         assert "edited" in cells["remark_0"].source
@@ -128,7 +147,9 @@ def test_how_a_mark_came_about_is_kept_either_way(
     courses: tuple[Course, Course, str], solutions: Solutions, problem_set: ProblemSet
 ) -> None:
     ours, theirs, _ = courses
-    assert sorted(each["student"] for each in history(theirs, SET)) == sorted(each["student"] for each in history(ours, SET))
+    assert sorted(each["student"] for each in history(theirs, SET)) == sorted(
+        each["student"] for each in history(ours, SET)
+    )
     assert read_record(theirs, problem_set, "chen") == read_record(ours, problem_set, "chen")
     again = grade_set(theirs, problem_set, solutions, Runner)
     assert again.graded == ()

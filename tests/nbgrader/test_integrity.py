@@ -54,7 +54,11 @@ def test_somebody_elses_notebook_is_told_by_name_and_without_its_name() -> None:
 
 @pytest.mark.parametrize(
     ("id", "what"),
-    [("X12_5_statement", "numbers that were handed out"), ("X12_5_a", "earns nothing"), ("setup", "earns nothing")],
+    [
+        ("X12_5_statement", "numbers that were handed out"),
+        ("X12_5_a", "earns nothing"),
+        ("setup", "earns nothing"),
+    ],
 )
 def test_an_edited_cell_is_named(id: str, what: str) -> None:
     nb = notebook(ADA)

@@ -25,7 +25,14 @@ from nbgrader.api import Gradebook
 
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
-from corollary.nbgrader.register import GradebookLocked, NotOurs, NotRegistered, manual_scores, record, register
+from corollary.nbgrader.register import (
+    GradebookLocked,
+    NotOurs,
+    NotRegistered,
+    manual_scores,
+    record,
+    register,
+)
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import Bank
@@ -114,7 +121,9 @@ def variants(week: ProblemSet, student: Student) -> list[Variant]:
     return [at(problem, sum(student.id.encode()) % 10) for problem in week.problems]
 
 
-def hand_in(course: Course, week: ProblemSet, student: Student, stamp: str | None = ON_TIME, **answers: str) -> NotebookNode:
+def hand_in(
+    course: Course, week: ProblemSet, student: Student, stamp: str | None = ON_TIME, **answers: str
+) -> NotebookNode:
     nb = notebook(worksheet(week, student, variants(week, student)))
     for cell in nb.cells:
         cell.source = answers.get(cell.id, cell.source)
@@ -124,7 +133,9 @@ def hand_in(course: Course, week: ProblemSet, student: Student, stamp: str | Non
     return nb
 
 
-def marked(week: ProblemSet, student: Student, *verdicts: tuple[Verdict, float], late_share: float = 1.0) -> Marked:
+def marked(
+    week: ProblemSet, student: Student, *verdicts: tuple[Verdict, float], late_share: float = 1.0
+) -> Marked:
     left = iter(verdicts)
     grades = []
     for variant in variants(week, student):
@@ -132,11 +143,17 @@ def marked(week: ProblemSet, student: Student, *verdicts: tuple[Verdict, float],
         for part in variant.problem.parts:
             verdict, points = next(left)
             feedback = "Think of $p = mv$." if points == 0 else ""
-            parts.append(PartGrade(part, verdict, points, part.points * week.weight(variant.problem), "8.6 N s", feedback))
+            parts.append(
+                PartGrade(
+                    part, verdict, points, part.points * week.weight(variant.problem), "8.6 N s", feedback
+                )
+            )
         grades.append(Grade(variant, tuple(parts)))
     picture = {"output_type": "stream", "name": "stdout", "text": "drawn\n"}
     runs = (CellRun("P12_1_a_plot", "ok", (picture,), 0.1, ""), CellRun("mine", "ok", (picture,), 0.1, ""))
-    return Marked(student, tuple(grades), runs, (), "namespaces", "", 0.0 if late_share == 1 else 3600.0, late_share)
+    return Marked(
+        student, tuple(grades), runs, (), "namespaces", "", 0.0 if late_share == 1 else 3600.0, late_share
+    )
 
 
 GOOD = ((Right(), 1.0), (Unmarked("a person reads this"), 0.0), (Right(), 8.0))
@@ -146,7 +163,9 @@ POOR = ((Mistaken("You divided."), 0.25), (Unread("nothing", blank=True), 0.0), 
 def command(course: Course, *words: str) -> str:
     environment = os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
     line = [sys.executable, "-m", "nbgrader", *words]
-    done = subprocess.run(line, cwd=course.folder, env=environment, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        line, cwd=course.folder, env=environment, capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout + done.stderr
 
@@ -160,13 +179,20 @@ def book(course: Course) -> Iterator[Gradebook]:
 def grades(book: Gradebook, student: str) -> dict[str, tuple[float | None, float | None, bool]]:
     book.db.expire_all()
     (one,) = book.find_submission("week_1", student).notebooks
-    return {grade.name: (grade.auto_score, grade.manual_score, grade.needs_manual_grade) for grade in one.grades}
+    return {
+        grade.name: (grade.auto_score, grade.manual_score, grade.needs_manual_grade) for grade in one.grades
+    }
 
 
 def test_stock_commands_work_on_what_we_wrote(course: Course, week: ProblemSet):
     explained = hand_in(course, week, ADA, X12_5_b="Because <script>alert(1)</script> of $F$.")
     late = hand_in(course, week, BOB, "2026-12-05 00:59:00 UTC")
-    record(course, week, [marked(week, ADA, *GOOD), marked(week, BOB, *POOR, late_share=0.5)], {"ada": explained, "bob": late})
+    record(
+        course,
+        week,
+        [marked(week, ADA, *GOOD), marked(week, BOB, *POOR, late_share=0.5)],
+        {"ada": explained, "bob": late},
+    )
 
     assert "ada (Lovelace, Ada)" in command(course, "db", "student", "list")
     write_atomically(course.place("feedback", "ada", "week_1") / "week_1.html", "feedback on older marks")
@@ -196,12 +222,22 @@ def test_formgrader_sees_the_students_as_graded(course: Course, week: ProblemSet
     nb = hand_in(course, week, ADA)
     bare = hand_in(course, week, BOB, stamp=None)
     garbled = hand_in(course, week, EVE, stamp="soon")
-    record(course, week, [marked(week, each, *GOOD) for each in (ADA, BOB, EVE)], {"ada": nb, "bob": bare, "eve": garbled})
+    record(
+        course,
+        week,
+        [marked(week, each, *GOOD) for each in (ADA, BOB, EVE)],
+        {"ada": nb, "bob": bare, "eve": garbled},
+    )
     settings = Config({"CourseDirectory": {"root": str(course.folder), "course_id": "mech"}})
     api = NbGraderAPI(CourseDirectory(config=settings), config=settings)
     assert api.get_autograded_students("week_1") == {"ada", "bob", "eve"}
     shown = api.get_submission("week_1", "ada")
-    assert (shown["score"], shown["max_score"], shown["needs_manual_grade"], shown["autograded"]) == (9.0, 12.0, True, True)
+    assert (shown["score"], shown["max_score"], shown["needs_manual_grade"], shown["autograded"]) == (
+        9.0,
+        12.0,
+        True,
+        True,
+    )
     assert (course.place("autograded", "bob", "week_1") / "timestamp.txt").is_file()
 
 
@@ -215,9 +251,17 @@ def test_the_release_is_what_we_would_hand_out_ourselves(course: Course, week: P
 def test_scores_flags_and_comments(course: Course, week: ProblemSet, book: Gradebook):
     nb = hand_in(course, week, ADA, X12_5_b="Because.")
     record(course, week, [marked(week, ADA, *GOOD)], {"ada": nb})
-    assert grades(book, "ada") == {"X12_5_a": (1.0, None, False), "X12_5_b": (None, None, True), "P12_1_a": (8.0, None, False)}
+    assert grades(book, "ada") == {
+        "X12_5_a": (1.0, None, False),
+        "X12_5_b": (None, None, True),
+        "P12_1_a": (8.0, None, False),
+    }
     record(course, week, [marked(week, ADA, *POOR)], {"ada": nb})
-    assert grades(book, "ada") == {"X12_5_a": (0.25, None, False), "X12_5_b": (0.0, None, False), "P12_1_a": (None, None, True)}
+    assert grades(book, "ada") == {
+        "X12_5_a": (0.25, None, False),
+        "X12_5_b": (0.0, None, False),
+        "P12_1_a": (None, None, True),
+    }
     (one,) = book.find_submission("week_1", "ada").notebooks
     assert {comment.name: comment.comment for comment in one.comments} == {
         "X12_5_a_answer": None,
@@ -227,7 +271,9 @@ def test_scores_flags_and_comments(course: Course, week: ProblemSet, book: Grade
     }
 
 
-def test_what_a_person_gave_is_kept_and_shown_again_only_for_another_answer(course: Course, week: ProblemSet, book: Gradebook):
+def test_what_a_person_gave_is_kept_and_shown_again_only_for_another_answer(
+    course: Course, week: ProblemSet, book: Gradebook
+):
     nb = hand_in(course, week, ADA, X12_5_b="Because.")
     record(course, week, [marked(week, ADA, *GOOD)], {"ada": nb})
     grade = book.find_grade("X12_5_b", "week_1", "week_1", "ada")
@@ -246,7 +292,9 @@ def test_what_a_person_gave_is_kept_and_shown_again_only_for_another_answer(cour
     assert manual_scores(course, "week_1") == {"ada": {"X12_5_b": 2.5}}
 
 
-def test_the_late_share_is_taken_from_what_a_person_gave_too(course: Course, week: ProblemSet, book: Gradebook):
+def test_the_late_share_is_taken_from_what_a_person_gave_too(
+    course: Course, week: ProblemSet, book: Gradebook
+):
     nb = hand_in(course, week, ADA, X12_5_b="Because.")
     late = marked(week, ADA, *GOOD, late_share=0.5)
     record(course, week, [late], {"ada": nb})
@@ -289,9 +337,21 @@ def broken(nb: NotebookNode, how: str) -> NotebookNode | None:
 
 @pytest.mark.parametrize(
     "how",
-    ["no cells", "missing", "doubled", "no metadata", "worthless points", "future schema", "other kind", "reversed", "unopened"],
+    [
+        "no cells",
+        "missing",
+        "doubled",
+        "no metadata",
+        "worthless points",
+        "future schema",
+        "other kind",
+        "reversed",
+        "unopened",
+    ],
 )
-def test_a_broken_submission_is_recorded_like_any_other(course: Course, week: ProblemSet, book: Gradebook, how: str):
+def test_a_broken_submission_is_recorded_like_any_other(
+    course: Course, week: ProblemSet, book: Gradebook, how: str
+):
     from nbgrader.nbgraderformat import MetadataValidator
 
     nb = broken(hand_in(course, week, ADA, X12_5_a_answer="X12_5_a = 8.6"), how)
@@ -318,7 +378,10 @@ def test_the_marked_notebook_shows_what_the_student_added_where_it_stood(course:
     at_helper = sources.index("helper = 3")
     assert written.cells[at_helper].outputs[0].text == "drawn\n"
     assert "nbgrader" not in written.cells[at_helper].metadata
-    assert [cell.id for cell in written.cells][at_helper - 1 : at_helper + 2 : 2] == ["X12_5_a_text", "X12_5_a_answer"]
+    assert [cell.id for cell in written.cells][at_helper - 1 : at_helper + 2 : 2] == [
+        "X12_5_a_text",
+        "X12_5_a_answer",
+    ]
     assert "ran out of memory" in sources[1]
 
 
@@ -326,9 +389,15 @@ def test_registering_again_takes_up_changes(course: Course, week: ProblemSet, bo
     changed = replace(week, title="Week one", due=None)
     create_course(course.folder, [ADA, replace(BOB, last_name="Bool"), EVE])
     register(course, changed, chapters_own(changed))
-    assert "# Week one" in nbformat.read(course.notebook("release", ".", "week_1"), as_version=4).cells[0].source
+    assert (
+        "# Week one" in nbformat.read(course.notebook("release", ".", "week_1"), as_version=4).cells[0].source
+    )
     assert book.find_assignment("week_1").duedate is None
-    assert {student.id: student.last_name for student in book.students} == {"ada": "Lovelace", "bob": "Bool", "eve": None}
+    assert {student.id: student.last_name for student in book.students} == {
+        "ada": "Lovelace",
+        "bob": "Bool",
+        "eve": None,
+    }
 
 
 def test_parts_cannot_change_under_recorded_work(course: Course, week: ProblemSet):
@@ -339,7 +408,9 @@ def test_parts_cannot_change_under_recorded_work(course: Course, week: ProblemSe
         register(course, shorter, chapters_own(shorter))
 
 
-def test_who_was_recorded_before_an_accident_stays_recorded(course: Course, week: ProblemSet, book: Gradebook):
+def test_who_was_recorded_before_an_accident_stays_recorded(
+    course: Course, week: ProblemSet, book: Gradebook
+):
     def until_the_power_goes() -> Iterator[Marked]:
         yield marked(week, ADA, *GOOD)
         raise KeyboardInterrupt
@@ -349,11 +420,18 @@ def test_who_was_recorded_before_an_accident_stays_recorded(course: Course, week
         record(course, week, until_the_power_goes(), {"ada": nb})
     assert grades(book, "ada")["X12_5_a"][0] == 1.0
     assert len(book.assignment_submissions("week_1")) == 1
-    record(course, week, [marked(week, ADA, *GOOD), marked(week, BOB, *POOR)], {"ada": nb, "bob": hand_in(course, week, BOB)})
+    record(
+        course,
+        week,
+        [marked(week, ADA, *GOOD), marked(week, BOB, *POOR)],
+        {"ada": nb, "bob": hand_in(course, week, BOB)},
+    )
     assert len(book.assignment_submissions("week_1")) == 2
 
 
-def test_a_locked_gradebook_is_said_in_one_sentence(course: Course, week: ProblemSet, monkeypatch: pytest.MonkeyPatch):
+def test_a_locked_gradebook_is_said_in_one_sentence(
+    course: Course, week: ProblemSet, monkeypatch: pytest.MonkeyPatch
+):
     nb = hand_in(course, week, ADA)
     monkeypatch.setattr(sqlite3.dbapi2, "connect", partial(sqlite3.dbapi2.connect, timeout=0.2))
     other = sqlite3.connect(course.gradebook, isolation_level=None)

@@ -15,7 +15,23 @@ from nbformat.v4 import new_code_cell, new_notebook
 from corollary.nbgrader.safe import MOST_LETTERS, safe_attachments, safe_markdown, safe_outputs
 
 PNG = base64.b64encode(b"\x89PNG\r\n\x1a\n" + bytes(20)).decode()
-HARMLESS = {"p", "em", "strong", "code", "pre", "ul", "ol", "li", "a", "br", "hr", "blockquote", "del", "div", "span"}
+HARMLESS = {
+    "p",
+    "em",
+    "strong",
+    "code",
+    "pre",
+    "ul",
+    "ol",
+    "li",
+    "a",
+    "br",
+    "hr",
+    "blockquote",
+    "del",
+    "div",
+    "span",
+}
 HARMLESS |= {"h1", "h2", "h3", "h4", "h5", "h6", "table", "thead", "tbody", "tr", "td", "th", "sup", "sub"}
 
 
@@ -37,7 +53,9 @@ class Seen(HTMLParser):
         self.tags.add(tag)
         for name, value in attrs:
             self.attributes.add(name)
-            if name == "src" or (name == "href" and not (value or "").startswith(("#", "https://", "http://"))):
+            if name == "src" or (
+                name == "href" and not (value or "").startswith(("#", "https://", "http://"))
+            ):
                 self.addresses.append(value or "")
 
     def handle_comment(self, data: str) -> None:
@@ -46,7 +64,11 @@ class Seen(HTMLParser):
 
 def harmless(page: str) -> bool:
     seen = Seen(page)
-    return seen.tags <= HARMLESS and not seen.addresses and not any(name.startswith("on") for name in seen.attributes)
+    return (
+        seen.tags <= HARMLESS
+        and not seen.addresses
+        and not any(name.startswith("on") for name in seen.attributes)
+    )
 
 
 ATTACKS = [
@@ -84,7 +106,13 @@ def test_no_combination_of_marks_makes_a_tag_or_an_address(text: str):
 
 
 @pytest.mark.parametrize(
-    "text", ["Because **impulse** is kept.", "$a \\le b$ and $p = m v$", "1 < 2 and 3 > 2", "![a photo](attachment:work.png)"]
+    "text",
+    [
+        "Because **impulse** is kept.",
+        "$a \\le b$ and $p = m v$",
+        "1 < 2 and 3 > 2",
+        "![a photo](attachment:work.png)",
+    ],
 )
 def test_an_honest_answer_is_left_as_it_is(text: str):
     assert safe_markdown(text) == text
@@ -95,7 +123,13 @@ def test_a_formula_gets_a_blank_at_most():
 
 
 def test_pasted_pictures_stay_and_other_attachments_go():
-    cell = {"attachments": {"a.png": {"image/png": PNG, "text/html": "<script>"}, "b": {"image/svg+xml": "<svg/>"}, "c": 3}}
+    cell = {
+        "attachments": {
+            "a.png": {"image/png": PNG, "text/html": "<script>"},
+            "b": {"image/svg+xml": "<svg/>"},
+            "c": 3,
+        }
+    }
     assert safe_attachments(cell) == {"a.png": {"image/png": PNG}}
     assert safe_attachments({"attachments": []}) == {}
 
@@ -104,8 +138,15 @@ def test_outputs_keep_text_and_pictures_only():
     shown = safe_outputs(
         [
             {"output_type": "stream", "name": "stdout", "text": ["a\n", "b"]},
-            {"output_type": "display_data", "data": {"image/png": PNG, "text/html": "<b>", "application/javascript": "x"}},
-            {"output_type": "execute_result", "data": {"text/plain": "8.6"}, "metadata": {"width": '"><script>'}},
+            {
+                "output_type": "display_data",
+                "data": {"image/png": PNG, "text/html": "<b>", "application/javascript": "x"},
+            },
+            {
+                "output_type": "execute_result",
+                "data": {"text/plain": "8.6"},
+                "metadata": {"width": '"><script>'},
+            },
             {"output_type": "display_data", "data": {"text/html": "<script>"}},
             {"output_type": "error", "ename": "NameError", "evalue": "x", "traceback": ["line"] * 1000},
             {"output_type": "comm"},

@@ -86,7 +86,11 @@ SET = """\
 @pytest.fixture(scope="session")
 def problem_set(tmp_path_factory: pytest.TempPathFactory) -> ProblemSet:
     bank = tmp_path_factory.mktemp("bank")
-    files = {"problems/impulse/kick.md": KICK, "problems/impulse/drop.md": DROP, "problems/sets/week_1.md": SET}
+    files = {
+        "problems/impulse/kick.md": KICK,
+        "problems/impulse/drop.md": DROP,
+        "problems/sets/week_1.md": SET,
+    }
     for name, text in files.items():
         (bank / name).parent.mkdir(parents=True, exist_ok=True)
         (bank / name).write_text(dedent(text), encoding="utf-8")
@@ -95,4 +99,6 @@ def problem_set(tmp_path_factory: pytest.TempPathFactory) -> ProblemSet:
 
 @pytest.fixture(scope="session")
 def ada(problem_set: ProblemSet) -> Worksheet:
-    return worksheet(problem_set, Student("ada", "Ada", "Lovelace"), [at(problem, 57) for problem in problem_set.problems])
+    return worksheet(
+        problem_set, Student("ada", "Ada", "Lovelace"), [at(problem, 57) for problem in problem_set.problems]
+    )

@@ -35,8 +35,16 @@ SAID = [
     ("X12_5_a", "from fractions import Fraction\nX12_5_a = Fraction(1, 3)", "read as 1/3 kg m/s"),
     ("X12_5_b", "X12_5_b = [3, '4 km/h']", "read as (3 m/s, 4 km/h)"),
     ("X12_5_b", "X12_5_b = '3 i - 4 j m/s'", "read as (3 m/s, -4 m/s)"),
-    ("X12_5_a", "X12_5_a = '-8.6 N s, x to the left'", "read as -8.6 N s (2 figures) with your x to the left\n"),
-    ("X12_5_a", "X12_5_a = '8.6 N s (taking positive to the left).'", "read as 8.6 N s (2 figures) with positive to the left\n"),
+    (
+        "X12_5_a",
+        "X12_5_a = '-8.6 N s, x to the left'",
+        "read as -8.6 N s (2 figures) with your x to the left\n",
+    ),
+    (
+        "X12_5_a",
+        "X12_5_a = '8.6 N s (taking positive to the left).'",
+        "read as 8.6 N s (2 figures) with positive to the left\n",
+    ),
     ("X12_5_a", "X12_5_a = '8.6, x to the left'", "the unit is missing"),
     ("X12_5_a", "X12_5_a = '8.6 N s to the left'", "read as 8.6 N s (2 figures), to the left\n"),
     ("X12_5_a", "X12_5_a = '8.6 N s towards the goal'", "write the number with its sign"),
@@ -109,7 +117,9 @@ def said(ada: Worksheet) -> dict:
     return alone(check_source(ada), [(key, source) for key, source, _ in SAID])
 
 
-@pytest.mark.parametrize("number", range(len(SAID)), ids=[f"{key}: {source[-30:]}" for key, source, _ in SAID])
+@pytest.mark.parametrize(
+    "number", range(len(SAID)), ids=[f"{key}: {source[-30:]}" for key, source, _ in SAID]
+)
 def test_it_says_how_an_answer_is_read(said: dict, number: int):
     key, _, expected = SAID[number]
     assert said["said"][number].startswith(key + ": ")
@@ -126,11 +136,14 @@ def test_without_a_name_it_goes_through_all_answers_but_the_written_ones(ada: Wo
     lines: list[str] = []
     space["print"] = lines.append
     space["check"]()
-    assert [line.partition(":")[0] for line in lines] == [prompt.key for prompt in ada.prompts if prompt.part.kind != "explain"]
+    assert [line.partition(":")[0] for line in lines] == [
+        prompt.key for prompt in ada.prompts if prompt.part.kind != "explain"
+    ]
 
 
 @pytest.mark.parametrize(
-    ("stage", "answer", "error"), [("autograde", 8.6, RuntimeError), ("validate", None, ValueError), ("validate", 8.6, None)]
+    ("stage", "answer", "error"),
+    [("autograde", 8.6, RuntimeError), ("validate", None, ValueError), ("validate", 8.6, None)],
 )
 def test_it_fails_where_nbgrader_would_take_silence_for_success(
     ada: Worksheet, monkeypatch: pytest.MonkeyPatch, stage: str, answer: object, error: type[Exception] | None
@@ -145,7 +158,9 @@ def test_it_fails_where_nbgrader_would_take_silence_for_success(
             space["check"]("X12_5_a")
 
 
-def test_an_old_python_is_told_so(ada: Worksheet, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+def test_an_old_python_is_told_so(
+    ada: Worksheet, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
     monkeypatch.setattr(sys, "version_info", (3, 9, 0))
     space: dict = {}
     exec(check_source(ada), space)
@@ -153,9 +168,15 @@ def test_an_old_python_is_told_so(ada: Worksheet, monkeypatch: pytest.MonkeyPatc
     assert "check needs Python 3.11" in capsys.readouterr().out
 
 
-def test_it_carries_the_code_for_formulas_only_where_there_are_formulas(ada: Worksheet, problem_set: ProblemSet):
+def test_it_carries_the_code_for_formulas_only_where_there_are_formulas(
+    ada: Worksheet, problem_set: ProblemSet
+):
     drop = problem_set.problems[1]
-    small = check_source(Worksheet(problem_set, Student("bob"), worksheet(problem_set, Student("bob"), [at(drop, 3)]).exercises))
+    small = check_source(
+        Worksheet(
+            problem_set, Student("bob"), worksheet(problem_set, Student("bob"), [at(drop, 3)]).exercises
+        )
+    )
     assert "as_formula" in check_source(ada).split("ASKED")[0]
     assert "reader('as_formula'" not in small
     assert len(small) < 0.7 * len(check_source(ada))
@@ -168,7 +189,9 @@ def test_it_carries_the_code_for_formulas_only_where_there_are_formulas(ada: Wor
         ("m*q", "cannot be read"), ("8.6 kg m", "is expected"), ("", "cannot be read"), ("sqrt(2)*(", "cannot be read"),
     ],
 )  # fmt: skip
-def test_a_formula_for_a_number_is_left_to_the_marker_where_no_code_for_it_is_carried(answer: str, expected: str):
+def test_a_formula_for_a_number_is_left_to_the_marker_where_no_code_for_it_is_carried(
+    answer: str, expected: str
+):
     asked = Asked("number", unit("kg m/s"), letters=(("m", unit("kg")), ("g", unit("m/s^2"))), directed=True)
     assert expected in heard(asked, ("text", answer)).text
 

@@ -53,7 +53,12 @@ def test_nbgrader_accepts_every_cell_and_its_checksum(nb):
 def test_each_part_has_its_cells_in_order(nb):
     ids = [cell.id for cell in nb.cells]
     assert ids[:5] == ["title", "how_to_answer", "setup", "X12_5_statement", "X12_5_figure"]
-    assert [id for id in ids if id.startswith("X12_5_f")][1:] == ["X12_5_f_text", "X12_5_f_answer", "X12_5_f_plot", "X12_5_f"]
+    assert [id for id in ids if id.startswith("X12_5_f")][1:] == [
+        "X12_5_f_text",
+        "X12_5_f_answer",
+        "X12_5_f_plot",
+        "X12_5_f",
+    ]
     assert [id for id in ids if id.startswith("X12_5_g")] == ["X12_5_g_text", "X12_5_g_plot", "X12_5_g"]
     assert [id for id in ids if id.startswith("X12_5_e")] == ["X12_5_e_text", "X12_5_e"]
     assert ids[-2:] == ["closing", "check_all"]
@@ -82,7 +87,9 @@ def test_the_title_names_the_student_and_the_date(nb):
 
 
 def test_the_numbers_are_the_students_own(nb, problem_set: ProblemSet):
-    other = notebook(worksheet(problem_set, Student("bob"), [at(problem, 12) for problem in problem_set.problems]))
+    other = notebook(
+        worksheet(problem_set, Student("bob"), [at(problem, 12) for problem in problem_set.problems])
+    )
     ours, theirs = cell(nb, "X12_5_statement").source, cell(other, "X12_5_statement").source
     assert ours != theirs
     assert [c.id for c in nb.cells] == [c.id for c in other.cells]
@@ -90,7 +97,9 @@ def test_the_numbers_are_the_students_own(nb, problem_set: ProblemSet):
 
 
 def test_the_figure_travels_with_the_notebook(nb):
-    found = re.fullmatch(r"!\[([^\]]*)\]\(data:image/svg\+xml;base64,([^)]*)\)", cell(nb, "X12_5_figure").source)
+    found = re.fullmatch(
+        r"!\[([^\]]*)\]\(data:image/svg\+xml;base64,([^)]*)\)", cell(nb, "X12_5_figure").source
+    )
     assert found is not None
     assert found[1] == "A ball of mass 0.30 kg (at rest)."
     assert base64.b64decode(found[2]).decode().startswith("<svg")
@@ -107,7 +116,11 @@ def drawn(svg: str) -> str:
 def test_a_picture_has_a_size():
     bare = '<svg xmlns="x" viewBox="0 0 520 150.5">a</svg>'
     assert drawn(bare) == bare.replace(">a", ' width="520" height="150.5">a')
-    for sized in ('<svg width="3" viewBox="0 0 5 1"/>', '<svg viewBox="0 0 5 1" height="2"/>', "<svg><rect width='3'/></svg>"):
+    for sized in (
+        '<svg width="3" viewBox="0 0 5 1"/>',
+        '<svg viewBox="0 0 5 1" height="2"/>',
+        "<svg><rect width='3'/></svg>",
+    ):
         assert drawn(sized) == sized
 
 

@@ -44,6 +44,8 @@ def test_a_great_grid_without_conditions_is_exact(read):
 def test_a_great_grid_tied_together_is_estimated(read):
     """Of a square, the half above the diagonal: 4000 points of a fixed sample, four standard deviations of a fair coin."""
     rows = "".join(f"  {n}: {{is: x, value: 0, from: 0, to: 999, step: 1}}\n" for n in "xy")
-    number, exact = variants(read("code: X1.1\ntitle: A\nwhere: x < y\ngiven:\n" + rows, "## A {#a .value}\n"))
+    number, exact = variants(
+        read("code: X1.1\ntitle: A\nwhere: x < y\ngiven:\n" + rows, "## A {#a .value}\n")
+    )
     assert not exact
     assert abs(number / 10**6 - 0.4995) < 4 * 0.5 / 4000**0.5 + 1e-3  # of which three figures are told

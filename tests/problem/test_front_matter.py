@@ -18,7 +18,21 @@ def front(tmp_path, source: str):
     return split(path)
 
 
-GUESSED = ["no", "yes", "on", "null", "~x", "1:30", "1e3", "0x10", "0o17", "2026-12-04", ".inf", "1_000", "True"]
+GUESSED = [
+    "no",
+    "yes",
+    "on",
+    "null",
+    "~x",
+    "1:30",
+    "1e3",
+    "0x10",
+    "0o17",
+    "2026-12-04",
+    ".inf",
+    "1_000",
+    "True",
+]
 """What YAML takes for truth values, times, numbers in other bases, dates…"""
 
 
@@ -95,7 +109,23 @@ def test_fractions_are_exact(value):
     assert exact(str(value)) == value
 
 
-NO_NUMBERS = ["", "9" * 61, "1:30", "no", "1/0", "nan", "inf", "1_000", "1e999", "1e--5", "1e", "1,5", "٣", "1e1e1", "0x10"]
+NO_NUMBERS = [
+    "",
+    "9" * 61,
+    "1:30",
+    "no",
+    "1/0",
+    "nan",
+    "inf",
+    "1_000",
+    "1e999",
+    "1e--5",
+    "1e",
+    "1,5",
+    "٣",
+    "1e1e1",
+    "0x10",
+]
 
 
 @pytest.mark.parametrize("text", NO_NUMBERS)

@@ -25,14 +25,22 @@ CONDITIONS = [
 @given(rows=st.lists(st.tuples(DECIMALS, DECIMALS, st.integers(0, 36)), min_size=1, max_size=12))
 def test_as_one_by_one(text, rows):
     """Ties among decimals and at the ends of functions are what doubles get wrong: 0.1 + 0.2 > 0.3."""
-    rows = [*rows, (Fraction(1, 10), Fraction(1, 5), 9), (Fraction(0), Fraction(0), 0), (Fraction(9), Fraction(3), 18)]
+    rows = [
+        *rows,
+        (Fraction(1, 10), Fraction(1, 5), 9),
+        (Fraction(0), Fraction(0), 0),
+        (Fraction(9), Fraction(3), 18),
+    ]
     relation = author_formula(text)
     letters = {
         "a": Letter([RationalPi(a) for a, _, _ in rows], np.arange(len(rows))),
         "b": Letter([RationalPi(b) for _, b, _ in rows], np.arange(len(rows))),
         "c": Letter([RationalPi(Fraction(c, 36), 1) for _, _, c in rows], np.arange(len(rows))),
     }
-    one_by_one = [_holds(relation, {name: letter.numbers[n] for name, letter in letters.items()}) for n in range(len(rows))]
+    one_by_one = [
+        _holds(relation, {name: letter.numbers[n] for name, letter in letters.items()})
+        for n in range(len(rows))
+    ]
     assert kept(relation, letters).tolist() == one_by_one
 
 
@@ -44,7 +52,8 @@ def _holds(relation, values) -> bool:
 
 
 @pytest.mark.parametrize(
-    "text", ["a*b - b/3", "(a - b)^3", "sqrt(a) - sqrt(b)", "a/(b + 1/3)", "sin(a)*cos(b)", "(a*b)^(2/3)", "a^-2"]
+    "text",
+    ["a*b - b/3", "(a - b)^3", "sqrt(a) - sqrt(b)", "a/(b + 1/3)", "sin(a)*cos(b)", "(a*b)^(2/3)", "a^-2"],
 )
 @given(a=st.fractions("1/100", 100), b=st.fractions("1/100", 100))
 def test_the_bound_holds_the_error(text, a, b):
@@ -58,5 +67,7 @@ def test_the_bound_holds_the_error(text, a, b):
 def test_letters_are_broadcast():
     a = Letter([RationalPi(Fraction(n)) for n in range(3)], np.arange(3).reshape(3, 1))
     b = Letter([RationalPi(Fraction(n)) for n in range(4)], np.arange(4).reshape(1, 4))
-    assert kept(author_formula("a < b"), {"a": a, "b": b}).tolist() == [[x < y for y in range(4)] for x in range(3)]
+    assert kept(author_formula("a < b"), {"a": a, "b": b}).tolist() == [
+        [x < y for y in range(4)] for x in range(3)
+    ]
     assert kept(author_formula("a < 2"), {"a": a, "b": b}).tolist() == [[True], [True], [False]]

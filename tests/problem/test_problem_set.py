@@ -26,7 +26,12 @@ def a_set(bank: Bank, front: str, name: str = "week_1") -> ProblemSet:
 def test_what_a_set_holds(bank):
     about = "title: Week 1\ndue: 2026-12-04T23:59+01:00\nreveal: yes\ncredit: {slip: 0.4, late: 4/5}\n"
     found = a_set(bank, about + "problems:\n  - {code: X1.1, weight: 2}")
-    assert (found.name, found.title, found.introduction, found.reveal) == ("week_1", "Week 1", "Welcome.", True)
+    assert (found.name, found.title, found.introduction, found.reveal) == (
+        "week_1",
+        "Week 1",
+        "Welcome.",
+        True,
+    )
     assert found.due == datetime(2026, 12, 4, 22, 59, tzinfo=UTC)
     assert found.scheme == Scheme(slip=0.4, late=0.8)
     assert found.weight(found.problems[0]) == found.out_of == 2.0
@@ -51,7 +56,11 @@ def test_a_weight_of_nothing_is_nothing(bank):
         ("title: W\nproblems:\n  - [X1.1]", 4, "is a code, or"),
         ("title: W\nproblems:\n  - {code: X1.1, weight: -1}", 4, "weight: -1"),
         ("title: W\nproblems:\n  - {code: X1.1, weight: heavy}", 4, "is not a number"),
-        ("title: W\nproblems:\n  - {code: X1.1, points: 3}", 4, "`points` of a problem of the set is not known"),
+        (
+            "title: W\nproblems:\n  - {code: X1.1, points: 3}",
+            4,
+            "`points` of a problem of the set is not known",
+        ),
         ("title: W\ndue: tomorrow\nproblems: [X1.1]", 3, "is no moment"),
         ("title: W\nreveal: maybe\nproblems: [X1.1]", 3, "say yes"),
         ("title: W\ncredit: {slip: 2}\nproblems: [X1.1]", 3, "a share lies between 0 and 1"),
@@ -64,7 +73,9 @@ def test_a_weight_of_nothing_is_nothing(bank):
 def test_a_set_that_will_not_do(bank, front, line, words):
     with pytest.raises(Malformed) as raised:
         a_set(bank, front)
-    assert any(complaint.line == line and words in complaint.sentence for complaint in raised.value.complaints)
+    assert any(
+        complaint.line == line and words in complaint.sentence for complaint in raised.value.complaints
+    )
 
 
 def test_a_name_no_folder_can_have(bank):

@@ -22,7 +22,10 @@ def test_what_a_problem_holds(read):
     assert mass.value == Fraction(1, 2)
     assert [mass.grid[i] for i in range(mass.grid.count)] == [Fraction(i, 10) for i in range(1, 10)]
     assert (speed.grid.count, speed.grid.first, speed.value) == (1, 3, 3)
-    assert [(each.text, each.hard, each.line) for each in problem.conditions] == [("v != 2", False, 9), ("m > 0", True, 8)]
+    assert [(each.text, each.hard, each.line) for each in problem.conditions] == [
+        ("v != 2", False, 9),
+        ("m > 0", True, 8),
+    ]
     assert problem.statement == "A cart of {{m}}."
     assert problem.part("a").text == "How much?"
 
@@ -88,12 +91,24 @@ def test_a_condition_that_will_not_do(complaints, condition, words):
         ("code:\ntitle: A cart", 2, "`code` of the front matter is empty"),
         ("code: X 1/1\ntitle: A cart", 2, "is no code"),
         ("code: X1.1\ntitle: A {{m}} cart", 3, "has a hole"),
-        ("code: X1.1\ntitle: A cart\ngivens: {}", 4, "`givens` of the front matter is not known; known are alt, code"),
+        (
+            "code: X1.1\ntitle: A cart\ngivens: {}",
+            4,
+            "`givens` of the front matter is not known; known are alt, code",
+        ),
         ("code: X1.1\ntitle: A cart\ngiven: []", 4, "must hold `name: value` lines"),
         ("code: X1.1\ntitle: A cart\nwhere: {a: 1}", 4, "must be a list"),
         ("code: X1.1\ntitle: A cart\nfigure: <svg/>", 4, "has no `alt`"),
-        ("code: X1.1\ntitle: A cart\nfigure: |\n  <svg>\n  {{q}}</svg>\nalt: A cart.", 6, "{{q}} is not among the givens"),
-        ("code: X1.1\ntitle: A cart\nfigure: <svg/>\nalt: A cart of {{q}}.", 5, "{{q}} is not among the givens"),
+        (
+            "code: X1.1\ntitle: A cart\nfigure: |\n  <svg>\n  {{q}}</svg>\nalt: A cart.",
+            6,
+            "{{q}} is not among the givens",
+        ),
+        (
+            "code: X1.1\ntitle: A cart\nfigure: <svg/>\nalt: A cart of {{q}}.",
+            5,
+            "{{q}} is not among the givens",
+        ),
     ],
 )
 def test_a_front_that_will_not_do(complaints, front, line, words):
@@ -123,7 +138,13 @@ def part(read, attributes: str, text: str = "How much?", title: str = "A part"):
 
 def test_a_part(read):
     found = part(read, '#c_2 .vector unit="kg*m/s" components="x y" points=2.5')
-    assert (found.id, found.kind, found.points, found.components, found.line) == ("c_2", "vector", 2.5, ("x", "y"), 9)
+    assert (found.id, found.kind, found.points, found.components, found.line) == (
+        "c_2",
+        "vector",
+        2.5,
+        ("x", "y"),
+        9,
+    )
     assert canonical(found.unit) == "kg*m/s"
 
 
@@ -135,7 +156,10 @@ def test_a_title_may_hold_braces(read, title):
 
 def test_a_choice_has_its_options(read):
     found = part(read, "#a .choice", "Which?\n\n- (a) this, $x_{1}$\n- (b) that\n")
-    assert [(option.letter, option.text) for option in found.options] == [("a", "this, $x_{1}$"), ("b", "that")]
+    assert [(option.letter, option.text) for option in found.options] == [
+        ("a", "this, $x_{1}$"),
+        ("b", "that"),
+    ]
     assert found.text == "Which?"
 
 

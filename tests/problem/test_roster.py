@@ -22,7 +22,10 @@ def test_as_nbgrader_has_it(tmp_path):
 
 def test_as_a_spreadsheet_writes_it(tmp_path):
     content = '\ufeffemail, id ,group\r\n"a@b.org",  s1 ,3\r\n\r\n"c@d.org",s2,"two\r\nlines"\r\n'
-    assert [(student.id, student.email) for student in roster(tmp_path, content)] == [("s1", "a@b.org"), ("s2", "c@d.org")]
+    assert [(student.id, student.email) for student in roster(tmp_path, content)] == [
+        ("s1", "a@b.org"),
+        ("s2", "c@d.org"),
+    ]
 
 
 def test_names_of_any_script(tmp_path):

@@ -37,7 +37,10 @@ def test_a_draw_depends_on_key_and_student_and_nothing_else(key, student, other)
     assert indices(key, student) != indices(key + b"x", student)
 
 
-@given(st.lists(st.text(max_size=6), min_size=1, max_size=3), st.lists(st.text(max_size=6), min_size=1, max_size=3))
+@given(
+    st.lists(st.text(max_size=6), min_size=1, max_size=3),
+    st.lists(st.text(max_size=6), min_size=1, max_size=3),
+)
 def test_words_are_kept_apart(these, those):
     assert (digest(KEY, *these) == digest(KEY, *those)) == (these == those)
 

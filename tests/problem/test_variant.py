@@ -90,7 +90,10 @@ where: m != 0.5
 )
 def test_values_against_the_physics(read, values, words):
     with pytest.raises(OutOfRange, match=words):
-        chosen(read(FRONT, "{{m}}\n\n## A {#a .value}\n"), {name: Fraction(value) for name, value in values.items()})
+        chosen(
+            read(FRONT, "{{m}}\n\n## A {#a .value}\n"),
+            {name: Fraction(value) for name, value in values.items()},
+        )
 
 
 def test_values_by_hand_may_lie_anywhere_the_physics_holds(read):
@@ -103,7 +106,11 @@ def test_values_by_hand_may_lie_anywhere_the_physics_holds(read):
 
 def test_drawing_keeps_where_too(read):
     problem = read(FRONT, "{{m}}\n\n## A {#a .value}\n")
-    kept = [at(problem, index).values["m"] for index in range(size(problem)) if first_broken(at(problem, index)) is None]
+    kept = [
+        at(problem, index).values["m"]
+        for index in range(size(problem))
+        if first_broken(at(problem, index)) is None
+    ]
     assert kept == [1]
 
 
@@ -120,7 +127,9 @@ def test_drawing_keeps_where_too(read):
     ],
 )
 def test_a_given_as_it_is_read(read, row, index, text):
-    problem = read(f"code: X1.1\ntitle: A\ngiven:\n  x: {row}", "{{x}} and {{ x | number }}\n\n## A {#a .value}\n")
+    problem = read(
+        f"code: X1.1\ntitle: A\ngiven:\n  x: {row}", "{{x}} and {{ x | number }}\n\n## A {#a .value}\n"
+    )
     variant = at(problem, index)
     assert written(variant, "x").replace("\N{NO-BREAK SPACE}", " ").startswith(text)
     first, second = filled(problem.statement, variant).split(" and ")

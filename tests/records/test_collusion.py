@@ -22,12 +22,18 @@ def truth(student: str, code: str, part: str) -> float:
 
 
 def record(**answers: tuple[str, str]) -> dict:
-    return {"parts": {name: {"verdict": verdict, "answer": answer} for name, (verdict, answer) in answers.items()}}
+    return {
+        "parts": {name: {"verdict": verdict, "answer": answer} for name, (verdict, answer) in answers.items()}
+    }
 
 
 def test_a_copied_answer_is_found_with_its_owner() -> None:
     copied = f"{truth('s3', 'X12.5', 'd'):.4g} N"
-    found = [one for one in sharing(SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=("wrong", copied))}) if one.other == "s3"]
+    found = [
+        one
+        for one in sharing(SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=("wrong", copied))})
+        if one.other == "s3"
+    ]
     assert [(one.student, tuple(one.parts)) for one in found] == [("s7", ("X12_5_d",))]
     assert 0.01 < found[0].chance < 0.5, "with one answer and nineteen others, chance is not small"
 
@@ -38,7 +44,11 @@ def test_two_exercises_make_chance_much_smaller_and_two_parts_of_one_do_not() ->
     speed = f"{truth('s3', 'X12.10', 'a'):.4g} m/s"
 
     def chance(**answers: tuple[str, str]) -> float:
-        return next(one.chance for one in sharing(SET, SOLUTIONS, DEALT, {"s7": record(**answers)}) if one.other == "s3")
+        return next(
+            one.chance
+            for one in sharing(SET, SOLUTIONS, DEALT, {"s7": record(**answers)})
+            if one.other == "s3"
+        )
 
     one = chance(X12_5_d=("wrong", mass))
     assert chance(X12_5_d=("wrong", mass), X12_5_c=("wrong", force)) >= one * 0.99
@@ -52,4 +62,9 @@ def test_only_wrong_answers_are_looked_at(verdict: str) -> None:
 
 
 def test_a_wrong_answer_that_fits_nobody_is_nobodys() -> None:
-    assert sharing(SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=("wrong", "987654 N"), X12_5_c=("wrong", "0 N"))}) == ()
+    assert (
+        sharing(
+            SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=("wrong", "987654 N"), X12_5_c=("wrong", "0 N"))}
+        )
+        == ()
+    )

@@ -24,7 +24,10 @@ from corollary.records.course import (
     write_dealt,
 )
 
-ROSTER = [Student("ada", "Ada", "Lovelace", "ada@example.org"), Student("emilie", 'Émilie, "la"', "du Châtelet")]
+ROSTER = [
+    Student("ada", "Ada", "Lovelace", "ada@example.org"),
+    Student("emilie", 'Émilie, "la"', "du Châtelet"),
+]
 
 
 @pytest.fixture
@@ -148,7 +151,13 @@ def test_handed_in_is_the_timestamp_or_the_age_of_the_file(course: Course):
 
 
 def test_submissions_are_found_even_when_renamed(course: Course):
-    for student, name in [("ada", "week_1"), ("ada", "scratch"), ("bob", "week_1 (2)"), ("eve", "one"), ("eve", "two")]:
+    for student, name in [
+        ("ada", "week_1"),
+        ("ada", "scratch"),
+        ("bob", "week_1 (2)"),
+        ("eve", "one"),
+        ("eve", "two"),
+    ]:
         write_atomically(course.place("submitted", student, "week_1") / f"{name}.ipynb", "{}")
     write_atomically(course.place("submitted", "sam", "week_2") / "week_2.ipynb", "{}")
     assert {student: path.name for student, path in submissions(course, "week_1").items()} == {

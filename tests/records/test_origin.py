@@ -39,15 +39,21 @@ def test_the_bank_it_was_dealt_from_needs_no_naming(course: Course, foreign: Ban
     assert read_origin(course, "kicks") == (bank, found)
 
 
-def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(course: Course, foreign: Bank, tmp_path: Path) -> None:
+def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
     write_origin(course, "kicks", foreign)
     moved = foreign.folder.rename(tmp_path / "moved")
-    with pytest.raises(UnknownCode, match=r"kicks was dealt from is no longer in .*theirs; say where it is with --bank"):
+    with pytest.raises(
+        UnknownCode, match=r"kicks was dealt from is no longer in .*theirs; say where it is with --bank"
+    ):
         set_of(course, "kicks")
     assert set_of(course, "kicks", moved)[0].folder == moved
 
 
-def test_a_set_outside_the_bank_is_found_again_by_name_or_by_path(course: Course, foreign: Bank, tmp_path: Path) -> None:
+def test_a_set_outside_the_bank_is_found_again_by_name_or_by_path(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
     file = tmp_path / "extra.md"
     file.write_text(SET.replace("Kicks", "More kicks"))
     write_origin(course, "extra", foreign, file)

@@ -25,11 +25,17 @@ def marked(name: str, *points: float, late_share: float = 1.0) -> Marked:
 
 def test_the_largest_change_comes_first_and_who_keeps_their_marks_is_not_named() -> None:
     old = {name: marked_record(marked(name, 1, 0, 0)) for name in ("ada", "ben", "chen")}
-    found = changes(old, [marked("ada", 1, 1, 0), marked("ben", 1, 0, 0), marked("chen", 0, 1, 1), marked("dora", 1, 1, 1)])
-    assert [(each.student, each.before, each.after, each.by) for each in found] == [("ada", 1, 2, 1), ("chen", 1, 2, 1)]
-    assert [(part.part, part.verdict_before, part.verdict, part.before, part.after) for part in found[0].parts] == [
-        ("X12_5_b", "wrong", "right", 0, 1)
+    found = changes(
+        old,
+        [marked("ada", 1, 1, 0), marked("ben", 1, 0, 0), marked("chen", 0, 1, 1), marked("dora", 1, 1, 1)],
+    )
+    assert [(each.student, each.before, each.after, each.by) for each in found] == [
+        ("ada", 1, 2, 1),
+        ("chen", 1, 2, 1),
     ]
+    assert [
+        (part.part, part.verdict_before, part.verdict, part.before, part.after) for part in found[0].parts
+    ] == [("X12_5_b", "wrong", "right", 0, 1)]
     assert [part.part for part in found[1].parts] == ["X12_5_a", "X12_5_b", "X12_5_c"]
 
 

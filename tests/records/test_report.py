@@ -27,7 +27,9 @@ def works(tmp_path):
     of = SAMPLE["problem_set"](tmp_path)
     ada, bo, eve = (SAMPLE["marked"](of, name) for name in ("ada", "bo", "eve"))
     full = tuple(
-        Grade(grade.variant, tuple(replace(part, verdict=Right(), points=part.out_of) for part in grade.parts))
+        Grade(
+            grade.variant, tuple(replace(part, verdict=Right(), points=part.out_of) for part in grade.parts)
+        )
         for grade in bo.grades
     )
     return [ada, replace(bo, grades=full), replace(SAMPLE["late"](eve), trouble="killed for its memory")]
@@ -47,7 +49,9 @@ def test_totals_lateness_and_who_is_missing(works):
 
 def test_every_part_counts_its_verdicts(works):
     parts = {(part.problem, part.part): part for part in summary(works).parts}
-    assert list(parts) == [("X12.5", part) for part in ("a", "b", "c", "c_2", "e")] + [("P12.14", part) for part in "ab"]
+    assert list(parts) == [("X12.5", part) for part in ("a", "b", "c", "c_2", "e")] + [
+        ("P12.14", part) for part in "ab"
+    ]
     assert parts["X12.5", "c"].counts == {**dict.fromkeys(LOOKS, 0), "right": 1, "mistaken": 2}
     assert parts["X12.5", "c"].share == pytest.approx((1 + 0.25 + 0.25) / 3)
     assert parts["X12.5", "e"].counts["unmarked"] == 2
@@ -71,7 +75,9 @@ def test_what_waits_says_for_whom_and_why(works):
 
 def test_stored_records_give_the_same_report(works):
     stored = json.dumps([[asdict(handed_in(work)), [asdict(row) for row in rows(work)]] for work in works])
-    records = [(msgspec.convert(one, HandedIn), msgspec.convert(its, list[Row])) for one, its in json.loads(stored)]
+    records = [
+        (msgspec.convert(one, HandedIn), msgspec.convert(its, list[Row])) for one, its in json.loads(stored)
+    ]
     assert report([one for one, _ in records], [row for _, its in records for row in its]) == summary(works)
 
 
@@ -109,12 +115,17 @@ def test_nothing_handed_in_is_said_and_not_divided_by():
     assert as_json(empty)["mean"] is None
 
 
-ANSWERS = st.tuples(st.sampled_from("abc"), st.sampled_from(list(LOOKS)), st.floats(0, 1), st.sampled_from([0.0, 1.0, 2.5]))
+ANSWERS = st.tuples(
+    st.sampled_from("abc"), st.sampled_from(list(LOOKS)), st.floats(0, 1), st.sampled_from([0.0, 1.0, 2.5])
+)
 
 
 @given(st.lists(ANSWERS, max_size=40))
 def test_counts_add_up_and_shares_are_shares(drawn):
-    some = [Row(f"s{n}", "X", part, verdict, share * worth, worth) for n, (part, verdict, share, worth) in enumerate(drawn)]
+    some = [
+        Row(f"s{n}", "X", part, verdict, share * worth, worth)
+        for n, (part, verdict, share, worth) in enumerate(drawn)
+    ]
     found = report([], some)
     assert sum(sum(part.counts.values()) for part in found.parts) == len(drawn)
     assert all(part.share is None or 0 <= part.share <= 1 for part in found.parts)

@@ -106,7 +106,8 @@ def test_an_empty_submission_is_still_a_page(of, work):
 
 
 @pytest.mark.parametrize(
-    ("seconds", "said"), [(1, "1 min"), (3599, "1 h"), (7500, "2 h 5 min"), (86400, "1 day"), (2 * 86400 + 3700, "2 days 1 h")]
+    ("seconds", "said"),
+    [(1, "1 min"), (3599, "1 h"), (7500, "2 h 5 min"), (86400, "1 day"), (2 * 86400 + 3700, "2 days 1 h")],
 )
 def test_a_length_of_time_is_spelt(seconds, said):
     assert spell(seconds) == said

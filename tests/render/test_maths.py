@@ -44,7 +44,10 @@ def bare(latex: str) -> str:
         ("−5\u00a0kg m/s", "<mo>−</mo><mn>5</mn><mspace></mspace><mtext>kg\u00a0m/s</mtext>"),
         ("50%", "<mi>%</mi>"),
         ("30°", "<mn>30</mn><mo>°</mo>"),
-        (r"\begin{aligned}a&=b\\c&=d\end{aligned}", "<mtr><mtd><mi>a</mi></mtd><mtd><mi></mi><mo>=</mo><mi>b</mi></mtd></mtr>"),
+        (
+            r"\begin{aligned}a&=b\\c&=d\end{aligned}",
+            "<mtr><mtd><mi>a</mi></mtd><mtd><mi></mi><mo>=</mo><mi>b</mi></mtd></mtr>",
+        ),
         (r"\lim_{t\to0}x", "<munder><mo>lim</mo>"),
     ],
 )
@@ -64,7 +67,16 @@ def test_a_sign_after_an_operator_is_a_sign():
     assert "prefix" not in mathml("(x)-1")
 
 
-NO_LATEX = [r"\frac{a", "a_b_c", r"\left(", "x^", r"\def\a{\a\a}\a", r"\newcommand{\a}{b}\a", "{" * 99, "x" * 9999]
+NO_LATEX = [
+    r"\frac{a",
+    "a_b_c",
+    r"\left(",
+    "x^",
+    r"\def\a{\a\a}\a",
+    r"\newcommand{\a}{b}\a",
+    "{" * 99,
+    "x" * 9999,
+]
 
 
 @pytest.mark.parametrize("latex", NO_LATEX)
@@ -103,7 +115,9 @@ def test_whatever_is_typed_gives_well_formed_and_harmless_mathml(latex):
         assert element.attrib.keys() <= ATTRIBUTES | {"mathvariant", "mathsize", "alttext", "class"}
 
 
-@pytest.mark.parametrize("latex", [r"\sqrt" * 600, r"\left(" * 500, "x_{" * 50 + "}" * 50, "&" * 3999, r"\frac" * 800])
+@pytest.mark.parametrize(
+    "latex", [r"\sqrt" * 600, r"\left(" * 500, "x_{" * 50 + "}" * 50, "&" * 3999, r"\frac" * 800]
+)
 def test_hostile_formulas_are_answered_soon(latex):
     start = time.process_time()
     mathml(latex)
@@ -115,7 +129,9 @@ def test_the_font_has_the_letters_of_mechanics():
     from fontTools.ttLib import TTFont
 
     face = TTFont(BytesIO(b64decode(font())))
-    tree = formula(r"\Delta p = \int_{t_0}^{t_1} \mathbf{F}\cdot\vec v\,dt \approx \sqrt{2gh}, \sum_i \dot x_i \ge \hbar\ell")
+    tree = formula(
+        r"\Delta p = \int_{t_0}^{t_1} \mathbf{F}\cdot\vec v\,dt \approx \sqrt{2gh}, \sum_i \dot x_i \ge \hbar\ell"
+    )
     assert tree is not None
     needed = {letter for element in tree.iter() for letter in element.text or ""}
     assert len(needed) > 20

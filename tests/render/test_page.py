@@ -21,10 +21,10 @@ def test_an_exercise_is_a_whole_page_with_its_font(tmp_path):
     kick = SAMPLE["problem_set"](tmp_path).problems[0]
     text = show_html(exercise(chapter(kick)), "Because $p = mv$.")
     found = SAMPLE["Page"](text)
-    assert text.startswith("<!DOCTYPE html>\n<html lang=\"en\">")
+    assert text.startswith('<!DOCTYPE html>\n<html lang="en">')
     assert 'name="viewport"' in text
     assert "<title>X12.5 Kicking a ball</title>" in text
-    assert "Corollary Mathematics\"; src: url(data:font/woff2;base64," in text
+    assert 'Corollary Mathematics"; src: url(data:font/woff2;base64,' in text
     assert not found.out
     assert "Because" in found.words
     assert "(a) Momentum" in found.words

@@ -21,7 +21,9 @@ def of(tmp_path):
 
 
 def test_the_page_holds_the_report_and_needs_nothing_beside_it(of):
-    found = summary([SAMPLE["marked"](of), SAMPLE["late"](SAMPLE["marked"](of, "eve"))], roster=["ada", "cy", "eve"])
+    found = summary(
+        [SAMPLE["marked"](of), SAMPLE["late"](SAMPLE["marked"](of, "eve"))], roster=["ada", "cy", "eve"]
+    )
     text = report_page(found, of)
     page = Page(text)
     assert page.out == []

@@ -23,7 +23,9 @@ def kick(tmp_path):
 
 def test_text_reads_well_on_a_terminal(kick):
     text = show_text(kick, "Because $p = mv$.")
-    assert text.startswith("X12.5  Kicking a ball\n\nA ball of mass 0.43 kg lies still until you kick it; it leaves at v = 20.0")
+    assert text.startswith(
+        "X12.5  Kicking a ball\n\nA ball of mass 0.43 kg lies still until you kick it; it leaves at v = 20.0"
+    )
     assert "[Figure: A ball of mass 0.43 kg [at rest].]" in text
     assert "(a) Momentum  [1 point, in kg m/s]\nBy how much does it change, Δp?" in text
     assert "- (a) the momentum, ∑p" in text.replace("∑ p", "∑p")

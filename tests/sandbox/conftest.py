@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from corollary.sandbox.runner import Ask, Cell, Job, Limits, Runner, Taken
+from corollary.sandbox.runner import Ask, Cell, ExecutionResult, Job, Limits, Runner
 
-Run = Callable[..., Taken]
+Run = Callable[..., ExecutionResult]
 
 
 @pytest.fixture(scope="session")
@@ -19,7 +19,16 @@ def runner() -> Iterator[Runner]:
 
 @pytest.fixture
 def run(runner: Runner) -> Run:
-    def take(*sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False) -> Taken:
-        return runner.take(Job(tuple(Cell(f"c{i}", source) for i, source in enumerate(sources)), names, asks, pictures=pictures))
+    def take(
+        *sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False
+    ) -> ExecutionResult:
+        return runner.take(
+            Job(
+                tuple(Cell(f"c{i}", source) for i, source in enumerate(sources)),
+                names,
+                asks,
+                pictures=pictures,
+            )
+        )
 
     return take

@@ -28,7 +28,9 @@ def test_every_float_is_told_to_the_last_bit(value: float) -> None:
 
 
 @given(
-    some.fractions() | some.integers() | some.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9)
+    some.fractions()
+    | some.integers()
+    | some.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9)
 )
 def test_exact_numbers_stay_exact(value: Fraction | int | Decimal) -> None:
     assert told(value) == Exact(Fraction(value))
@@ -96,7 +98,9 @@ def test_strange_decimals_are_read() -> None:
 
 
 def test_pint_quantities_are_known_by_name() -> None:
-    kind = type("Quantity", (), {"__module__": "pint", "magnitude": 8.6, "units": "kilogram * meter / second"})
+    kind = type(
+        "Quantity", (), {"__module__": "pint", "magnitude": 8.6, "units": "kilogram * meter / second"}
+    )
     assert encode(kind()) == ("measured", 8.6, "kilogram * meter / second")
 
 

@@ -16,11 +16,20 @@ from corollary.sandbox.notebook import Notebook, code_cells, notebook_of, read_n
 
 
 def code(source: str = "a = 1", **more: object) -> dict:
-    return {"cell_type": "code", "source": source, "metadata": {}, "outputs": [], "execution_count": None, **more}
+    return {
+        "cell_type": "code",
+        "source": source,
+        "metadata": {},
+        "outputs": [],
+        "execution_count": None,
+        **more,
+    }
 
 
 def book(*cells: object, **more: object) -> bytes:
-    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": list(cells), **more}).encode()
+    return json.dumps(
+        {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": list(cells), **more}
+    ).encode()
 
 
 def opened(content: bytes) -> Notebook:
@@ -32,7 +41,9 @@ def opened(content: bytes) -> Notebook:
 
 def test_an_ordinary_notebook_is_read(tmp_path: Path) -> None:
     path = tmp_path / "kick.ipynb"
-    path.write_bytes(book(code(id="one"), {"cell_type": "markdown", "source": ["x", "y"], "metadata": {}, "id": "two"}))
+    path.write_bytes(
+        book(code(id="one"), {"cell_type": "markdown", "source": ["x", "y"], "metadata": {}, "id": "two"})
+    )
     notebook = read_notebook(path)
     assert isinstance(notebook, Notebook)
     assert [(cell.id, cell.source) for cell in code_cells(notebook)] == [("one", "a = 1")]
@@ -53,7 +64,12 @@ def test_an_old_notebook_is_upgraded() -> None:
         "nbformat_minor": 0,
         "metadata": {"name": "old"},
         "worksheets": [
-            {"cells": [{"cell_type": "code", "input": ["a = 1\n", "b = 2"], "outputs": [], "language": "python"}], "metadata": {}}
+            {
+                "cells": [
+                    {"cell_type": "code", "input": ["a = 1\n", "b = 2"], "outputs": [], "language": "python"}
+                ],
+                "metadata": {},
+            }
         ],
     }
     notebook = opened(json.dumps(old).encode())
@@ -61,7 +77,10 @@ def test_an_old_notebook_is_upgraded() -> None:
 
 
 def test_a_byte_order_mark_and_odd_cells_are_survived() -> None:
-    notebook = opened(b"\xef\xbb\xbf" + book(code(), "not a cell", {"cell_type": "heading"}, {"cell_type": "code", "source": 5}))
+    notebook = opened(
+        b"\xef\xbb\xbf"
+        + book(code(), "not a cell", {"cell_type": "heading"}, {"cell_type": "code", "source": 5})
+    )
     assert len(notebook.node.cells) == 2
     assert len(notebook.notes) == 2
 
@@ -115,7 +134,9 @@ _JSON = some.recursive(
     lambda inner: (
         some.lists(inner, max_size=3)
         | some.dictionaries(
-            some.sampled_from(["cells", "nbformat", "metadata", "source", "cell_type", "outputs", "id", "worksheets"]),
+            some.sampled_from(
+                ["cells", "nbformat", "metadata", "source", "cell_type", "outputs", "id", "worksheets"]
+            ),
             inner,
             max_size=4,
         )
@@ -128,7 +149,13 @@ _JSON = some.recursive(
     some.lists(
         some.fixed_dictionaries(
             {"cell_type": some.sampled_from(["code", "markdown", "raw"])},
-            optional={"source": _JSON, "metadata": _JSON, "outputs": _JSON, "id": _JSON, "attachments": _JSON},
+            optional={
+                "source": _JSON,
+                "metadata": _JSON,
+                "outputs": _JSON,
+                "id": _JSON,
+                "attachments": _JSON,
+            },
         ),
         max_size=4,
     ),
@@ -136,7 +163,9 @@ _JSON = some.recursive(
     some.sampled_from([1, 2, 3, 4, 5, "4", None]),
 )
 @settings(max_examples=150, deadline=None)
-def test_any_json_in_the_shape_of_a_notebook_is_answered(cells: list, metadata: object, version: object) -> None:
+def test_any_json_in_the_shape_of_a_notebook_is_answered(
+    cells: list, metadata: object, version: object
+) -> None:
     answer = notebook_of(json.dumps({"nbformat": version, "metadata": metadata, "cells": cells}).encode())
     if isinstance(answer, Notebook):
         ids = [cell.id for cell in answer.node.cells]

@@ -9,18 +9,31 @@ ENDLESS = HELD + "\nfig.savefig = lambda *_, **__: [None for _ in iter(int, 1)]"
 
 
 def shown(run) -> list[dict]:
-    return [output["data"] for output in run.outputs if output["output_type"] in {"display_data", "execute_result"}]
+    return [
+        output["data"]
+        for output in run.outputs
+        if output["output_type"] in {"display_data", "execute_result"}
+    ]
 
 
 def test_the_picture_stands_where_the_figure_was_shown(run) -> None:
-    taken = run("import matplotlib.pyplot as plt", "print('before')\nplt.plot([1, 2])\nplt.show()\nprint('after')", pictures=True)
+    taken = run(
+        "import matplotlib.pyplot as plt",
+        "print('before')\nplt.plot([1, 2])\nplt.show()\nprint('after')",
+        pictures=True,
+    )
     kinds = [output["output_type"] for output in taken.cells[1].outputs]
     assert kinds == ["stream", "display_data", "stream"]
     assert base64.b64decode(shown(taken.cells[1])[0]["image/png"]) == taken.figures[0].png
 
 
 def test_a_figure_changed_later_is_judged_as_shown_and_says_that_its_picture_is_newer(run) -> None:
-    taken = run(HELD, "ax.set_xlabel('too late')", HELD.replace("fig, ax", "fig2, ax2").replace("ax.plot", "ax2.plot"), pictures=True)
+    taken = run(
+        HELD,
+        "ax.set_xlabel('too late')",
+        HELD.replace("fig, ax", "fig2, ax2").replace("ax.plot", "ax2.plot"),
+        pictures=True,
+    )
     assert taken.figures[0].axes[0].xlabel == ""
     assert "changed after it was shown" in shown(taken.cells[0])[0]["text/plain"]
     assert "changed" not in shown(taken.cells[2])[0]["text/plain"]

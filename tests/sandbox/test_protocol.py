@@ -105,7 +105,9 @@ def test_all_frames_together_are_bounded(ends: Ends) -> None:
     ],
 )
 def test_the_level_is_counted_from_what_held(walls: str, level: int) -> None:
-    isolation = isolation_of(dict.fromkeys(walls.split(), True), {"Landlock": "the kernel offers no Landlock"})
+    isolation = isolation_of(
+        dict.fromkeys(walls.split(), True), {"Landlock": "the kernel offers no Landlock"}
+    )
     assert isolation.level == level
     assert ("Landlock" in walls) == ("Landlock: the kernel offers no Landlock" not in isolation.missing)
     assert ("do not grade" in isolation.line) == (level == 0)

@@ -21,8 +21,16 @@ def shown(taken: Any, index: int = 0) -> str:
 
 
 def test_answers_come_back_as_plain_values(run) -> None:
-    taken = run("from fractions import Fraction\na = 0.43 * 20\nb = Fraction(8, 5)\nc = '8.6 Ns'", names=("a", "b", "c", "d"))
-    assert taken.values == {"a": Real(0.43 * 20), "b": Exact(Fraction(8, 5)), "c": Text("8.6 Ns"), "d": Nothing()}
+    taken = run(
+        "from fractions import Fraction\na = 0.43 * 20\nb = Fraction(8, 5)\nc = '8.6 Ns'",
+        names=("a", "b", "c", "d"),
+    )
+    assert taken.values == {
+        "a": Real(0.43 * 20),
+        "b": Exact(Fraction(8, 5)),
+        "c": Text("8.6 Ns"),
+        "d": Nothing(),
+    }
 
 
 def test_an_answer_changed_by_a_later_cell_is_the_later_one(run) -> None:
@@ -105,7 +113,9 @@ def test_displays_can_be_updated_and_cleared(run) -> None:
 
 
 def test_functions_are_called_on_numbers_from_outside(run) -> None:
-    source = "def collide(m1, m2, v1, v2=0.0):\n    print('called')\n    return [m1 * v1, (m2, v2)]\nnot_one = 3"
+    source = (
+        "def collide(m1, m2, v1, v2=0.0):\n    print('called')\n    return [m1 * v1, (m2, v2)]\nnot_one = 3"
+    )
     asks = (
         Ask("p/0", "collide", (("m1", 2.0), ("m2", 3), ("v1", 1.5))),
         Ask("p/1", "collide", (("m1", 2.0),)),
@@ -140,7 +150,13 @@ def test_a_figure_comes_back_as_what_was_drawn(run) -> None:
     (figure,) = run(source, pictures=True).figures
     (axes,) = figure.axes
     assert figure.cell == "c0"
-    assert (axes.title, axes.xlabel, axes.ylabel, axes.xlim, axes.yscale) == ("fall", "t [s]", "$y$ [m]", (0.0, 2.0), "symlog")
+    assert (axes.title, axes.xlabel, axes.ylabel, axes.xlim, axes.yscale) == (
+        "fall",
+        "t [s]",
+        "$y$ [m]",
+        (0.0, 2.0),
+        "symlog",
+    )
     assert axes.legend == ("height", "seen")
     assert [(line.kind, line.label) for line in axes.lines] == [
         ("line", "height"),
@@ -167,7 +183,10 @@ def test_bars_and_several_axes_come_back(run) -> None:
 
 def test_figures_belong_to_the_cell_that_shows_them_and_are_output_too(run) -> None:
     taken = run(
-        "import matplotlib.pyplot as plt", "plt.plot([1, 2])\nplt.show()\nplt.plot([3])", "fig = plt.figure()\nfig", pictures=True
+        "import matplotlib.pyplot as plt",
+        "plt.plot([1, 2])\nplt.show()\nplt.plot([3])",
+        "fig = plt.figure()\nfig",
+        pictures=True,
     )
     assert [figure.cell for figure in taken.figures[:2]] == ["c1", "c1"]
     assert sum("image/png" in each.get("data", {}) for each in taken.cells[1].outputs) == 2
@@ -175,7 +194,9 @@ def test_figures_belong_to_the_cell_that_shows_them_and_are_output_too(run) -> N
 
 
 def test_notebooks_do_not_see_one_another(run) -> None:
-    run("import builtins, os\nbuiltins.leak = 1\nleftover = 2\nopen('left', 'w').write('x')\nimport numpy as np\nnp.leak = 3")
+    run(
+        "import builtins, os\nbuiltins.leak = 1\nleftover = 2\nopen('left', 'w').write('x')\nimport numpy as np\nnp.leak = 3"
+    )
     taken = run(
         "import builtins, os, numpy\na = str([x in globals() for x in ('leftover',)]) + str(os.listdir('.')) + "
         "str('leak' in dir(builtins)) + str('leak' in dir(numpy))"
@@ -250,7 +271,10 @@ def test_without_namespaces_the_folder_is_still_bounded_and_removed() -> None:
             Job(
                 (
                     Cell("c", "a = 1.5"),
-                    Cell("d", "import time\nfor i in range(40): open(f'f{i}', 'wb').write(b'x' * 10**6)\ntime.sleep(9)"),
+                    Cell(
+                        "d",
+                        "import time\nfor i in range(40): open(f'f{i}', 'wb').write(b'x' * 10**6)\ntime.sleep(9)",
+                    ),
                 ),
                 ("a",),
             )
@@ -258,5 +282,7 @@ def test_without_namespaces_the_folder_is_still_bounded_and_removed() -> None:
         assert "filled the disk" in taken.trouble
         assert taken.values["a"] == Real(1.5)
         assert any("watched" in each for each in running.isolation.missing)
-        assert running.take(Job((Cell("c", "import os\na = len(os.listdir('.'))"),), ("a",))).values["a"] == Exact(Fraction(0))
+        assert running.take(Job((Cell("c", "import os\na = len(os.listdir('.'))"),), ("a",))).values[
+            "a"
+        ] == Exact(Fraction(0))
     assert time.monotonic() - began < 10

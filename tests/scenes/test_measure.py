@@ -75,7 +75,9 @@ def test_a_contact_that_begins_at_the_start_and_is_watched_for_a_part():
 
 
 def test_a_miss_lasts_no_time():
-    apart = Scene((Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.1, 0.05), (0.0, 0.0), 0.02)), (Contact(2e4),))
+    apart = Scene(
+        (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.1, 0.05), (0.0, 0.0), 0.02)), (Contact(2e4),)
+    )
     found = measured(apart, {Observable.DURATION}, 1e-10, "asked")
     assert (found.outcome, found.observed["duration"]) == ("missed", 0.0)
 
@@ -86,7 +88,11 @@ def test_a_miss_lasts_no_time():
 def test_balls_so_soft_that_they_pass_through_each_other_are_refused_by_every_model(until, asked, others):
     more = tuple(Body(0.1, (0.1 + 0.05 * i,), (0.0,), 0.02) for i in range(others))
     for k, refused in ((2e4, False), (3.0, True)):
-        scene = Scene((Body(0.1, (0.0,), (1.0,), 0.02), Body(0.1, (0.05,), (0.0,), 0.02), *more), (Contact(k),), until=until)
+        scene = Scene(
+            (Body(0.1, (0.0,), (1.0,), 0.02), Body(0.1, (0.05,), (0.0,), 0.02), *more),
+            (Contact(k),),
+            until=until,
+        )
         if refused:
             with pytest.raises(BadSetting, match="pass through each other"):
                 play(scene, {asked})

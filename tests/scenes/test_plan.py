@@ -36,7 +36,9 @@ def test_the_least_model_is_chosen():
     assert plan(row(1.0, 1.0, 1.0), V).model == "integration"
     assert plan(row(1.0, 1.0, 1.0, contact=Contact(1e4, 1.0)), V).model == "piecewise exact"
     assert plan(row(1.0, 2.0, contact=Contact(1e4, 1.5, 1.0)), V).model == "integration"
-    in_a_plane = Scene((Body(1.0, (0.0, 0.0), (1.0, 0.0), 0.1), Body(1.0, (1.0, 0.1), (0.0, 0.0), 0.1)), (HARD,))
+    in_a_plane = Scene(
+        (Body(1.0, (0.0, 0.0), (1.0, 0.0), 0.1), Body(1.0, (1.0, 0.1), (0.0, 0.0), 0.1)), (HARD,)
+    )
     assert plan(in_a_plane, V).model == "quadrature"
     damped = Scene(in_a_plane.bodies, (Contact(1e4, 1.5, 1.0),))
     assert plan(damped, V).why.startswith("damping")
@@ -47,7 +49,9 @@ def test_the_least_model_is_chosen():
 
 
 def test_a_row_is_the_cradle():
-    found = play(row(0.1, 0.1, 0.1), V | {Observable.DURATION, Observable.PEAK_FORCE, Observable.LARGEST_OVERLAP})
+    found = play(
+        row(0.1, 0.1, 0.1), V | {Observable.DURATION, Observable.PEAK_FORCE, Observable.LARGEST_OVERLAP}
+    )
     cradle = run("cradle", {"q": 1.5, "m": 0.1, "k": 1e4, "v0": 1.0})
     for name, value in found.observed.items():
         assert value == pytest.approx(cradle.observed[name], rel=1e-9)
@@ -75,12 +79,24 @@ CLOSED = [
     (Scene(PAIR, (Contact(2e4, 1.5),)), ALL_OF_A_PAIR, "quadrature"),
     (Scene(PAIR, (Contact(2e4, 1.0),)), ALL_OF_A_PAIR, "quadrature"),
     (Scene(PAIR, (Contact(2e4, 1.5, 1.0),)), ALL_OF_A_PAIR, "integration"),
-    (Scene((PAIR[0], Body(0.3, (0.08, 0.06), (0.0, 0.0), 0.03)), (Contact(2e4, 1.5),)), ALL_OF_A_PAIR, "conservation"),
-    (Scene((PAIR[0], Body(0.3, (0.049, 0.0), (0.0, 0.0), 0.03)), (Contact(2e4, 1.5),)), ALL_OF_A_PAIR, "integration"),
+    (
+        Scene((PAIR[0], Body(0.3, (0.08, 0.06), (0.0, 0.0), 0.03)), (Contact(2e4, 1.5),)),
+        ALL_OF_A_PAIR,
+        "conservation",
+    ),
+    (
+        Scene((PAIR[0], Body(0.3, (0.049, 0.0), (0.0, 0.0), 0.03)), (Contact(2e4, 1.5),)),
+        ALL_OF_A_PAIR,
+        "integration",
+    ),
     (row(1.0, 2.0, contact=Contact(1e6)), ALL_OF_A_PAIR, "quadrature"),
     (row(1.0, 2.0, contact=Contact(1e5, 1.0, 50.0)), ALL_OF_A_PAIR, "piecewise exact"),
     (row(1.0, 2.0, contact=Contact(1e6, 1.5, 2.0)), ALL_OF_A_PAIR, "integration"),
-    (Scene(PAIR, (Contact(2e4, 1.5),)), {Observable.ENERGY, Observable.MOMENTUM, Observable.ENERGY_RATIO}, "conservation"),
+    (
+        Scene(PAIR, (Contact(2e4, 1.5),)),
+        {Observable.ENERGY, Observable.MOMENTUM, Observable.ENERGY_RATIO},
+        "conservation",
+    ),
     (atom((1.0, 0.0), (0.0, 3.0)), ORBIT, "quadrature"),
     (atom((1.1, 0.2), (1.0, 1.0)), ORBIT, "quadrature"),
     (atom((1.1,), (1.0,)), ORBIT, "piecewise exact"),
@@ -124,7 +140,9 @@ def test_a_body_that_comes_and_goes_turns_where_steps_in_time_see_it_turn():
         closed = play(planet(velocity, strength, until=None), {Observable.TURNING_POINTS})
         stepped = measured(planet(velocity, strength), {Observable.TURNING_POINTS}, 1e-10, "")
         assert (closed.model, closed.outcome) == ("conservation", "escaped")
-        assert closed.observed["turning_points"] == pytest.approx(stepped.observed["turning_points"], rel=1e-9)
+        assert closed.observed["turning_points"] == pytest.approx(
+            stepped.observed["turning_points"], rel=1e-9
+        )
     with pytest.raises(BadSetting, match="until"):  # straight into the centre: no closed form, and no end
         play(planet((-1.0, 0.0), until=None), {Observable.TURNING_POINTS})
 
@@ -144,7 +162,9 @@ def test_a_trajectory_is_the_places_at_the_times_asked_for():
     found = play(scene, {Observable.TRAJECTORY}, times=times)
     assert found.observed["trajectory"][::2] == pytest.approx([math.cos(3.0 * t) for t in times], abs=1e-8)
     assert found.observed["trajectory"][1::2] == (0.0,) * 5
-    off = max(abs(x - math.cos(3.0 * t)) for x, t in zip(found.observed["trajectory"][::2], times, strict=True))
+    off = max(
+        abs(x - math.cos(3.0 * t)) for x, t in zip(found.observed["trajectory"][::2], times, strict=True)
+    )
     assert off <= found.errors["trajectory"] < 1e-8
     even = play(scene, {Observable.TRAJECTORY}).observed["trajectory"]
     assert len(even) == 2 * 101
@@ -157,7 +177,9 @@ def test_after_the_last_opening_a_trajectory_goes_on_straight():
     rows = [found["trajectory"][4 * i : 4 * i + 4] for i in range(4)]
     assert rows[0] == (0.0, 0.0, 0.08, 0.018)
     assert rows[1] == pytest.approx((0.02, 0.0, 0.08, 0.02), abs=1e-12)
-    assert [b - a for a, b in zip(rows[2], rows[3], strict=True)] == pytest.approx(found["velocities"], rel=1e-12)
+    assert [b - a for a, b in zip(rows[2], rows[3], strict=True)] == pytest.approx(
+        found["velocities"], rel=1e-12
+    )
     exact = play(scene, V).observed["velocities"]
     assert found["velocities"] == pytest.approx(exact, abs=1e-8)
 
@@ -167,8 +189,12 @@ def test_a_trajectory_needs_times_that_the_scene_has():
         plan(Scene(PAIR, (HARD,)), {Observable.TRAJECTORY})
     with pytest.raises(BadSetting, match="lie between 0 and 4 s"):
         plan(atom((1.0, 0.0), (0.0, 3.0)), {Observable.TRAJECTORY}, times=(5.0,))
-    bounce = Scene((Body(1.0, (2.0, 0.0), (0.0, 1.0)),), (HardWall((1.0, 0.0), 0.0, 0.0), Weight(0.0)), until=4.0)
-    assert play(bounce, {Observable.TRAJECTORY}, times=(4.0,)).observed["trajectory"] == pytest.approx((2.0, 4.0))
+    bounce = Scene(
+        (Body(1.0, (2.0, 0.0), (0.0, 1.0)),), (HardWall((1.0, 0.0), 0.0, 0.0), Weight(0.0)), until=4.0
+    )
+    assert play(bounce, {Observable.TRAJECTORY}, times=(4.0,)).observed["trajectory"] == pytest.approx(
+        (2.0, 4.0)
+    )
 
 
 def test_impulse_momentum_and_energy_are_what_their_sentences_say():
@@ -178,16 +204,26 @@ def test_impulse_momentum_and_energy_are_what_their_sentences_say():
     assert found["momentum"] == pytest.approx((6.0, -19.6), abs=1e-9)
     assert found["energy"] == pytest.approx(9.0 + 2.0 * 9.8 * 10.0, rel=1e-9)
     rubbed = Scene((Body(2.0, (0.0,), (3.0,)),), (Friction(0, 0.5),), until=0.1)
-    assert play(rubbed, {Observable.ENERGY}).observed["energy"] == pytest.approx(0.5 * 2.0 * (3.0 - 0.49) ** 2, rel=1e-9)
+    assert play(rubbed, {Observable.ENERGY}).observed["energy"] == pytest.approx(
+        0.5 * 2.0 * (3.0 - 0.49) ** 2, rel=1e-9
+    )
     floor = Scene((Body(math.inf, (0.0,), (0.0,)), Body(1.0, (0.5,), (-2.0,), 0.1)), (HARD,))
     assert play(floor, {Observable.IMPULSE}).observed["impulse"] == pytest.approx((4.0,))
     with pytest.raises(BadSetting, match="mass changes"):
-        play(Scene((Body(2.0, (0.0,), (6.0,)),), (Absorption(0, (-3.0,), 0.4),), until=1.0), {Observable.IMPULSE})
+        play(
+            Scene((Body(2.0, (0.0,), (6.0,)),), (Absorption(0, (-3.0,), 0.4),), until=1.0),
+            {Observable.IMPULSE},
+        )
 
 
 def test_steps_in_time_agree_with_the_regularised_contact():
     bodies = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
-    wanted = V | {Observable.DURATION, Observable.PEAK_FORCE, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO}
+    wanted = V | {
+        Observable.DURATION,
+        Observable.PEAK_FORCE,
+        Observable.LARGEST_OVERLAP,
+        Observable.ENERGY_RATIO,
+    }
     for eta in (0.0, 1.0):
         found, exact = play(Scene(bodies, (Contact(2e4, 1.5, eta),)), wanted), run("spheres", {"eta": eta})
         for name, value in found.observed.items():
@@ -230,7 +266,9 @@ def test_an_orbit_in_the_well_agrees_with_its_integrals():
 def test_an_atom_leaves_the_well_and_bounces_off_the_core():
     settings = {"r0": (2.0, 0.3), "v0": (-5.0, 0.0)}
     found = play(Scene((Body(2.0, (2.0, 0.3), (-5.0, 0.0)),), (Well(100.0, 1.0, 0.4),), until=2.0), V)
-    assert found.observed["velocities"] == pytest.approx(run("atom", settings).observed["velocities"], abs=1e-8)
+    assert found.observed["velocities"] == pytest.approx(
+        run("atom", settings).observed["velocities"], abs=1e-8
+    )
 
 
 def test_a_bouncing_ball_collapses_and_is_called_so():
@@ -248,9 +286,13 @@ def test_forces_of_the_chapter_in_closed_cases():
         return play(Scene(bodies, forces, until=until), V).observed["velocities"]
 
     one = (Body(1000.0, (0.0,), (0.0,)),)
-    assert end(Thrust(0, (-2500.0,), 10.0), bodies=one, until=60.0) == pytest.approx((2500 * math.log(2.5),), rel=1e-10)
+    assert end(Thrust(0, (-2500.0,), 10.0), bodies=one, until=60.0) == pytest.approx(
+        (2500 * math.log(2.5),), rel=1e-10
+    )
     drop = (Body(2.0, (0.0,), (6.0,)),)
-    assert end(Absorption(0, (-3.0,), 0.4), bodies=drop, until=1.0) == pytest.approx(((12 - 1.2) / 2.4,), rel=1e-10)
+    assert end(Absorption(0, (-3.0,), 0.4), bodies=drop, until=1.0) == pytest.approx(
+        ((12 - 1.2) / 2.4,), rel=1e-10
+    )
     assert end(Friction(0, 0.5), bodies=drop, until=1.0) == pytest.approx((6 - 4.9,), rel=1e-12)
     assert end(Friction(0, 0.5), bodies=drop, until=9.0) == (0.0,)
     two = (Body(1.0, (0.0,), (1.0,)), Body(3.0, (1.0,), (0.0,)))

@@ -9,7 +9,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.formula.errors import ParseError
-from corollary.units.unit import ONE, UNITS, Dimension, Unit, called, canonical, latex, read_unit, show, si_unit, unit
+from corollary.units.unit import (
+    ONE,
+    UNITS,
+    Dimension,
+    Unit,
+    called,
+    canonical,
+    latex,
+    read_unit,
+    show,
+    si_unit,
+    unit,
+)
 
 
 @pytest.mark.parametrize(
@@ -64,13 +76,19 @@ def test_a_degree_keeps_its_pi(text):
     assert read_unit(text) == Unit("deg", ONE, Fraction(1, 180), 1)
 
 
-@pytest.mark.parametrize("text", ["J/kg m", "kg m/s s", "J/kg*m", "N/m s", "ms^-1", "ms-1", "ms⁻¹", "kgms-1", "Nms", "kg/s m"])
+@pytest.mark.parametrize(
+    "text", ["J/kg m", "kg m/s s", "J/kg*m", "N/m s", "ms^-1", "ms-1", "ms⁻¹", "kgms-1", "Nms", "kg/s m"]
+)
 def test_two_readings_are_asked_about_and_each_choice_can_be_typed(text):
     found = read_unit(text)
     assert isinstance(found, ParseError)
     assert found.status == "asked"
     choices = [read_unit(choice) for choice in found.choices]
-    assert len({(each.dimension, each.factor) for each in choices if isinstance(each, Unit)}) == len(choices) >= 2
+    assert (
+        len({(each.dimension, each.factor) for each in choices if isinstance(each, Unit)})
+        == len(choices)
+        >= 2
+    )
 
 
 @pytest.mark.parametrize(
@@ -136,14 +154,26 @@ def test_units_for_people_and_for_tex(text, people, tex):
 
 @pytest.mark.parametrize(
     ("text", "words"),
-    [("N", "a force"), ("N*s", "a momentum or an impulse"), ("rad", "a plain number"), ("kg^2", "something in kg²")],
+    [
+        ("N", "a force"),
+        ("N*s", "a momentum or an impulse"),
+        ("rad", "a plain number"),
+        ("kg^2", "something in kg²"),
+    ],
 )
 def test_a_dimension_has_a_name(text, words):
     assert called(unit(text).dimension) == words
 
 
-symbols = st.sampled_from(sorted(symbol for symbol in UNITS if UNITS[symbol].text == symbol and symbol != "ms"))
-factors = st.lists(st.tuples(symbols, st.integers(-3, 3).filter(bool)), min_size=1, max_size=4, unique_by=lambda each: each[0])
+symbols = st.sampled_from(
+    sorted(symbol for symbol in UNITS if UNITS[symbol].text == symbol and symbol != "ms")
+)
+factors = st.lists(
+    st.tuples(symbols, st.integers(-3, 3).filter(bool)),
+    min_size=1,
+    max_size=4,
+    unique_by=lambda each: each[0],
+)
 
 
 @given(factors)
@@ -151,7 +181,10 @@ def test_powers_multiply_and_the_canonical_text_reads_back(parts):
     found = unit("*".join(f"{symbol}^{power}" for symbol, power in parts))
     dimension, factor = ONE, Fraction(1)
     for symbol, power in parts:
-        dimension, factor = dimension * UNITS[symbol].dimension ** power, factor * UNITS[symbol].factor ** power
+        dimension, factor = (
+            dimension * UNITS[symbol].dimension ** power,
+            factor * UNITS[symbol].factor ** power,
+        )
     assert (found.dimension, found.factor) == (dimension, factor)
     assert unit(canonical(found)) == found
 

@@ -50,7 +50,10 @@ def test_an_effect_too_large_is_met_where_it_is_bounded(verified):
     checked = verified(body("2000 ms"))
     assert not checked.ok
     assert "cart.py:14: part a of X1.1#" in checked.complaints[0]
-    assert "neglects a drag of a hundredth of the weight, which may change the answer by" in checked.complaints[0]
+    assert (
+        "neglects a drag of a hundredth of the weight, which may change the answer by"
+        in checked.complaints[0]
+    )
 
 
 def test_what_the_question_wants_left_out_may_be_large(verified):
@@ -63,7 +66,10 @@ def test_the_effect_switched_on_in_a_scene_stays_within_the_bound_or_is_met(veri
 
 def test_a_scene_beyond_the_bound_is_met(verified):
     checked = verified(body(), SCENE % "1.5")
-    assert any("impulse is" in complaint and "where the algebra says" in complaint for complaint in checked.complaints)
+    assert any(
+        "impulse is" in complaint and "where the algebra says" in complaint
+        for complaint in checked.complaints
+    )
 
 
 @pytest.mark.parametrize(
@@ -82,7 +88,9 @@ def test_a_bound_that_cannot_be_found(verified, time, rest, words):
 
 
 def test_only_of_numbers_something_is_neglected(verified, problem):
-    asked = problem.replace("## Momentum {#a .value unit=\"kg*m/s\"}\nHow large?", "## Momentum {#a .explain}\nWhy?")
+    asked = problem.replace(
+        '## Momentum {#a .value unit="kg*m/s"}\nHow large?', "## Momentum {#a .explain}\nWhy?"
+    )
     (complaint,) = verified(body().replace('step(p, "Mass times velocity.", momentum(p, m, v), answers="a")', 'explain("a", "Says.", answer="So.")'),
                             problem=asked).complaints  # fmt: skip
     assert "only of a number can be said what is neglected in it" in complaint
@@ -96,7 +104,11 @@ def test_the_chapters_own_checks_of_the_tennis_ball_are_the_bounds():
     assert neglected_in(key)["a"] == 0.0
 
 
-CODES = sorted(problem.code for problem in load(BANK) if "neglected(" in BANK.solution(problem).read_text(encoding="utf-8"))
+CODES = sorted(
+    problem.code
+    for problem in load(BANK)
+    if "neglected(" in BANK.solution(problem).read_text(encoding="utf-8")
+)
 
 
 def test_many_problems_say_what_they_neglect():
@@ -110,7 +122,9 @@ def test_each_is_told_with_its_size(code):
         key = KNOWN.key(variant)
         told = KNOWN.told(key)
         assert told.count("*Neglected:* ") == len(key.solution.neglected) > 0
-        assert told.count("it may be neglected") + told.count("left out since the question asks for it") == len(key.solution.neglected)
+        assert told.count("it may be neglected") + told.count(
+            "left out since the question asks for it"
+        ) == len(key.solution.neglected)
         assert "nan" not in told
         for each in neglects(key):
             assert each.left.asked or each.share < 0.02

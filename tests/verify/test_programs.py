@@ -61,7 +61,9 @@ def runner() -> Iterator[Runner]:
 
 @pytest.fixture
 def checked(tmp_path, runner) -> Callable[..., Tally]:
-    def check(*, program: str = PROGRAM, figure: str = FIGURE, judge: str = "right", look: str = "drawn") -> Tally:
+    def check(
+        *, program: str = PROGRAM, figure: str = FIGURE, judge: str = "right", look: str = "drawn"
+    ) -> Tally:
         for folder, name, text in (
             ("problems", "cart.md", PROBLEM),
             ("solutions", "cart.py", SOLUTION.format(judge=judge, look=look, program=program, figure=figure)),
@@ -85,11 +87,23 @@ def test_a_good_example_is_right_and_wrong_once_bent(checked):
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"program": "def momentum(v):\n    return 3 * v"}, "the example's code should be right and is wrong (No.)"),
-        ({"program": "def momentum(v):\n    return v / 0"}, "the example's code should be right and is unread (Calling momentum"),
-        ({"figure": "plt.plot([], [])"}, "the example's plot should be right and is wrong (There is no line.)"),
+        (
+            {"program": "def momentum(v):\n    return 3 * v"},
+            "the example's code should be right and is wrong (No.)",
+        ),
+        (
+            {"program": "def momentum(v):\n    return v / 0"},
+            "the example's code should be right and is unread (Calling momentum",
+        ),
+        (
+            {"figure": "plt.plot([], [])"},
+            "the example's plot should be right and is wrong (There is no line.)",
+        ),
         ({"figure": "v = 1"}, "the example's plot should be right and is unread (No figure was drawn.)"),
-        ({"judge": "lambda given, called: None"}, "the example with its numbers bent should be wrong and is right"),
+        (
+            {"judge": "lambda given, called: None"},
+            "the example with its numbers bent should be wrong and is right",
+        ),
         ({"look": "lambda given, axes: None"}, "a figure with nothing in it should be wrong and is right"),
     ],
 )

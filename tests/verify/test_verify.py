@@ -17,10 +17,12 @@ def scene(m, v, t, answer):
 
 def met(checked: Checked, words: str, line: int, file: str = "cart.py") -> None:
     assert not checked.ok
-    assert any(words in complaint and complaint.startswith(f"{file}:{line}: ") for complaint in checked.complaints), (
+    assert any(
+        words in complaint and complaint.startswith(f"{file}:{line}: ") for complaint in checked.complaints
+    ), checked.complaints
+    assert all(re.match(r"cart\.(md|py):\d+: ", complaint) for complaint in checked.complaints), (
         checked.complaints
     )
-    assert all(re.match(r"cart\.(md|py):\d+: ", complaint) for complaint in checked.complaints), checked.complaints
 
 
 def test_a_sound_problem(verified):
@@ -28,7 +30,12 @@ def test_a_sound_problem(verified):
     assert checked.ok, checked.complaints
     assert (checked.code, checked.variants, checked.exact_count) == ("X1.1", 8 * 5 * 4, True)
     counts = checked.checks
-    assert (counts["parts"], counts["laws put back"], counts["dimensions"], counts["mistakes"]) == (2, 2, 2, 1)
+    assert (counts["parts"], counts["laws put back"], counts["dimensions"], counts["mistakes"]) == (
+        2,
+        2,
+        2,
+        1,
+    )
     assert counts["variants walked"] == 20
     assert counts["right answers"] == 2 * 20
     assert counts["simulations met"] == 2 * 8
@@ -77,11 +84,19 @@ def test_a_law_whose_terms_do_not_fit(verified):
 
 
 def test_a_printed_value_that_is_not_met(verified, good):
-    met(verified(good.replace("1.5 kg m/s", "1.7 kg m/s")), "(1.1) prints 1.7 kg m/s for part a; the derivation gives 1.5", 12)
+    met(
+        verified(good.replace("1.5 kg m/s", "1.7 kg m/s")),
+        "(1.1) prints 1.7 kg m/s for part a; the derivation gives 1.5",
+        12,
+    )
 
 
 def test_a_printed_value_that_cannot_be_read(verified, good):
-    met(verified(good.replace("1.5 kg m/s", "one and a half")), "the printed value 'one and a half' cannot be read", 12)
+    met(
+        verified(good.replace("1.5 kg m/s", "one and a half")),
+        "the printed value 'one and a half' cannot be read",
+        12,
+    )
 
 
 def test_a_mistake_that_is_no_mistake(verified, good):
@@ -111,7 +126,12 @@ def test_conditions_that_leave_nothing(verified, problem):
 
 
 def test_the_chapters_own_numbers_against_the_physics(verified, problem):
-    met(verified(problem=problem.replace("value: 0.5", "value: -0.5")), "the chapter's own numbers break m > 0", 9, "cart.md")
+    met(
+        verified(problem=problem.replace("value: 0.5", "value: -0.5")),
+        "the chapter's own numbers break m > 0",
+        9,
+        "cart.md",
+    )
 
 
 def test_the_chapters_own_numbers_without_an_answer(verified, problem):
@@ -121,24 +141,39 @@ def test_the_chapters_own_numbers_without_an_answer(verified, problem):
 
 def test_a_choice_of_which_two_options_hold(verified, problem, good):
     which = problem + "\n## Fast? {#c .choice}\n\n- (a) yes\n- (b) no\n"
-    checked = verified(good.replace("printed(", 'choice("c", "So.", a=v > 1, b=v < 4),\n    printed('), problem=which)
+    checked = verified(
+        good.replace("printed(", 'choice("c", "So.", a=v > 1, b=v < 4),\n    printed('), problem=which
+    )
     met(checked, "the chapter's own numbers have no answer: part c: 2 options hold (a, b)", 5, "cart.md")
 
 
 def test_a_figure_that_is_no_drawing(verified, problem):
-    with_figure = problem.replace("---\nA cart.", "figure: |\n  <svg><text>{{m}}</text>\nalt: A cart.\n---\nA cart.")
-    met(verified(problem=with_figure), "the figure cannot be shown: the drawing is not well-formed XML", 10, "cart.md")
+    with_figure = problem.replace(
+        "---\nA cart.", "figure: |\n  <svg><text>{{m}}</text>\nalt: A cart.\n---\nA cart."
+    )
+    met(
+        verified(problem=with_figure),
+        "the figure cannot be shown: the drawing is not well-formed XML",
+        10,
+        "cart.md",
+    )
 
 
 def test_a_figure_that_can_be_shown(verified, problem):
-    with_figure = problem.replace("---\nA cart.", "figure: |\n  <svg><text>{{m}}</text></svg>\nalt: A cart.\n---\nA cart.")
+    with_figure = problem.replace(
+        "---\nA cart.", "figure: |\n  <svg><text>{{m}}</text></svg>\nalt: A cart.\n---\nA cart."
+    )
     checked = verified(problem=with_figure)
     assert checked.ok, checked.complaints
     assert checked.checks["figures"] == 1
 
 
 def test_a_solution_that_does_not_derive(verified):
-    met(verified('return derivation(step(p, "Here.", momentum(p, m, F), answers="a"))'), "answers no part b", 6)
+    met(
+        verified('return derivation(step(p, "Here.", momentum(p, m, F), answers="a"))'),
+        "answers no part b",
+        6,
+    )
 
 
 def test_an_observation_that_a_find_rests_on(verified):

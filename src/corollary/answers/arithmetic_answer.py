@@ -18,12 +18,16 @@ LARGEST_POWER = 9
 WORD = rf"(?!(?:{'|'.join(sorted((*SPELLINGS, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμ]++|[°º%]"
 UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
 SYMBOL = rf"(?:{WORD})(?:{UNIT_POWER})?"
-UNITS_BEHIND = re.compile(rf"\s*\*?\s*{SYMBOL}(?:\s*[*/]?\s*{SYMBOL}|\s*/\s*\(\s*{SYMBOL}(?:\s*\*?\s*{SYMBOL})*\s*\))*")
+UNITS_BEHIND = re.compile(
+    rf"\s*\*?\s*{SYMBOL}(?:\s*[*/]?\s*{SYMBOL}|\s*/\s*\(\s*{SYMBOL}(?:\s*\*?\s*{SYMBOL})*\s*\))*"
+)
 NUMBER = re.compile(r"[0-9.,½⅓⅔¼¾]")
 ROOT = re.compile(r"√\s*")
 CALLED = re.compile(rf"({'|'.join(sorted(SPELLINGS, key=len, reverse=True))})(?![A-Za-z_])\s*")
 PI = re.compile(r"pi(?![A-Za-z_])|π")
-RAISE = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]+(?:[./][0-9]+)?)\s*\)|([+-]?[0-9]+(?:\.[0-9]+)?))|([⁻⁺]?[⁰¹²³⁴-⁹]+)")
+RAISE = re.compile(
+    r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]+(?:[./][0-9]+)?)\s*\)|([+-]?[0-9]+(?:\.[0-9]+)?))|([⁻⁺]?[⁰¹²³⁴-⁹]+)"
+)
 BRACKET = re.compile(r"\((?=\s*[^()\s][^()]*[-+*/])")
 ANGLE = re.compile(r"\s*(°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))")
 ANGLES = frozenset({"sin", "cos", "tan"})
@@ -131,7 +135,9 @@ def _products(line: _Line) -> _Amount:
         amount = _Amount(-amount.value if sign == "-" else amount.value, amount.dimension, amount.bare)
     else:
         amount = _factor(line)
-    divided = False  # by more than a number with a blank behind it: `1/2 π` is a half of π, `1/2π` is not clear
+    divided = (
+        False  # by more than a number with a blank behind it: `1/2 π` is a half of π, `1/2π` is not clear
+    )
     while True:
         sign = line.skip()
         if sign in ("*", "/") and sign:
@@ -142,7 +148,11 @@ def _products(line: _Line) -> _Amount:
             factor = _Amount(-factor.value, factor.dimension, factor.bare) if negative else factor
         elif _stands(line) and not NUMBER.match(sign):
             if divided:
-                _refuse(line, "it is not clear what stands below the slash", "put brackets around what is divided by")
+                _refuse(
+                    line,
+                    "it is not clear what stands below the slash",
+                    "put brackets around what is divided by",
+                )
             sign, factor = "*", _factor(line)
         else:
             return amount
@@ -229,4 +239,6 @@ def _to_power(line: _Line, amount: _Amount) -> _Amount:
         _refuse(line, f"a power such as {written[:8]} does not occur here")
     twice = round(2 * power)
     size = amount.dimension
-    return _Amount(math.pow(amount.value, power), Dimension(size.kg * twice / 2, size.m * twice / 2, size.s * twice / 2))
+    return _Amount(
+        math.pow(amount.value, power), Dimension(size.kg * twice / 2, size.m * twice / 2, size.s * twice / 2)
+    )

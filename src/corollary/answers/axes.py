@@ -27,7 +27,9 @@ def turned(answer: Answer, axes: Axes) -> Answer:
             values = tuple(sign * value + 0.0 for sign, value in zip(axes.signs, answer.values, strict=True))
             return replace(answer, values=values, shown=f"{answer.shown}, {axes.said}")
         case Formulas(trees, shown) if len(trees) == len(axes.signs):
-            there = (tree if sign > 0 else Negative(tree) for sign, tree in zip(axes.signs, trees, strict=True))
+            there = (
+                tree if sign > 0 else Negative(tree) for sign, tree in zip(axes.signs, trees, strict=True)
+            )
             return Formulas(tuple(there), f"{shown}, {axes.said}")
         case Unclear(readings=readings):
             found = (turned(each, axes) for each in readings)

@@ -8,7 +8,20 @@ from collections.abc import Sequence
 from corollary.answers.preamble import answer_in
 from corollary.formula.errors import ParseError, ambiguous, refused
 
-DIRECTIONS = {"i": 0, "j": 1, "k": 2, "î": 0, "ĵ": 1, "k̂": 2, "x̂": 0, "ŷ": 1, "ẑ": 2, "ex": 0, "ey": 1, "ez": 2}
+DIRECTIONS = {
+    "i": 0,
+    "j": 1,
+    "k": 2,
+    "î": 0,
+    "ĵ": 1,
+    "k̂": 2,
+    "x̂": 0,
+    "ŷ": 1,
+    "ẑ": 2,
+    "ex": 0,
+    "ey": 1,
+    "ez": 2,
+}
 LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
 ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
@@ -19,7 +32,8 @@ TURN = r"[+\-]?\s*[0-9.,]+\s*(?:°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))
 BEHIND = re.compile(rf"(?<=[A-Za-z²³¹)])(?<!sin)(?<!cos)(?<!tan)\s*,?\s*\(?(?={TURN}[^0-9]*$)")
 FROM = r"(?:the )?(?:positive )?(?:horizontal|ground|\+?x)(?:[- ]?(?:axis|direction|plane))?"
 ABOVE = re.compile(
-    rf"\s*,?\s*(?:above|over|to|from|with|relative to|counter-?clockwise from|anticlockwise from) {FROM}\s*\)?$", re.I
+    rf"\s*,?\s*(?:above|over|to|from|with|relative to|counter-?clockwise from|anticlockwise from) {FROM}\s*\)?$",
+    re.I,
 )
 BELOW = re.compile(rf"\s*,?\s*(?:below|under|clockwise from) {FROM}\s*\)?$", re.I)
 
@@ -34,7 +48,9 @@ def length_and_angle(plain: str) -> tuple[str, str] | ParseError | None:
     if len(pieces) != 2:
         return refused("a length and one angle are expected", None, "write for example 5 m/s at 30 deg")
     length, angle = pieces
-    if (unit := re.match(rf"(\s*{TURN})\s+([A-Za-z].*)$", angle)) and not (ABOVE.search(angle) or BELOW.search(angle)):
+    if (unit := re.match(rf"(\s*{TURN})\s+([A-Za-z].*)$", angle)) and not (
+        ABOVE.search(angle) or BELOW.search(angle)
+    ):
         length, angle = f"{length} {unit[2]}", unit[1]  # `5∠30° m/s`
     if below := BELOW.search(angle):
         return length, "-" + angle[: below.start()].strip().lstrip("+")
@@ -45,13 +61,17 @@ def length_and_angle(plain: str) -> tuple[str, str] | ParseError | None:
 def pieces_of(plain: str, count: int, names: Sequence[str] = ()) -> list[str] | ParseError:
     """One text for each component, in the order of `names` where the text names them; a unit behind all of them goes to each."""
     inside, unit, factor = _unwrapped(plain)
-    if any(_axis(found) < count for found in ALONG.finditer(inside)):  # in a plane k is no direction, but may be a letter
+    if any(
+        _axis(found) < count for found in ALONG.finditer(inside)
+    ):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
     found = _listed(inside, unit, count)
     if isinstance(found, ParseError):
         return found
     found = _in_order(found, names)
-    return found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
+    return (
+        found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
+    )
 
 
 def _unwrapped(plain: str) -> tuple[str, str, str]:
@@ -101,12 +121,17 @@ def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     splits = [_split(inside, mark) for mark in tries]
     pieces = next((pieces for pieces in splits if len(pieces) == count), None)
     if pieces is None and ";" not in inside and any(len(each) == 2 * count for each in splits):
-        return ambiguous("the commas can part the components or be decimal commas", 0, "(1.5; 2.5)", "(1,5; 2,5)")
+        return ambiguous(
+            "the commas can part the components or be decimal commas", 0, "(1.5; 2.5)", "(1,5; 2,5)"
+        )
     if pieces is None:
         return refused(f"{count} components are expected", 0, "write them as (3; 4) m/s")
     behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
     if not unit and behind and not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", "")):
-        pieces[-1], unit = pieces[-1].strip().removesuffix(behind[1]), behind[1]  # `3; 4 m/s`: one unit for all
+        pieces[-1], unit = (
+            pieces[-1].strip().removesuffix(behind[1]),
+            behind[1],
+        )  # `3; 4 m/s`: one unit for all
     return [f"{piece.strip()} {unit}".strip() for piece in pieces]
 
 
@@ -119,7 +144,9 @@ def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError
             return pieces
         if place in placed:
             return refused(f"{names[place]} is given twice")
-        placed[place] = NAMED.sub("", piece, count=1).strip() if NAMED.match(piece) else piece[: piece.rindex(" ")]
+        placed[place] = (
+            NAMED.sub("", piece, count=1).strip() if NAMED.match(piece) else piece[: piece.rindex(" ")]
+        )
     return [placed[place] for place in range(len(pieces))] if len(placed) == len(names) else pieces
 
 
@@ -128,8 +155,14 @@ def place_named(piece: str, names: Sequence[str]) -> int | None:
     label = NAMED.match(piece)
     said = label["name"] if label else piece.rpartition(" ")[2]
     plain = re.sub(r"[^A-Za-z0-9]", "", said)
-    exact = [place for place, name in enumerate(names) if plain.lower() == name.lower() and (label or len(name) > 2)]
-    close = [place for place, name in enumerate(names) if plain.endswith(name) and 0 < len(plain) - len(name) <= 2]
+    exact = [
+        place
+        for place, name in enumerate(names)
+        if plain.lower() == name.lower() and (label or len(name) > 2)
+    ]
+    close = [
+        place for place, name in enumerate(names) if plain.endswith(name) and 0 < len(plain) - len(name) <= 2
+    ]
     found = exact or (sorted(close, key=lambda place: -len(names[place])) if label else [])
     return found[0] if found else None
 
@@ -147,7 +180,9 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
         axis = _axis(found)
         if axis in components or axis >= count:
             return refused(
-                f"{found[0].strip()} does not belong here", None, "write one term for each direction, such as 3 i + 4 j"
+                f"{found[0].strip()} does not belong here",
+                None,
+                "write one term for each direction, such as 3 i + 4 j",
             )
         components[axis] = piece + "1" if piece in ("", "+", "-") else piece
         at = found.end()
@@ -159,7 +194,11 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
 
 def plain_answer(plain: str) -> tuple[str, int]:
     """A vector without what leads up to it; names of its components stay."""
-    return (plain, 0) if "," in plain.split("=")[0] or len(re.findall(r"[=:]", plain)) > 1 or _labels(plain) else answer_in(plain)
+    return (
+        (plain, 0)
+        if "," in plain.split("=")[0] or len(re.findall(r"[=:]", plain)) > 1 or _labels(plain)
+        else answer_in(plain)
+    )
 
 
 def _labels(plain: str) -> bool:

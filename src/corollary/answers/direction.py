@@ -23,7 +23,8 @@ TOWARDS = re.compile(
     re.IGNORECASE,
 )
 LOST = re.compile(
-    r"^\s*(?:(?:a|the|it)\s+)?(?P<before>loss of|decrease of|drop of|loses|lost)\s+|\s+(?P<behind>lost|loss|less)\.?\s*$", re.I
+    r"^\s*(?:(?:a|the|it)\s+)?(?P<before>loss of|decrease of|drop of|loses|lost)\s+|\s+(?P<behind>lost|loss|less)\.?\s*$",
+    re.I,
 )
 
 

@@ -57,7 +57,9 @@ class Undecided:
     why: str
 
 
-def compare(student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]]) -> Equal | Different | Undecided:
+def compare(
+    student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]]
+) -> Equal | Different | Undecided:
     """Decides on the box `domain`; letters it does not name are taken positive. The points depend on the formulas only.
 
     Different is proven (balls that do not meet, or no value where the truth has one); equal means closer than 2^-200 at
@@ -75,7 +77,9 @@ def compare(student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]
                 if agreed == wanted:
                     return Equal()
             case "different":
-                return Different(point, _ratio(student, truth, (point, *islice(_points(student, truth, domain), 2))))
+                return Different(
+                    point, _ratio(student, truth, (point, *islice(_points(student, truth, domain), 2)))
+                )
             case "undecided":
                 return Undecided("the two formulas are closer than can be told apart at one point")
     return Undecided("too few points were found where the formulas have values")
@@ -99,12 +103,16 @@ def _branches(tree: Expr) -> bool:
     for node in walk(tree):
         if isinstance(node, Call) and node.function in BRANCHING:
             return True
-        if isinstance(node, Power) and ((power := constant(node.exponent)) is None or power.denominator % 2 == 0):
+        if isinstance(node, Power) and (
+            (power := constant(node.exponent)) is None or power.denominator % 2 == 0
+        ):
             return True
     return False
 
 
-def _points(student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]]) -> Iterator[dict[str, float]]:
+def _points(
+    student: Expr, truth: Expr, domain: Mapping[str, tuple[float, float]]
+) -> Iterator[dict[str, float]]:
     letters = sorted((names(student) | names(truth)) - {"pi"})
     written = f"{text(student)} = {text(truth)}"
     draw = random.Random(int.from_bytes(hashlib.blake2b(written.encode(), digest_size=16).digest(), "big"))

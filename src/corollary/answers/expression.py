@@ -37,7 +37,9 @@ class ExpressionType(AnswerType):
                 return Unclear(why, shown)
             case _:
                 number = isinstance(given, (Real, Exact))
-                return Unclear(f"this is a number; {WANTED}" if number else WANTED, "a number" if number else "no text")
+                return Unclear(
+                    f"this is a number; {WANTED}" if number else WANTED, "a number" if number else "no text"
+                )
         trees = []
         for text in texts:
             tree = formula(text, problem)

@@ -33,7 +33,11 @@ def formula(text: str, problem: Problem, lean: Lean = "ask") -> Expr | ParseErro
 def fitting(text: str, unit: Unit, problem: Problem) -> Expr | Unclear | None:
     """Of the readings of `m v cos θ/M`, the one with the dimension asked for; both, when both have it."""
     trees = [formula(text, problem, lean) for lean in ("near", "far")]
-    good = [tree for tree in trees if not isinstance(tree, ParseError) and dimension_in(tree, problem) == unit.dimension]
+    good = [
+        tree
+        for tree in trees
+        if not isinstance(tree, ParseError) and dimension_in(tree, problem) == unit.dimension
+    ]
     if len(good) < 2:
         return good[0] if good else None
     asked = formula(text, problem)

@@ -15,7 +15,9 @@ from corollary.problem.part import Part
 
 def with_heading(given: Value, part: Part, read: Callable[[Value], Answer]) -> Answer:
     """The answer with the sign that its words give; two readings where the words alone do not tell it."""
-    found = direction_of(given.text, has_axes(part.unit, part.components)) if isinstance(given, Text) else None
+    found = (
+        direction_of(given.text, has_axes(part.unit, part.components)) if isinstance(given, Text) else None
+    )
     if found is None:
         return read(given)
     answer = read(Text(found.text))

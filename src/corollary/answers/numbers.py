@@ -39,7 +39,9 @@ def scalar(given: Value, unit: Unit, problem: Problem) -> Numbers | Formulas | B
         case Complex(real, imaginary):
             if abs(imaginary) <= 1e-12 * abs(real) or imaginary == 0:
                 return machine((real,), unit)
-            return Unclear("this is a complex number; a measured quantity is real", f"{real:g} + {imaginary:g}i")
+            return Unclear(
+                "this is a complex number; a measured quantity is real", f"{real:g} + {imaginary:g}i"
+            )
         case Measured(value, of):
             return typed(f"{value!r} {of}", unit, problem)
         case Text(text):
@@ -50,7 +52,9 @@ def scalar(given: Value, unit: Unit, problem: Problem) -> Numbers | Formulas | B
             return Unclear(why, shown)
 
 
-def vector(given: Value, unit: Unit, names: int | tuple[str, ...], problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+def vector(
+    given: Value, unit: Unit, names: int | tuple[str, ...], problem: Problem
+) -> Numbers | Formulas | Blank | Unclear:
     """As many numbers as there are components (their count, or their names: then an answer may name them in another order)."""
     count, called = (names, ()) if isinstance(names, int) else (len(names), names)
     match given:
@@ -70,10 +74,13 @@ def vector(given: Value, unit: Unit, names: int | tuple[str, ...], problem: Prob
                 return items
             if any(isinstance(item, Items) and len(item.items) != 1 for item in items):
                 return Unclear(
-                    f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}", "an array"
+                    f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}",
+                    "an array",
                 )
             if len(items) != count:
-                return Unclear(f"{count} components are asked for, not {len(items)}", f"a list of {len(items)}")
+                return Unclear(
+                    f"{count} components are asked for, not {len(items)}", f"a list of {len(items)}"
+                )
             return _together([scalar(item, unit, problem) for item in _in_order(items, called)])
         case Refused(why, shown):
             return Unclear(why, shown)
@@ -111,7 +118,10 @@ def _flat(items: tuple[Value, ...], unit: Unit, count: int) -> tuple[Value, ...]
 
 def _in_order(items: tuple[Value, ...], names: tuple[str, ...]) -> tuple[Value, ...]:
     """Texts that name their components (`p_y = 4`), in the order asked for."""
-    places = [place_named(item.text, names) if isinstance(item, Text) and "=" in item.text else None for item in items]
+    places = [
+        place_named(item.text, names) if isinstance(item, Text) and "=" in item.text else None
+        for item in items
+    ]
     if None in places or len(set(places)) != len(items):
         return items
     return tuple(item for _, item in sorted(zip(places, items, strict=True), key=lambda pair: pair[0] or 0))
@@ -121,9 +131,13 @@ def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
     """Machine numbers, in the part's own unit."""
     for value in values:
         if math.isnan(value) or math.isinf(value):
-            return Unclear("the result is not a number" if math.isnan(value) else "the result is infinite", str(value))
+            return Unclear(
+                "the result is not a number" if math.isnan(value) else "the result is infinite", str(value)
+            )
     size = float(unit.factor) * math.pi**unit.pi
-    digits = [len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0")) for value in values]
+    digits = [
+        len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0")) for value in values
+    ]
     digits = [
         sure(count, len(f"{abs(value):.0f}")) if value and value == int(value) else count
         for count, value in zip(digits, values, strict=True)
@@ -143,7 +157,11 @@ def exact(value: Fraction, unit: Unit) -> Numbers | Unclear:
         return Numbers((number,), (0,), "a number too large to show")
     whole = str(abs(value.numerator)) if value.denominator == 1 and abs(value) < 10**9 else ""
     digits = sure(len(whole.rstrip("0")), len(whole)) if value else 0
-    shown = decimal_text(value, 6) if value.denominator > 1 else (str(value) if abs(value) < 10**12 else f"{float(value):.6g}")
+    shown = (
+        decimal_text(value, 6)
+        if value.denominator > 1
+        else (str(value) if abs(value) < 10**12 else f"{float(value):.6g}")
+    )
     return Numbers((number,), (digits if digits <= COARSE else 0,), _with_unit(shown, unit))
 
 
@@ -184,17 +202,29 @@ def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank
 
 def meanings(trouble: ParseError, text: str, unit: Unit) -> tuple[Numbers, ...]:
     """What an ambiguous text could mean: each choice put in the place of the number it is about."""
-    number = AMBIGUOUS.search(text) if trouble.status == "asked" else None  # only a text short enough to be read is asked about
+    number = (
+        AMBIGUOUS.search(text) if trouble.status == "asked" else None
+    )  # only a text short enough to be read is asked about
     if number is None:
         return ()
-    read = (read_quantity(text[: number.start()] + choice + text[number.end() :], unit) for choice in trouble.choices)
-    return tuple(_reading(each, unit) for each in read if isinstance(each, Reading) and each.fit != "wrong dimension")
+    read = (
+        read_quantity(text[: number.start()] + choice + text[number.end() :], unit)
+        for choice in trouble.choices
+    )
+    return tuple(
+        _reading(each, unit) for each in read if isinstance(each, Reading) and each.fit != "wrong dimension"
+    )
 
 
 def _is_angle(text: str, unit: Unit) -> bool:
     """Whether a text is an angle where something else is asked for: then it is a direction."""
     found = read_quantity(text, None)
-    return unit.dimension != ONE and isinstance(found, Reading) and found.unit is not None and found.unit.text in ("deg", "rad")
+    return (
+        unit.dimension != ONE
+        and isinstance(found, Reading)
+        and found.unit is not None
+        and found.unit.text in ("deg", "rad")
+    )
 
 
 def _reading(found: Reading, unit: Unit) -> Numbers:
@@ -220,18 +250,26 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
     shown = f"({', '.join(each.shown for each in found)})"
     numbers = [each for each in found if isinstance(each, Numbers)]
     if len(numbers) == len(found):
-        values, figures = tuple(each.values[0] for each in numbers), tuple(each.figures[0] for each in numbers)
+        values, figures = (
+            tuple(each.values[0] for each in numbers),
+            tuple(each.figures[0] for each in numbers),
+        )
         unitless = any(each.unitless and each.values[0] != 0 for each in numbers)
         sizes = tuple(size for each in numbers for size in each.sizes)
         misfit = next((each.misfit for each in numbers if each.misfit), "")
-        return Numbers(values, figures, shown, unitless, misfit, sizes=sizes if len(sizes) == len(values) else ())
+        return Numbers(
+            values, figures, shown, unitless, misfit, sizes=sizes if len(sizes) == len(values) else ()
+        )
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
 
 
 def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Numbers, ...]:
     """Every combination of what the components could mean; none when a component has no meaning at all, or there are too many."""
-    choices = [each.readings if isinstance(each, Unclear) else (each,) if isinstance(each, Numbers) else () for each in found]
+    choices = [
+        each.readings if isinstance(each, Unclear) else (each,) if isinstance(each, Numbers) else ()
+        for each in found
+    ]
     if math.prod(map(len, choices)) > 16:
         return ()
     together = (_together(list(each)) for each in product(*choices))

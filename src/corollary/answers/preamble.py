@@ -24,7 +24,8 @@ MINUS = re.compile(r"(?:minus|negative)\s+(?=[0-9.,])", re.IGNORECASE)
 ENDING = re.compile(r"[\s!;,]+$|(?<=[^0-9\s])\.$")
 SIDES = re.compile(r"[=≈]+\s*")
 NO_SIDE = re.compile(  # in `3 m/s with g = 9.8` what stands behind the last sign is not the answer
-    r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b", re.IGNORECASE
+    r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b",
+    re.IGNORECASE,
 )
 SPREAD = re.compile(r"\s*(?:±|\+/-|\+-)\s*[0-9.,]+(?:[eE][+-]?[0-9]+)?")
 GRAVITY = re.compile(

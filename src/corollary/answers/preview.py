@@ -33,7 +33,12 @@ def read_case(case: Any) -> dict[str, Any]:
         raise BadCase(f'"field": {field!r} is not known; it is one of {", ".join(FIELDS)}')
     start = time.perf_counter()
     found = {"quantity": _quantity, "expression": _expression, "unit": _unit}[field](case)
-    return {"text": case["text"], "field": field, **found, "ms": round((time.perf_counter() - start) * 1e3, 4)}
+    return {
+        "text": case["text"],
+        "field": field,
+        **found,
+        "ms": round((time.perf_counter() - start) * 1e3, 4),
+    }
 
 
 def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
@@ -44,7 +49,9 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     assert isinstance(found, Reading)
     fits = found.fit == "fits"
     unit = found.unit or (expected if fits else None)
-    value = float(found.value) if found.fit == "unit missing" else _float(found)  # without the unit it needs it is a plain number
+    value = (
+        float(found.value) if found.fit == "unit missing" else _float(found)
+    )  # without the unit it needs it is a plain number
     verdict = None if expected is None else "compatible" if fits else "wrong dimension"
     return {
         "status": "ok", "read": found.shown, "value": value, "unit": canonical(unit) if unit else "1", "figures": found.figures,
@@ -149,7 +156,9 @@ def _domain(case: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
         raise BadCase('"domain" must give each letter its bounds: {"v": [-10, 10]}') from None
     for name, (low, high) in bounds.items():
         if not -math.inf < low < high < math.inf:
-            raise BadCase(f'"domain" of {name}: from {low:g} to {high:g} there are no numbers; the lower bound comes first')
+            raise BadCase(
+                f'"domain" of {name}: from {low:g} to {high:g} there are no numbers; the lower bound comes first'
+            )
     return bounds
 
 

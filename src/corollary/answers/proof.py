@@ -60,7 +60,11 @@ class ProofType(AnswerType):
             case Text(text):
                 lines = [line for line in text.splitlines() if line.strip() not in PLACEHOLDERS]
             case Items(items, _) if all(isinstance(item, (Text, Nothing)) for item in items):
-                lines = [item.text for item in items if isinstance(item, Text) and item.text.strip() not in PLACEHOLDERS]
+                lines = [
+                    item.text
+                    for item in items
+                    if isinstance(item, Text) and item.text.strip() not in PLACEHOLDERS
+                ]
             case Refused(why, shown):
                 return Unclear(why, shown)
             case _:

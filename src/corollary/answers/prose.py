@@ -23,7 +23,9 @@ class TextType(AnswerType):
                 return Blank()
             case Text(text):
                 return (
-                    Blank() if text.strip().strip("*_").strip() in PLACEHOLDERS | {"Your answer here."} else Prose(text.strip())
+                    Blank()
+                    if text.strip().strip("*_").strip() in PLACEHOLDERS | {"Your answer here."}
+                    else Prose(text.strip())
                 )
             case Refused(why, shown):
                 return Unclear(why, shown)

@@ -20,7 +20,9 @@ from corollary.units.unit import PURE, Unit, called, read_unit, show
 MOST_SIDES = 5
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
-TWICE = re.compile(r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*")
+TWICE = re.compile(
+    r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +51,14 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
     typed = without_tex(text)
     plain, skipped = answer_in(typed.translate(PLAIN))
     found = _number_and_unit(text, plain, expected)
-    if skipped and isinstance(found, Reading) and (other := _otherwise(typed.translate(PLAIN)[:skipped], found, expected)):
-        return refused(f"{other.shown} and {found.shown} are not the same", None, "write one number and a unit")
+    if (
+        skipped
+        and isinstance(found, Reading)
+        and (other := _otherwise(typed.translate(PLAIN)[:skipped], found, expected))
+    ):
+        return refused(
+            f"{other.shown} and {found.shown} are not the same", None, "write one number and a unit"
+        )
     if (
         isinstance(found, ParseError)
         and found.status == "refused"
@@ -65,9 +73,18 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
 def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | None:
     """A side before the last that is a quantity of its own, and not the same: `9 N = 8.6 N`."""
     sides = (_number_and_unit(side, side, expected) for side in SIDES.split(before)[-MOST_SIDES:])
-    given = (side for side in sides if isinstance(side, Reading) and side.unit is not None and last.unit is not None)
+    given = (
+        side
+        for side in sides
+        if isinstance(side, Reading) and side.unit is not None and last.unit is not None
+    )
     return next(
-        (side for side in given if side.fit == last.fit and not math.isclose(in_si(side), in_si(last), rel_tol=0.05)), None
+        (
+            side
+            for side in given
+            if side.fit == last.fit and not math.isclose(in_si(side), in_si(last), rel_tol=0.05)
+        ),
+        None,
     )
 
 
@@ -77,7 +94,12 @@ def _said_twice(plain: str, expected: Unit | None) -> Reading | None:
     if both is None:
         return None
     first, second = (_number_and_unit(each, each, expected) for each in both.groups())
-    if isinstance(first, ParseError) or isinstance(second, ParseError) or first.fit != "fits" or second.fit != "fits":
+    if (
+        isinstance(first, ParseError)
+        or isinstance(second, ParseError)
+        or first.fit != "fits"
+        or second.fit != "fits"
+    ):
         return None
     return first if math.isclose(in_si(first), in_si(second), rel_tol=0.01) else None
 
@@ -103,8 +125,18 @@ def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
     twice = UNIT_TWICE.fullmatch(text)
-    meanings = (*unit.choices, METRES.sub("m s", text)) if isinstance(unit, ParseError) else twice.groups() if twice else ()
-    fitting = [each for each in map(read_unit, meanings) if isinstance(each, Unit) and each.dimension == expected.dimension]
+    meanings = (
+        (*unit.choices, METRES.sub("m s", text))
+        if isinstance(unit, ParseError)
+        else twice.groups()
+        if twice
+        else ()
+    )
+    fitting = [
+        each
+        for each in map(read_unit, meanings)
+        if isinstance(each, Unit) and each.dimension == expected.dimension
+    ]
     if twice:
         return fitting[0] if len(fitting) == 2 else unit
     return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
@@ -131,7 +163,9 @@ def describe(reading: Reading | ParseError) -> str:
     return f"read as {reading.shown}" + (f": {reading.why}" if reading.why else "")
 
 
-def read_quantities(text: str, expected: Unit | None, count: int, names: Sequence[str] = ()) -> tuple[Reading, ...] | ParseError:
+def read_quantities(
+    text: str, expected: Unit | None, count: int, names: Sequence[str] = ()
+) -> tuple[Reading, ...] | ParseError:
     """A vector of `count` components: `(3, 4) m/s`, `[3; 4]`, `3 m/s; 4 m/s`, `3 i + 4 j`, in a plane `5 m/s at 30 deg`.
 
     With `names`, components that the text names (`p_y = 4, p_x = 3`) are put in their order.
@@ -149,13 +183,17 @@ def read_quantities(text: str, expected: Unit | None, count: int, names: Sequenc
                 if isinstance(reading, ParseError):
                     start = text.find(piece)
                     return (
-                        _moved(reading, start) if start >= 0 else ParseError(reading.status, reading.why, None, reading.suggestion)
+                        _moved(reading, start)
+                        if start >= 0
+                        else ParseError(reading.status, reading.why, None, reading.suggestion)
                     )
                 found.append(reading)
             return tuple(found)
 
 
-def components_in(text: str, count: int, names: Sequence[str] = ()) -> list[str] | tuple[str, str] | ParseError:
+def components_in(
+    text: str, count: int, names: Sequence[str] = ()
+) -> list[str] | tuple[str, str] | ParseError:
     """The texts of the components, or those of a length and an angle."""
     if len(text) > LONGEST:
         return refused(f"this is longer than {LONGEST} characters", LONGEST)
@@ -168,18 +206,28 @@ def components_in(text: str, count: int, names: Sequence[str] = ()) -> list[str]
     return moved(_moved(pieces, skipped), text, typed) if isinstance(pieces, ParseError) else pieces
 
 
-def _reading(text: str, number: Written, unit: Unit | None, expected: Unit | None, digits: str = "") -> Reading | ParseError:
+def _reading(
+    text: str, number: Written, unit: Unit | None, expected: Unit | None, digits: str = ""
+) -> Reading | ParseError:
     size = unit or expected or PURE
     ratio = number.value * size.factor
     if ratio and not Fraction(10) ** -305 < abs(ratio) < Fraction(10) ** 305:
         return refused("this quantity is too large or too small to be meant")
-    shown = f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
+    shown = (
+        f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
+    )
     fit, why = "fits", ""
-    plain = expected is None or (expected.dimension, expected.factor, expected.pi) == (PURE.dimension, 1, 0)  # as 1 and rad are
+    plain = expected is None or (expected.dimension, expected.factor, expected.pi) == (
+        PURE.dimension,
+        1,
+        0,
+    )  # as 1 and rad are
     if expected is not None and unit is None and number.value and not plain:  # 0 is 0 in every unit
         fit, why = "unit missing", f"the unit is missing; write for example {shown} {show(expected)}"
     elif expected is not None and size.dimension != expected.dimension:
-        sort = f"{called(expected.dimension)} is expected" + (f", for example in {show(expected)}" if show(expected) else "")
+        sort = f"{called(expected.dimension)} is expected" + (
+            f", for example in {show(expected)}" if show(expected) else ""
+        )
         fit, why = "wrong dimension", f"{sort}; {shown} is {called(size.dimension)}"
     return Reading(text, number.value, number.figures, number.least, unit, (ratio, size.pi), fit, why, shown)
 
@@ -203,7 +251,11 @@ def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Read
     if angle.unit is None or angle.unit.text not in ("deg", "rad", "mrad"):
         return refused("the angle needs its unit", None, "write for example 5 m/s at 30 deg")
     ratio, pi = angle.si
-    right = {0: (1, 0), Fraction(1, 2): (0, 1), 1: (-1, 0), Fraction(3, 2): (0, -1)}.get(ratio % 2) if pi else None
+    right = (
+        {0: (1, 0), Fraction(1, 2): (0, 1), 1: (-1, 0), Fraction(3, 2): (0, -1)}.get(ratio % 2)
+        if pi
+        else None
+    )
     turn = float(ratio % 2) * math.pi if pi else float(ratio)
     shares = right or (math.cos(turn), math.sin(turn))
     figures = max(3, min(length.figures, angle.figures))

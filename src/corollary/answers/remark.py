@@ -8,15 +8,28 @@ from dataclasses import dataclass
 from corollary.units.unit import Unit, unit
 
 LONGEST = 200
-DIRECTED = frozenset(unit(text).dimension for text in ("m/s", "m/s^2", "kg*m/s", "N"))  # a mass or an energy turns with no axis
+DIRECTED = frozenset(
+    unit(text).dimension for text in ("m/s", "m/s^2", "kg*m/s", "N")
+)  # a mass or an energy turns with no axis
 REMARK = re.compile(
     r"[\s,;]\s*\(?(?:with |where |taking )?(?P<axis>[xyz+]|positive)(?:[ -](?:axis|direction|component))?"
     r"(?: is| points?| pointing| taken)?(?: to)?(?: the)? (?P<way>left|right|up|down|upwards?|downwards?|reversed"
     r"|other way|opposite way|opposite)\)?\.?\s*$",
     re.IGNORECASE,
 )
-USUAL = frozenset({"right", "up", "upward", "upwards"})  # x to the right and y up, as in every figure of the chapter
-LETTER = {"left": "x", "right": "x", "up": "y", "upward": "y", "upwards": "y", "down": "y", "downward": "y", "downwards": "y"}
+USUAL = frozenset(
+    {"right", "up", "upward", "upwards"}
+)  # x to the right and y up, as in every figure of the chapter
+LETTER = {
+    "left": "x",
+    "right": "x",
+    "up": "y",
+    "upward": "y",
+    "upwards": "y",
+    "down": "y",
+    "downward": "y",
+    "downwards": "y",
+}
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,9 @@ from corollary.units.unit import canonical, si_unit
 @final
 class ValueType(AnswerType):
     def read(self, given: Value, part: Part, problem: Problem) -> Answer:
-        return in_own_axes(given, part, lambda own: with_heading(own, part, lambda plain: scalar(plain, part.unit, problem)))
+        return in_own_axes(
+            given, part, lambda own: with_heading(own, part, lambda plain: scalar(plain, part.unit, problem))
+        )
 
     def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
         assert not isinstance(truth, str)

@@ -93,4 +93,6 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
     ):
         console.print(f"{what:26} {where}", soft_wrap=True, highlight=False)
     console.print(f"isolation: {', '.join(shown.outcome.report.isolation)}", highlight=False, soft_wrap=True)
-    console.print(f"done in {seconds:.0f} s; try: cd {folder} && nbgrader formgrader", highlight=False, soft_wrap=True)
+    console.print(
+        f"done in {seconds:.0f} s; try: cd {folder} && nbgrader formgrader", highlight=False, soft_wrap=True
+    )

@@ -38,7 +38,12 @@ def expected() -> tuple[type[BaseException], ...]:
     }
     return (
         Refusal,
-        *(getattr(sys.modules[module], name) for module, kinds in names.items() if module in sys.modules for name in kinds),
+        *(
+            getattr(sys.modules[module], name)
+            for module, kinds in names.items()
+            if module in sys.modules
+            for name in kinds
+        ),
     )
 
 

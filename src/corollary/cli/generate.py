@@ -24,7 +24,9 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
     with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as tell:
-        made = generate(course, problem_set, students, solutions, tell, Path(name) if name.endswith(".md") else None)
+        made = generate(
+            course, problem_set, students, solutions, tell, Path(name) if name.endswith(".md") else None
+        )
     if json:
         answer({
             "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.passed_over,
@@ -32,7 +34,9 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
         })  # fmt: skip
         return HOLDS
     count = len(made.sheets)
-    print(f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/")
+    print(
+        f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/"
+    )
     print(f"Each student has numbers of their own; {sum(made.passed_over.values())} draws were passed over.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"

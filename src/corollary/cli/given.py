@@ -34,7 +34,11 @@ def from_case(problem: Problem, given: Mapping[str, Any]) -> Variant:
     for name, value in given.items():
         if isinstance(value, bool) or not isinstance(value, (int, Fraction, str)):
             raise OutOfRange(f"{name}: {json.dumps(value, default=str)} is no number")
-        values[name] = _value(problem, name, value) if isinstance(value, str) else _in_own_unit(problem, name, Fraction(value))
+        values[name] = (
+            _value(problem, name, value)
+            if isinstance(value, str)
+            else _in_own_unit(problem, name, Fraction(value))
+        )
     return chosen(problem, values)
 
 

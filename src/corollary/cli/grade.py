@@ -38,7 +38,9 @@ def run(
             regrade=regrade, dry_run=dry_run, show=show_changes, tell=tell, jobs=jobs, execute=on_cluster(executor) if executor else None,
         )  # fmt: skip
     for stranger in done.strangers:
-        say(f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)")
+        say(
+            f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)"
+        )
     for student, names in done.unclear.items():
         said = f"{student} handed in {len(names)} notebooks, none of them called {problem_set.name}.ipynb ({', '.join(names)})"
         say(f"{said}; rename the one that counts")
@@ -92,6 +94,10 @@ def show(done: Outcome) -> None:
 
     console = Console()
     console.print(terminal(done.report))
-    console.print(f"graded {len(done.graded)}, unchanged {len(done.skipped)}; report: {done.page}", soft_wrap=True)
+    console.print(
+        f"graded {len(done.graded)}, unchanged {len(done.skipped)}; report: {done.page}", soft_wrap=True
+    )
     if not done.in_gradebook:
-        say("nbgrader is not installed: the marks are in the report and the feedback pages, and not in a gradebook.db")
+        say(
+            "nbgrader is not installed: the marks are in the report and the feedback pages, and not in a gradebook.db"
+        )

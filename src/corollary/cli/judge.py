@@ -34,8 +34,12 @@ def run(code: str, bank: Path | None, cases: Path, reveal: bool, json: bool) -> 
 
 
 def _case(solutions: Solutions, problem: Problem, case: Any, reveal: bool) -> dict[str, Any]:
-    if not isinstance(case, dict) or not isinstance(case.get("answers"), dict) or not isinstance(case.get("given", {}), dict):
-        return {"error": "a case is an object {\"given\": {…}, \"answers\": {…}}"}
+    if (
+        not isinstance(case, dict)
+        or not isinstance(case.get("answers"), dict)
+        or not isinstance(case.get("given", {}), dict)
+    ):
+        return {"error": 'a case is an object {"given": {…}, "answers": {…}}'}
     ids = [part.id for part in problem.parts]
     if strange := [name for name in case["answers"] if name not in ids]:
         return {"error": f"{problem.code} has no part {', '.join(strange)}; its parts are {', '.join(ids)}"}

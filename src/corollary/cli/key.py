@@ -28,7 +28,8 @@ def run(code: str, bank: Path | None, sets: list[str], cases: Path | None, json:
         answer(record)
         return HOLDS
     given = ", ".join(
-        f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}" for name, value in record["given"].items()
+        f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
+        for name, value in record["given"].items()
     )
     print(f"{problem.code}  {problem.title}\n  given (SI): {given}")
     for part, entry in record["parts"].items():
@@ -56,4 +57,6 @@ def _line(entry: dict[str, Any]) -> str:
         return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"
     if "choice" in entry:
         return f"option ({entry['choice']})"
-    return "; ".join(f"{name}: {'; '.join(value) if isinstance(value, list) else value}" for name, value in entry.items())
+    return "; ".join(
+        f"{name}: {'; '.join(value) if isinstance(value, list) else value}" for name, value in entry.items()
+    )

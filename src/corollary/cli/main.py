@@ -20,16 +20,32 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )  # fmt: skip
 
-Bank = Annotated[Path | None, typer.Option(help="A folder with problems/ and solutions/; the chapter's bank when left out.")]
-DealtBank = Annotated[Path | None, typer.Option("--bank", help="A folder with problems/ and solutions/; the bank the set was dealt from when left out.")]
+Bank = Annotated[
+    Path | None,
+    typer.Option(help="A folder with problems/ and solutions/; the chapter's bank when left out."),
+]
+DealtBank = Annotated[
+    Path | None,
+    typer.Option(
+        "--bank",
+        help="A folder with problems/ and solutions/; the bank the set was dealt from when left out.",
+    ),
+]
 Json = Annotated[bool, typer.Option("--json", help="One JSON document on standard output.")]
-Code = Annotated[str, typer.Argument(help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")]
-Sets = Annotated[list[str] | None, typer.Option("--set", help='A given: m=0.43 (SI) or v="72 km/h"; may be repeated.')]
+Code = Annotated[
+    str, typer.Argument(help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")
+]
+Sets = Annotated[
+    list[str] | None, typer.Option("--set", help='A given: m=0.43 (SI) or v="72 km/h"; may be repeated.')
+]
 Settings = Annotated[
-    list[str] | None, typer.Option("--set", help="A setting in SI: q=1.5, or masses=0.1,0.2,0.1; may be repeated.")
+    list[str] | None,
+    typer.Option("--set", help="A setting in SI: q=1.5, or masses=0.1,0.2,0.1; may be repeated."),
 ]
 Course = Annotated[Path, typer.Option(help="The course folder.")]
-SetName = Annotated[str, typer.Argument(metavar="SET", help="A problem set of the bank, or a path to its .md file.")]
+SetName = Annotated[
+    str, typer.Argument(metavar="SET", help="A problem set of the bank, or a path to its .md file.")
+]
 
 
 @app.command("list")
@@ -90,7 +106,9 @@ def read(
     cases: Annotated[Path | None, typer.Option(help="A JSON list of {\"text\": …, \"field\": …}.")] = None, json: Json = False,
 ) -> None:  # fmt: skip
     """How an answer is read, and what would be decided."""
-    _run("read", text=text, unit=unit, equals=equals, names=names, domain=domain or [], cases=cases, json=json)
+    _run(
+        "read", text=text, unit=unit, equals=equals, names=names, domain=domain or [], cases=cases, json=json
+    )
 
 
 @app.command()
@@ -166,7 +184,8 @@ def report(
 
 @app.command()
 def demo(
-    folder: Annotated[Path, typer.Argument(help="A fresh folder for the course.")] = Path("demo"), json: Json = False
+    folder: Annotated[Path, typer.Argument(help="A fresh folder for the course.")] = Path("demo"),
+    json: Json = False,
 ) -> None:
     """The whole way, end to end, in a fresh folder."""
     _run("demo", folder=folder, json=json)
@@ -174,7 +193,9 @@ def demo(
 
 @app.callback(invoke_without_command=True)
 def version(
-    version: Annotated[bool, typer.Option("--version", help="Show the version and leave.", is_eager=True)] = False,
+    version: Annotated[
+        bool, typer.Option("--version", help="Show the version and leave.", is_eager=True)
+    ] = False,
 ) -> None:
     if version:
         print(__version__)

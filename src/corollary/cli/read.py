@@ -11,7 +11,13 @@ from corollary.cli.given import read_cases
 
 
 def run(
-    text: str | None, unit: str | None, equals: str | None, names: str | None, domain: list[str], cases: Path | None, json: bool
+    text: str | None,
+    unit: str | None,
+    equals: str | None,
+    names: str | None,
+    domain: list[str],
+    cases: Path | None,
+    json: bool,
 ) -> int:
     if (text is None) == (cases is None):
         refuse("give an answer to read, or --cases FILE with a list of them")

@@ -28,7 +28,9 @@ def run(name: str, sets: list[str], tolerance: float, json: bool) -> int:
     for observed, value in found.observed.items():
         values = value if isinstance(value, tuple) else (value,)
         print(f"  {observed:18} {', '.join(f'{each:.12g}' for each in values)}")
-    print(f"  error {found.error:.1e} (of the natural scale), {found.evaluations} evaluations, {found.seconds * 1e3:.1f} ms")
+    print(
+        f"  error {found.error:.1e} (of the natural scale), {found.evaluations} evaluations, {found.seconds * 1e3:.1f} ms"
+    )
     return HOLDS
 
 

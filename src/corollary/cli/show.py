@@ -44,7 +44,9 @@ def run(
     return HOLDS
 
 
-def _variant(place: Bank, problem: Problem, student: str | None, course: Path | None, variant: int | None) -> Variant:
+def _variant(
+    place: Bank, problem: Problem, student: str | None, course: Path | None, variant: int | None
+) -> Variant:
     if variant is not None:
         return at(problem, variant)
     if student is None:

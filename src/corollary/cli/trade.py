@@ -29,9 +29,14 @@ def run(scenes: list[str], output: Path | None, json: bool, quick: bool) -> int:
     begin = time.perf_counter()
     todo = _chosen(scenes)
     raced = [race(case, quick) for case in steps(todo, lambda case: case.name, "racing")]
-    from corollary.verify.arithmetic import measured  # after the races: it brings the bank's formulas and their solver
+    from corollary.verify.arithmetic import (
+        measured,
+    )  # after the races: it brings the bank's formulas and their solver
 
-    found: dict[str, Any] = {"scenes": [record(each) for each in raced], "closed_forms": [] if scenes else measured(quick)}
+    found: dict[str, Any] = {
+        "scenes": [record(each) for each in raced],
+        "closed_forms": [] if scenes else measured(quick),
+    }
     found["seconds"] = round(time.perf_counter() - begin, 2)
     folder = output or (None if json else Path("trade"))
     if folder is not None:
@@ -62,7 +67,9 @@ def table(raced: Sequence[WorkPrecision], found: dict[str, Any]) -> str:
         row = [each.case.name]
         for wanted in WANTED:
             ways = sorted(reaching(each, wanted).values(), key=lambda lap: lap.seconds)
-            row.append(f"{ways[0].method}: {ways[0].evaluations}; {1e3 * ways[0].seconds:.2f} ms" if ways else "none")
+            row.append(
+                f"{ways[0].method}: {ways[0].evaluations}; {1e3 * ways[0].seconds:.2f} ms" if ways else "none"
+            )
         best.append([*row, each.planned])
     text = [
         "The cheapest method for a wanted accuracy (evaluations; processor time), and what the planner takes",
@@ -70,10 +77,16 @@ def table(raced: Sequence[WorkPrecision], found: dict[str, Any]) -> str:
         *_rows(best),
         "",
     ]
-    text += ["Observed orders, with two standard errors; the step, in contact times, beyond which Euler-Cromer is off by 1 %", ""]
+    text += [
+        "Observed orders, with two standard errors; the step, in contact times, beyond which Euler-Cromer is off by 1 %",
+        "",
+    ]
     text += [*_rows(_slopes(raced)), ""]
     if found["closed_forms"]:
-        text += ["Closed forms of the bank (of four problems when quick), many variants of each: speed against error", ""]
+        text += [
+            "Closed forms of the bank (of four problems when quick), many variants of each: speed against error",
+            "",
+        ]
         text += [*_rows(_closed(found["closed_forms"])), ""]
     return "\n".join([*text, *_left_out(raced)])
 
@@ -93,15 +106,23 @@ def _slopes(raced: Sequence[WorkPrecision]) -> list[list[str]]:
     rows = [["scene", *fixed, "regularised", "lies beyond"]]
     for each in raced:
         measured, honest = orders(each), lies_beyond(each)
-        shown = {name: f"{order.value:.2f} ± {order.high - order.value:.2f}" for name, order in measured.items()}
-        own = [f"{name.removeprefix('regularised_')} {shown[name]}" for name in shown if name.startswith("regularised")]
+        shown = {
+            name: f"{order.value:.2f} ± {order.high - order.value:.2f}" for name, order in measured.items()
+        }
+        own = [
+            f"{name.removeprefix('regularised_')} {shown[name]}"
+            for name in shown
+            if name.startswith("regularised")
+        ]
         last = "always" if honest is None else f"{honest:.3f}"
         rows.append([each.case.name, *(shown.get(name, "") for name in fixed), ", ".join(own), last])
     return rows
 
 
 def _closed(found: Sequence[dict[str, Any]]) -> list[list[str]]:
-    rows = [["arithmetic", "formulas", "values a second", "median error, ulp", "worst error, ulp", "worst is"]]
+    rows = [
+        ["arithmetic", "formulas", "values a second", "median error, ulp", "worst error, ulp", "worst is"]
+    ]
     for each in found:
         numbers = (f"{each[name]:.3g}" for name in ("values_per_second", "median_ulp", "worst_ulp"))
         rows.append([each["arithmetic"], str(each["formulas"]), *numbers, each["worst"]])
@@ -110,7 +131,10 @@ def _closed(found: Sequence[dict[str, Any]]) -> list[list[str]]:
 
 def _rows(rows: Sequence[Sequence[str]]) -> list[str]:
     wide = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = ["| " + " | ".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)) + " |" for row in rows]
+    lines = [
+        "| " + " | ".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)) + " |"
+        for row in rows
+    ]
     return [lines[0], "|" + "|".join("-" * (width + 2) for width in wide) + "|", *lines[1:]]
 
 
@@ -129,10 +153,19 @@ def _write(folder: Path, raced: Sequence[WorkPrecision], found: dict[str, Any], 
                 # Beyond a hundred per cent a curve says nothing; below 1e-17 there are no doubles left.
                 laps = [lap for lap in each.laps if lap.method == method and lap.error <= 1.0]
                 curves.append(
-                    Curve(method, tuple(COSTS[what][1](lap) for lap in laps), tuple(max(lap.error, 1e-17) for lap in laps))
+                    Curve(
+                        method,
+                        tuple(COSTS[what][1](lap) for lap in laps),
+                        tuple(max(lap.error, 1e-17) for lap in laps),
+                    )
                 )
             alt = f"{each.case.name}: error of the {each.case.observable} against {what}, for {', '.join(methods)}"
             drawn = lines(
-                curves, x_label=COSTS[what][0], y_label=f"error, {each.case.observable}", alt=alt, log_x=True, log_y=True
+                curves,
+                x_label=COSTS[what][0],
+                y_label=f"error, {each.case.observable}",
+                alt=alt,
+                log_x=True,
+                log_y=True,
             )
             (folder / f"{name}_{what}.svg").write_text(drawn.replace("<svg ", NAMESPACE, 1), encoding="utf-8")

@@ -73,9 +73,16 @@ def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
     for heading in ("code", "variants", "redrawn", "laws", "mistakes", "scenes", "programs", "complaints"):
         table.add_column(heading, justify="left" if heading == "code" else "right", no_wrap=True)
     for each in found:
-        done = (str(each.checks.get(what, 0)) for what in ("laws put back", "mistakes", "simulations met", "programs run"))
+        done = (
+            str(each.checks.get(what, 0))
+            for what in ("laws put back", "mistakes", "simulations met", "programs run")
+        )
         table.add_row(
-            each.code, written(each.variants, each.exact_count), f"{each.redrawn:.0%}", *done, str(len(each.complaints) or "none")
+            each.code,
+            written(each.variants, each.exact_count),
+            f"{each.redrawn:.0%}",
+            *done,
+            str(len(each.complaints) or "none"),
         )
     console = Console()
     console.print(table)

@@ -25,7 +25,9 @@ def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes:
             pushed.append(push(solve(place, problem)))
         except NotDerivable as error:
             broken.append(str(error))
-    met = [play(extreme) for extreme in steps(extremes(), lambda each: each.what, "playing")] if scenes else []
+    met = (
+        [play(extreme) for extreme in steps(extremes(), lambda each: each.what, "playing")] if scenes else []
+    )
     ok = not broken and all(each.ok for each in (*pushed, *met))
     seconds = time.perf_counter() - start
     if json:
@@ -58,7 +60,16 @@ def _tables(pushed: list[Pushed], met: list[Met], broken: list[str], seconds: fl
     table = Table(
         title="Closed forms, one given at a time at 1e±12 and 1e±150 of itself, an angle within 1e-12 of 0 and 90 degrees"
     )
-    for heading in ("code", "certified", "unproven", "refused", "lost", "cancelled", "worst replay, ulp", "where"):
+    for heading in (
+        "code",
+        "certified",
+        "unproven",
+        "refused",
+        "lost",
+        "cancelled",
+        "worst replay, ulp",
+        "where",
+    ):
         table.add_column(heading, justify="left" if heading in {"code", "where"} else "right")
     for each in pushed:
         counts = (each.proven, each.unproven, sum(each.refused.values()), each.lost, each.cancelled)
@@ -69,9 +80,20 @@ def _tables(pushed: list[Pushed], met: list[Met], broken: list[str], seconds: fl
         for heading in ("scene", "what", "outcome", "off", "stated", "ms"):
             table.add_column(heading, justify="left" if heading in {"scene", "what", "outcome"} else "right")
         for one in met:
-            table.add_row(one.scene, one.what, one.outcome, f"{one.off:.1e}", f"{one.stated:.1e}", f"{1e3 * one.seconds:.0f}")
+            table.add_row(
+                one.scene,
+                one.what,
+                one.outcome,
+                f"{one.off:.1e}",
+                f"{one.stated:.1e}",
+                f"{1e3 * one.seconds:.0f}",
+            )
         console.print(table)
-    bad = [f"{one.what} ({one.scene}): off by {one.off:.1e}, stated {one.stated:.1e}" for one in met if not one.ok]
+    bad = [
+        f"{one.what} ({one.scene}): off by {one.off:.1e}, stated {one.stated:.1e}"
+        for one in met
+        if not one.ok
+    ]
     bad += [f"{each.code}: {each.unproven} values could not be certified" for each in pushed if not each.ok]
     for sentence in (*broken, *bad):
         print(sentence, file=sys.stderr)

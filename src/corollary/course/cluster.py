@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 
 SECONDS_TO_CONNECT = 15
 
-_at_work: dict[str, tuple[GradingContext, Runner]] = {}  # of a worker process: what it marks with, under the token of the grading
+_at_work: dict[
+    str, tuple[GradingContext, Runner]
+] = {}  # of a worker process: what it marks with, under the token of the grading
 _one_at_a_time = Lock()  # a worker may have several threads; the judge's arithmetic is for one
 
 
@@ -45,7 +47,9 @@ def on_cluster(address: str) -> Execute:
     """
 
     @contextmanager
-    def execute(order: GradingContext, submissions: Iterable[Submission]) -> Iterator[Iterator[GradedSubmission]]:
+    def execute(
+        order: GradingContext, submissions: Iterable[Submission]
+    ) -> Iterator[Iterator[GradedSubmission]]:
         client = _connect(address)
         try:
             sent = Sent(order, os.urandom(8).hex(), state_of(order))
@@ -72,7 +76,9 @@ def mark_there(sent: Sent, handed: Submission) -> GradedSubmission:
         if sent.token not in _at_work:
             _leave()
             if state_of(sent.order) != sent.state:
-                raise NoCluster("a worker has another version of the program or of the solutions; put the same ones everywhere")
+                raise NoCluster(
+                    "a worker has another version of the program or of the solutions; put the same ones everywhere"
+                )
             _at_work[sent.token] = sent.order, sent.order.runner()
         order, runner = _at_work[sent.token]
         return mark_one(order, runner, handed)
@@ -98,10 +104,14 @@ def _connect(address: str) -> Client:
     try:
         client = Client(address, timeout=SECONDS_TO_CONNECT)
     except (OSError, ValueError) as error:
-        raise NoCluster(f"no Dask scheduler answers at {address} ({error}); start one, or leave out --executor") from None
+        raise NoCluster(
+            f"no Dask scheduler answers at {address} ({error}); start one, or leave out --executor"
+        ) from None
     if not _processes(client):
         client.close()
-        raise NoCluster(f"the Dask cluster at {address} has no workers; start some with: dask worker {address} --nthreads 1")
+        raise NoCluster(
+            f"the Dask cluster at {address} has no workers; start some with: dask worker {address} --nthreads 1"
+        )
     return client
 
 
@@ -130,6 +140,8 @@ def _as_done(client: Client, sent: Sent, left: Iterator[Submission]) -> Iterator
             case _, KilledWorker():
                 yield set_aside(sent.order, handed, "the workers that marked it died, one after another")
             case _, None:
-                raise NoCluster("the cluster was lost on the way; grade again: what is marked stays, and the rest is done then")
+                raise NoCluster(
+                    "the cluster was lost on the way; grade again: what is marked stays, and the rest is done then"
+                )
             case _, error:
                 raise error

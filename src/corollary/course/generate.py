@@ -63,9 +63,14 @@ def generate(
     for student in roster:
         tell(f"notebook of {student.id}")
         path = course.notebook("release", student.id, problem_set.name)
-        write_atomically(path, file_text(notebook(worksheet(problem_set, student, variants_of(problem_set, dealt[student.id])))))
+        write_atomically(
+            path,
+            file_text(notebook(worksheet(problem_set, student, variants_of(problem_set, dealt[student.id])))),
+        )
         sheets[student.id] = path
-    return Generated(course, sheets, {student.id: dealt[student.id] for student in roster}, passed, registered)
+    return Generated(
+        course, sheets, {student.id: dealt[student.id] for student in roster}, passed, registered
+    )
 
 
 def variants_of(problem_set: ProblemSet, row: dict[str, int]) -> list[Variant]:

@@ -83,7 +83,13 @@ def grade_set(
         else:
             todo[student] = mark_of
     handed = (
-        Submission(roster[student], bytes_of(papers[student]), dealt[student], lateness(course, problem_set, student), mark_of)
+        Submission(
+            roster[student],
+            bytes_of(papers[student]),
+            dealt[student],
+            lateness(course, problem_set, student),
+            mark_of,
+        )
         for student, mark_of in todo.items()
     )
     if todo:
@@ -133,7 +139,9 @@ def _done(course: Course, problem_set: ProblemSet, student: str, fingerprint: st
 
 def _records(course: Course, problem_set: ProblemSet, of: Iterable[str]) -> dict[str, dict[str, Any]]:
     """What is kept of these students' marks, for those of whom anything is."""
-    return {student: kept for student in of if (kept := read_record(course, problem_set, student)) is not None}
+    return {
+        student: kept for student in of if (kept := read_record(course, problem_set, student)) is not None
+    }
 
 
 def _gradebook(course: Course) -> AbstractContextManager[Gradebook | None]:
@@ -141,7 +149,13 @@ def _gradebook(course: Course) -> AbstractContextManager[Gradebook | None]:
     return gradebook(course) if has_nbgrader() else nullcontext()
 
 
-def _write(course: Course, problem_set: ProblemSet, solutions: Solutions, one: GradedSubmission, book: Gradebook | None) -> None:
+def _write(
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    one: GradedSubmission,
+    book: Gradebook | None,
+) -> None:
     """One submission into the gradebook and the files; its record is written last, so that a run cut short does it again."""
     if book is not None:
         from corollary.nbgrader.record import record_one

@@ -74,22 +74,30 @@ def mark_one(order: GradingContext, runner: Runner, handed: Submission) -> Grade
         return set_aside(order, handed, f"{type(error).__name__}: {error}", opened)
 
 
-def set_aside(order: GradingContext, handed: Submission, why: str, opened: Notebook | None = None) -> GradedSubmission:
+def set_aside(
+    order: GradingContext, handed: Submission, why: str, opened: Notebook | None = None
+) -> GradedSubmission:
     """A submission that could not be marked through no fault of its student: every part waits for a person."""
     paper = worksheet(order.problem_set, handed.student, variants_of(order.problem_set, dict(handed.row)))
     marked = not_marked(paper, f"It could not be marked by the program ({why}).", handed.late)
     return _returned(order, handed, marked, opened, feedback_page(marked, order.problem_set))
 
 
-def _returned(order: GradingContext, handed: Submission, marked: Marked, opened: Notebook | None, page: str) -> GradedSubmission:
+def _returned(
+    order: GradingContext, handed: Submission, marked: Marked, opened: Notebook | None, page: str
+) -> GradedSubmission:
     """All that can be done side by side is done before the one who writes gets it."""
     text = ""
     if order.notebooks:
-        text = notebook_text(marked_notebook(marked, order.problem_set, opened.node if opened is not None else None))
+        text = notebook_text(
+            marked_notebook(marked, order.problem_set, opened.node if opened is not None else None)
+        )
     return GradedSubmission(replace(handed, content=b""), replace(marked, runs=(), figures=()), text, page)
 
 
 def page_of(order: GradingContext, marked: Marked, keys: Mapping[str, Key]) -> str:
     """The feedback page; with the worked solutions where the set reveals them."""
-    stories = {code: order.solutions.told(key) for code, key in keys.items()} if order.problem_set.reveal else None
+    stories = (
+        {code: order.solutions.told(key) for code, key in keys.items()} if order.problem_set.reveal else None
+    )
     return feedback_page(marked, order.problem_set, solutions=stories)

@@ -47,7 +47,9 @@ def side_by_side(jobs: int) -> Execute:
     """In so many processes, as they get done."""
 
     @contextmanager
-    def execute(order: GradingContext, submissions: Iterable[Submission]) -> Iterator[Iterator[GradedSubmission]]:
+    def execute(
+        order: GradingContext, submissions: Iterable[Submission]
+    ) -> Iterator[Iterator[GradedSubmission]]:
         left = iter(submissions)
         crew = _crew(order, jobs)
         try:
@@ -59,7 +61,9 @@ def side_by_side(jobs: int) -> Execute:
     return execute
 
 
-def _as_done(order: GradingContext, jobs: int, crew: ProcessPoolExecutor, doing: Doing, left: Iterator[Submission]) -> Iterator[GradedSubmission]:
+def _as_done(
+    order: GradingContext, jobs: int, crew: ProcessPoolExecutor, doing: Doing, left: Iterator[Submission]
+) -> Iterator[GradedSubmission]:
     lost: list[Submission] = []
     while doing:
         for future in wait(doing, return_when=FIRST_COMPLETED).done:

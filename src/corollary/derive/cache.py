@@ -46,7 +46,9 @@ def solution_of(bank: Bank, problem: Problem) -> Solution:
 
 
 def _solved(bank: Bank, problem: Problem) -> Solution:
-    from corollary.derive.solve import solve  # only here: the algebra takes longer to load than what is kept to read
+    from corollary.derive.solve import (
+        solve,
+    )  # only here: the algebra takes longer to load than what is kept to read
 
     return solve(bank, problem)
 
@@ -62,13 +64,19 @@ def _recalled(place: Path, origin: str, bank: Bank, problem: Problem) -> Solutio
             return None
         held = noun(json.loads(text))
         entries = held.pop("entries")
-        return Solution(problem=problem, **held, entries=unsolved(load(bank, problem).derivation) if entries is None else entries)
+        return Solution(
+            problem=problem,
+            **held,
+            entries=unsolved(load(bank, problem).derivation) if entries is None else entries,
+        )
     return None
 
 
 def _keep(place: Path, origin: str, solution: Solution) -> None:
     """Written aside and moved, so that whoever reads at the same time finds all of it or nothing new."""
-    held: dict[str, Any] = {each.name: getattr(solution, each.name) for each in fields(solution) if each.name != "problem"}
+    held: dict[str, Any] = {
+        each.name: getattr(solution, each.name) for each in fields(solution) if each.name != "problem"
+    }
     with suppress(OSError, NotPlain, ValueError, RecursionError):
         try:
             data = plain(held)
@@ -88,7 +96,9 @@ def _keep(place: Path, origin: str, solution: Solution) -> None:
 
 def _origin(bank: Bank, problem: Problem) -> str:
     """Tells apart whatever could be solved differently: the problem as read, its solution, our own programs, the algebra."""
-    return hashlib.sha256(b"\0".join((_programs(), repr(problem).encode(), source(bank, problem)))).hexdigest()
+    return hashlib.sha256(
+        b"\0".join((_programs(), repr(problem).encode(), source(bank, problem)))
+    ).hexdigest()
 
 
 @cache

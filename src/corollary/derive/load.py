@@ -51,7 +51,9 @@ def load(bank: Bank, problem: Problem) -> Loaded:
     """The derivation of a problem. Raises NotDerivable when the file is missing, fails, or asks for givens that are not there."""
     path = bank.solution(problem)
     if not path.is_file():
-        raise NotDerivable(path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)")
+        raise NotDerivable(
+            path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
+        )
     module = _module(path)
     derive = getattr(module, "derive", None)
     if not inspect.isfunction(derive):
@@ -61,12 +63,16 @@ def load(bank: Bank, problem: Problem) -> Loaded:
     have = [given.symbol for given in problem.givens]
     if strange := [name for name in wanted if name not in have]:
         raise NotDerivable(
-            path, line, f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})"
+            path,
+            line,
+            f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})",
         )
     try:
         derivation = derive(**{name: symbol_of(problem, name) for name in wanted})
     except (Exception, SystemExit) as error:
-        raise NotDerivable(path, line_in(error, path) or line, f"derive fails: {type(error).__name__}: {error}") from error
+        raise NotDerivable(
+            path, line_in(error, path) or line, f"derive fails: {type(error).__name__}: {error}"
+        ) from error
     if not isinstance(derivation, Derivation):
         raise NotDerivable(path, line, "derive must return derivation(…)")
     scene = getattr(module, "scene", None)
@@ -98,11 +104,15 @@ def _module(path: Path):
     except SyntaxError as error:
         raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
     except (Exception, SystemExit) as error:
-        raise NotDerivable(path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}") from error
+        raise NotDerivable(
+            path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}"
+        ) from error
     return module
 
 
 def line_in(error: BaseException, path: Path) -> int:
     """The deepest line of the file that took part in an exception."""
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    lines = [
+        frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)
+    ]
     return lines[-1] or 0 if lines else 0

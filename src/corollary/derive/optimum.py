@@ -27,9 +27,12 @@ def best(
     try:
         slope = sympy.solve(sympy.diff(free, letter), letter)
     except NotImplementedError:
-        raise NoRoot(f"where the slope over {over} vanishes cannot be put in a formula; use simulated(…)") from None
+        raise NoRoot(
+            f"where the slope over {over} vanishes cannot be put in a formula; use simulated(…)"
+        ) from None
     winners: set[sympy.Expr] = set()
     for point in points:
+
         def height(place: sympy.Expr, point: Point = point) -> sympy.Expr:
             return at(put(free, {letter: place}), point)
 
@@ -37,9 +40,15 @@ def best(
         candidates = list(dict.fromkeys([*inside, low, high]))
         winners.add((max if largest else min)(candidates, key=height))
     if len(winners) != 1:
-        raise NoRoot(f"the extremum over {over} moves from {' to '.join(map(str, winners))} within the range of the givens")
+        raise NoRoot(
+            f"the extremum over {over} moves from {' to '.join(map(str, winners))} within the range of the givens"
+        )
     place = winners.pop()
-    where = "the slope vanishes there" if place in slope else "it is an end of the range, where the slope does not vanish"
+    where = (
+        "the slope vanishes there"
+        if place in slope
+        else "it is an end of the range, where the slope does not vanish"
+    )
     inside = ", ".join(f"${latex(tree(each))}$" for each in slope) or "none"
     size = "largest" if largest else "smallest"
     return place, (

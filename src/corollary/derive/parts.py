@@ -45,11 +45,18 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str
             yield "a simulated find must answer a part, whose unit it takes; add answers=", words(entry)
         elif id:
             yield from ((sentence, words(entry)) for sentence in _unfit(problem, entry, id))
-    given = Counter((answered(entry), words_of_kind(entry)) for entry in derivation.entries if not isinstance(entry, Printed | Neglected))
+    given = Counter(
+        (answered(entry), words_of_kind(entry))
+        for entry in derivation.entries
+        if not isinstance(entry, Printed | Neglected)
+    )
     for part in problem.parts:
         for word in {WORDS[kind] for kind in part.kinds}:
             if not given[part.id, word]:
-                yield f"answers no part {part.id}; each part of {problem.path.name} needs an entry, here {word}(…)", ""
+                yield (
+                    f"answers no part {part.id}; each part of {problem.path.name} needs an entry, here {word}(…)",
+                    "",
+                )
             if given[part.id, word] > 1:
                 yield f"answers part {part.id} more than once; keep one {word}(…)", ""
     yield from _misprinted(problem, derivation)
@@ -62,7 +69,9 @@ def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
         yield f"part {id} is .{part.kind}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
         yield f"part {id} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
-    elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (len(part.components) or 1):
+    elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (
+        len(part.components) or 1
+    ):
         asked = f"components {', '.join(part.components)}" if part.components else "one number"
         yield f"part {id} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
 
@@ -79,7 +88,11 @@ def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str,
 
 def unsolved(derivation: Derivation) -> tuple[Entry, ...]:
     """The entries that are used as they stand: code, plot, explain, printed."""
-    return tuple(entry for entry in derivation.entries if not isinstance(entry, Found | Choice | Example | Proof | Neglected))
+    return tuple(
+        entry
+        for entry in derivation.entries
+        if not isinstance(entry, Found | Choice | Example | Proof | Neglected)
+    )
 
 
 def answered(entry: Entry) -> str:

@@ -40,15 +40,23 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
     try:
         found = stated_outright(laws, unknowns) or sympy.solve(live, list(unknowns), dict=True)
     except NotImplementedError:
-        raise NoRoot(f"these laws cannot be solved for {_list(unknowns)} in a formula; find one letter after the other") from None
+        raise NoRoot(
+            f"these laws cannot be solved for {_list(unknowns)} in a formula; find one letter after the other"
+        ) from None
     if not found:
         raise NoRoot(
             f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: no {_list(unknowns)} satisfies them all"
         )
     for root in found:
-        free = [unknown for unknown in unknowns if unknown not in root or root[unknown].free_symbols & set(unknowns)]
+        free = [
+            unknown
+            for unknown in unknowns
+            if unknown not in root or root[unknown].free_symbols & set(unknowns)
+        ]
         if free:
-            raise NoRoot(f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: {_list(free)} stays free")
+            raise NoRoot(
+                f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: {_list(free)} stays free"
+            )
     return found
 
 
@@ -63,7 +71,9 @@ def stated_outright(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol]) -> li
     return [root] if len(root) == len(unknowns) else []
 
 
-def pick(found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bool, rejected: Sequence[Rejected]) -> Picked:
+def pick(
+    found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bool, rejected: Sequence[Rejected]
+) -> Picked:
     """The one root that is real and fulfils `where` at every sample point. Raises NoRoot when none or several do."""
     left, refused = [], []
     for root in found:
@@ -83,13 +93,17 @@ def pick(found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bo
         if all(held):
             kept.append(root)
         elif any(held):
-            raise NoRoot(f"where={where} holds for {_equations(root)} at some values of the givens and fails at others")
+            raise NoRoot(
+                f"where={where} holds for {_equations(root)} at some values of the givens and fails at others"
+            )
         else:
             refused.append(f"{_shown(root)} contradicts ${_condition(where)}$")
     if not kept:
         raise NoRoot(f"no root is left: {'; '.join(refused)}")
     if len(kept) > 1:
-        raise NoRoot(f"{len(kept)} answers ({'; '.join(_equations(root) for root in kept)}): say which, with where= or reject=")
+        raise NoRoot(
+            f"{len(kept)} answers ({'; '.join(_equations(root) for root in kept)}): say which, with where= or reject="
+        )
     return Picked(kept[0], tuple(refused))
 
 
@@ -102,7 +116,9 @@ def simplest(expr: sympy.Expr) -> sympy.Expr:
 
 
 def _is(root: Root, other: Root) -> bool:
-    return all(symbol in root and sympy.simplify(root[symbol] - value) == 0 for symbol, value in other.items())
+    return all(
+        symbol in root and sympy.simplify(root[symbol] - value) == 0 for symbol, value in other.items()
+    )
 
 
 def _real(root: Root, point: Point) -> bool:
@@ -110,7 +126,9 @@ def _real(root: Root, point: Point) -> bool:
         if value.is_real:
             continue
         number = at(value, point)
-        if number.is_finite is False or not _settled(abs(sympy.im(number)) < 1e-20, f"whether {value} is real"):
+        if number.is_finite is False or not _settled(
+            abs(sympy.im(number)) < 1e-20, f"whether {value} is real"
+        ):
             return False
     return True
 
@@ -130,7 +148,9 @@ def _settled(held: sympy.Basic | bool, what: str) -> bool:
 
 def _shown(root: Root) -> str:
     """A root as a formula of the worked solution."""
-    return ", ".join(f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items())
+    return ", ".join(
+        f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items()
+    )
 
 
 def _condition(where: sympy.Basic | bool) -> str:

@@ -18,7 +18,11 @@ def shown(stated: Law) -> LawShown:
     here = []
     for index in range(stated.components):
         meaning = {letter: tree(value) for letter, value in component(stated, index).items()}
-        here.append(Relation("=", substitute(stated.textbook.left, meaning), substitute(stated.textbook.right, meaning)))
+        here.append(
+            Relation(
+                "=", substitute(stated.textbook.left, meaning), substitute(stated.textbook.right, meaning)
+            )
+        )
     return LawShown(stated.name, stated.source, stated.holds, stated.textbook, stated.vectors, tuple(here))
 
 

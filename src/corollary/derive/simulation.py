@@ -24,7 +24,9 @@ class Simulation:
     neglected: float
 
 
-def simulate(scene: str, settings: Mapping[str, object], *, neglected: float = 0.0, **expect: Seen) -> Simulation:
+def simulate(
+    scene: str, settings: Mapping[str, object], *, neglected: float = 0.0, **expect: Seen
+) -> Simulation:
     """In a solution's scene function: run this, and find these values."""
     return Simulation(scene, settings, expect, neglected)
 
@@ -40,11 +42,17 @@ def simulations(
     if loaded.scene is None:
         return []
     try:
-        bounds = {"neglected": neglected or {}} if "neglected" in inspect.signature(loaded.scene).parameters else {}
+        bounds = (
+            {"neglected": neglected or {}}
+            if "neglected" in inspect.signature(loaded.scene).parameters
+            else {}
+        )
         wanted = list(loaded.scene(**variant.si, answer=answers, **bounds))
     except Exception as error:
         line = line_in(error, loaded.path) or loaded.scene.__code__.co_firstlineno
         raise NotDerivable(loaded.path, line, f"scene fails: {type(error).__name__}: {error}") from error
     if not all(isinstance(each, Simulation) for each in wanted):
-        raise NotDerivable(loaded.path, loaded.scene.__code__.co_firstlineno, "scene must return a list of simulate(…)")
+        raise NotDerivable(
+            loaded.path, loaded.scene.__code__.co_firstlineno, "scene must return a list of simulate(…)"
+        )
     return wanted

@@ -89,7 +89,9 @@ class _Solver:
         self.problem, self.loaded = problem, loaded
         self.givens = [symbol_of(problem, given.symbol) for given in problem.givens]
         self.closed: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in self.givens}
-        self.dimensions: dict[str, Dimension] = {given.symbol: given.unit.dimension for given in problem.givens}
+        self.dimensions: dict[str, Dimension] = {
+            given.symbol: given.unit.dimension for given in problem.givens
+        }
         variants = [chapter(problem), *sample(problem, POINTS - 1, salt="roots")]
         self.points = [point(variant.exact, self.givens) for variant in variants]
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}
@@ -118,10 +120,18 @@ class _Solver:
                         assert_never(entry)
             except ValueError as error:  # NoRoot and NoTree among them
                 part = answered(entry)
-                about = ", ".join(map(str, entry.finds)) if not part and isinstance(entry, Found) else f"part {part}"
+                about = (
+                    ", ".join(map(str, entry.finds))
+                    if not part and isinstance(entry, Found)
+                    else f"part {part}"
+                )
                 raise self.failing(f"{about}: {error}", words(entry)) from error
-        left = tuple(map(self.left_out, later))  # after all finds, so that none can lean on what is only supposed
-        return Solution(self.problem, tuple(finds), choices, examples, proofs, unsolved(self.loaded.derivation), left)
+        left = tuple(
+            map(self.left_out, later)
+        )  # after all finds, so that none can lean on what is only supposed
+        return Solution(
+            self.problem, tuple(finds), choices, examples, proofs, unsolved(self.loaded.derivation), left
+        )
 
     def left_out(self, entry: Neglected) -> LeftOut:
         try:
@@ -133,7 +143,9 @@ class _Solver:
                     each.suppose(supposition.symbol, value.ratio)
             return LeftOut(entry.what, self.find(entry.bound), values, entry.asked)
         except ValueError as error:
-            raise self.failing(f"what part {entry.bound.answers} neglects: {error}", entry.bound.because) from error
+            raise self.failing(
+                f"what part {entry.bound.answers} neglects: {error}", entry.bound.because
+            ) from error
 
     def failing(self, sentence: str, about: str = "") -> NotDerivable:
         return NotDerivable(self.loaded.path, self.line(about), sentence)
@@ -160,7 +172,9 @@ class _Solver:
         picked = pick(self.roots(entry, entry.laws), self.numbers(), entry.where, entry.rejected)
         local = self.formulas(entry.finds, picked.root)
         routes = [
-            self.formulas(entry.finds, pick(self.roots(entry, way.laws), self.numbers(), entry.where, ()).root)
+            self.formulas(
+                entry.finds, pick(self.roots(entry, way.laws), self.numbers(), entry.where, ()).root
+            )
             for way in entry.routes
         ]
         wrong = []
@@ -204,7 +218,9 @@ class _Solver:
             dimensions=(part.unit.dimension,) * len(entry.finds), scale=None, check=entry.check, note="",
         )  # fmt: skip
 
-    def wrong(self, entry: Step | Optimum | Simulated, slip: Mistake, laws: tuple[Law, ...], where: Boolean | bool) -> WrongRule:
+    def wrong(
+        self, entry: Step | Optimum | Simulated, slip: Mistake, laws: tuple[Law, ...], where: Boolean | bool
+    ) -> WrongRule:
         """What the find becomes by a mistake; `where` chooses only among several roots, for a mistake need not respect it."""
         found = self.roots(entry, laws)
         root = found[0] if len(found) == 1 else pick(found, self.numbers(), where, ()).root
@@ -213,7 +229,9 @@ class _Solver:
     def choice(self, entry: Choice) -> ChoiceTruth:
         letters = {option.letter for option in self.problem.part(entry.part).options}
         if letters != entry.options.keys():
-            raise NoRoot(f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition")
+            raise NoRoot(
+                f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition"
+            )
         options = {}
         for letter, condition in entry.options.items():
             held = put(sympy.sympify(condition), self.closed)
@@ -222,13 +240,19 @@ class _Solver:
 
     def example(self, entry: Example) -> ExampleTruth:
         """Counts how many unknowns the laws leave free, for an example must leave room for the student's own."""
-        equations = [sympy.simplify(put(left - right, self.closed)) for stated in entry.laws for left, right in sides(stated)]
+        equations = [
+            sympy.simplify(put(left - right, self.closed))
+            for stated in entry.laws
+            for left, right in sides(stated)
+        ]
         independent = sympy.Matrix(equations).jacobian(list(entry.finds)).rank()
         if len(entry.finds) - independent != entry.free:
             raise NoRoot(
                 f"{len(equations)} laws for {len(entry.finds)} unknowns leave {len(entry.finds) - independent} free, not {entry.free}"
             )
-        apart = tuple((tuple(tree(put(value, self.closed)) for value in values), why) for values, why in entry.apart)
+        apart = tuple(
+            (tuple(tree(put(value, self.closed)) for value in values), why) for values, why in entry.apart
+        )
         names = tuple(symbol.name for symbol in entry.finds)
         return ExampleTruth(
             names,
@@ -246,11 +270,16 @@ class _Solver:
         for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
             fixed: dict[sympy.Symbol, Any] = dict.fromkeys(entry.finds[: entry.free], share * scale)
             others = list(entry.finds[entry.free :])
-            for root in sympy.solve([put(equation, fixed) for equation in equations], others, dict=True) if others else [{}]:
+            for root in (
+                sympy.solve([put(equation, fixed) for equation in equations], others, dict=True)
+                if others
+                else [{}]
+            ):
                 whole = fixed | root
-                if all(symbol in whole and not whole[symbol].free_symbols - set(self.closed) for symbol in entry.finds) and all(
-                    at(value, each).is_real for value in whole.values() for each in self.points
-                ):
+                if all(
+                    symbol in whole and not whole[symbol].free_symbols - set(self.closed)
+                    for symbol in entry.finds
+                ) and all(at(value, each).is_real for value in whole.values() for each in self.points):
                     return tuple(tree(simplest(whole[symbol])) for symbol in entry.finds)
         return None
 
@@ -285,16 +314,26 @@ class _Solver:
 
     def checked(self, entry: Step | Optimum, trees: tuple[Expr, ...]) -> tuple[Dimension, ...]:
         """The dimension of each component; raises ValueError when it is not what the part asks for."""
-        part = self.problem.part(entry.answers) if entry.answers in {part.id for part in self.problem.parts} else None
+        part = (
+            self.problem.part(entry.answers)
+            if entry.answers in {part.id for part in self.problem.parts}
+            else None
+        )
         found: list[Dimension | None] = []
         for formula in trees:
             dimension = dimension_of(formula, self.dimensions)
             if isinstance(dimension, ParseError):
                 raise ValueError(f"the dimensions do not fit: {dimension.why}")
             found.append(None if isinstance(formula, Number) and formula.value == 0 else dimension)
-        nought = part.unit.dimension if part else next((each for each in found if each is not None), Dimension())
-        result = tuple(nought if each is None else each for each in found)  # a component that is 0 measures what the others do
+        nought = (
+            part.unit.dimension if part else next((each for each in found if each is not None), Dimension())
+        )
+        result = tuple(
+            nought if each is None else each for each in found
+        )  # a component that is 0 measures what the others do
         for dimension in result:
             if part and dimension != part.unit.dimension:
-                raise ValueError(f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}")
+                raise ValueError(
+                    f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}"
+                )
         return result

@@ -38,7 +38,12 @@ def story(
     lines: list[str] = []
     for find, numbers in zip(solution.finds, values, strict=True):
         part = problem.part(find.answers) if find.answers else None
-        lines += [_heading(part) if part else f"**First find {_names(find)}.**", "", *_find(find, numbers, part, known), ""]
+        lines += [
+            _heading(part) if part else f"**First find {_names(find)}.**",
+            "",
+            *_find(find, numbers, part, known),
+            "",
+        ]
         for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
             known[name] = _quantity(value, si_unit(dimension), in_formula=True)
         for left, (most, share) in zip(solution.neglected, left_out, strict=True):
@@ -53,7 +58,9 @@ def _heading(part: Part) -> str:
     return f"### ({part.id}) {part.title}"
 
 
-def _find(find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]) -> list[str]:
+def _find(
+    find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+) -> list[str]:
     lines = [find.because, ""]
     for stated in find.laws:
         lines += [_law(stated), ""]
@@ -72,14 +79,29 @@ def _find(find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, kn
 def _left_out(left: LeftOut, most: float, share: float, part: Part, known: Mapping[str, str]) -> list[str]:
     """What the answer neglects, by which laws it is bounded, and how little of the answer that is."""
     find = left.bound
-    texts = {value.name: r"\,".join(_roman(word) for word in value.text.split(" ", 1)) for value in left.supposing}
-    supposed = "; ".join(f"${letter(value.name)} = {texts[value.name]}$: {value.why}" for value in left.supposing)
-    lines = [f"*Neglected:* {left.what}. {find.because}" + (f" (Supposed: {supposed}.)" if supposed else ""), ""]
+    texts = {
+        value.name: r"\,".join(_roman(word) for word in value.text.split(" ", 1)) for value in left.supposing
+    }
+    supposed = "; ".join(
+        f"${letter(value.name)} = {texts[value.name]}$: {value.why}" for value in left.supposing
+    )
+    lines = [
+        f"*Neglected:* {left.what}. {find.because}" + (f" (Supposed: {supposed}.)" if supposed else ""),
+        "",
+    ]
     for stated in find.laws:
         lines += [_law(stated), ""]
-    lines += _result(replace(find, closed=None), (most,), part, {**known, **{name: f"({text})" for name, text in texts.items()}})
+    lines += _result(
+        replace(find, closed=None),
+        (most,),
+        part,
+        {**known, **{name: f"({text})" for name, text in texts.items()}},
+    )
     size = f"{decimal_text(100 * share, 2)} % of the answer" if share else "nothing at all"
-    return [*lines, f"At most {size}{', left out since the question asks for it.' if left.asked else ': it may be neglected.'}"]
+    return [
+        *lines,
+        f"At most {size}{', left out since the question asks for it.' if left.asked else ': it may be neglected.'}",
+    ]
 
 
 def _roman(word: str) -> str:
@@ -100,7 +122,9 @@ def _law(stated: LawShown) -> str:
     return f"{stated.name}{where}{holds}:\n\n$${textbook}$$\n\nHere:\n\n$${shown}$$"
 
 
-def _result(find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]) -> list[str]:
+def _result(
+    find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+) -> list[str]:
     lines = []
     units = [part.unit if part else si_unit(dimension) for dimension in find.dimensions]
     for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
@@ -118,7 +142,10 @@ def _result(find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, 
             case Measured(scene, _, observe):
                 lines += [f"$${letter(name)} = {answer}$$", ""]
                 if name == find.names[-1]:
-                    lines += [f"Measured in the simulated scene *{scene}* ({observe}), by Newton's second law.", ""]
+                    lines += [
+                        f"Measured in the simulated scene *{scene}* ({observe}), by Newton's second law.",
+                        "",
+                    ]
     return lines
 
 

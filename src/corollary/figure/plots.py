@@ -61,7 +61,15 @@ def stacked_bars(labels: Sequence[str], layers: Sequence[Layer], *, x_label: str
         for layer in layers:
             if not any(layer.values):
                 continue
-            axes.barh(range(len(labels)), layer.values, 0.72, left, color=layer.colour, edgecolor="white", label=layer.name)
+            axes.barh(
+                range(len(labels)),
+                layer.values,
+                0.72,
+                left,
+                color=layer.colour,
+                edgecolor="white",
+                label=layer.name,
+            )
             number = {"ha": "center", "va": "center", "color": ink(layer.colour), "fontsize": 9}
             for at, value in enumerate(layer.values):
                 if value / total > 0.035:
@@ -74,16 +82,27 @@ def stacked_bars(labels: Sequence[str], layers: Sequence[Layer], *, x_label: str
         axes.grid(False, axis="y")
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         if any(any(layer.values) for layer in layers):
-            axes.figure.legend(loc="outside upper center", ncols=7, fontsize=9, handlelength=1.1, columnspacing=1.4)
+            axes.figure.legend(
+                loc="outside upper center", ncols=7, fontsize=9, handlelength=1.1, columnspacing=1.4
+            )
     return out[0]
 
 
-def histogram(values: Sequence[float], *, low: float, high: float, bins: int, x_label: str, y_label: str, alt: str) -> str:
+def histogram(
+    values: Sequence[float], *, low: float, high: float, bins: int, x_label: str, y_label: str, alt: str
+) -> str:
     """How many values fall in each of `bins` equal intervals from low to high; the last one holds its right end."""
     counts = interval_counts(values, low, high, bins)
     width = (high - low) / bins
     with _drawn(3.0, alt) as (axes, out):
-        axes.bar([low + at * width for at in range(bins)], counts, width=width, align="edge", color=BLUE, edgecolor="white")
+        axes.bar(
+            [low + at * width for at in range(bins)],
+            counts,
+            width=width,
+            align="edge",
+            color=BLUE,
+            edgecolor="white",
+        )
         axes.set_xlim(low, high)
         axes.set_xlabel(x_label)
         axes.set_ylabel(y_label)
@@ -102,13 +121,21 @@ def interval_counts(values: Sequence[float], low: float, high: float, bins: int)
     return counts
 
 
-def lines(curves: Sequence[Curve], *, x_label: str, y_label: str, alt: str, log_x: bool = False, log_y: bool = False) -> str:
+def lines(
+    curves: Sequence[Curve], *, x_label: str, y_label: str, alt: str, log_x: bool = False, log_y: bool = False
+) -> str:
     """Curves with a marker at every point, told apart by colour, marker and dash."""
     with _drawn(4.2, alt) as (axes, out):
         for at, curve in enumerate(curves):
             axes.plot(
-                curve.x, curve.y, color=CYCLE[at % len(CYCLE)], marker=MARKERS[at % len(MARKERS)], markersize=5,
-                linestyle=DASHES[at // len(CYCLE) % len(DASHES)], linewidth=1.6, label=_verbatim(curve.name),
+                curve.x,
+                curve.y,
+                color=CYCLE[at % len(CYCLE)],
+                marker=MARKERS[at % len(MARKERS)],
+                markersize=5,
+                linestyle=DASHES[at // len(CYCLE) % len(DASHES)],
+                linewidth=1.6,
+                label=_verbatim(curve.name),
             )
         axes.set_xscale("log" if log_x else "linear")
         axes.set_yscale("log" if log_y else "linear")
@@ -127,7 +154,9 @@ def _drawn(height: float, alt: str) -> Iterator[tuple[Axes, list[str]]]:
         figure = Figure(figsize=(WIDTH, height), layout="constrained")
         yield figure.add_subplot(), out
         text = StringIO()
-        figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+        figure.savefig(
+            text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None}
+        )
     out.append(safe_svg(text.getvalue(), label=alt))
 
 

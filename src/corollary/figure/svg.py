@@ -7,23 +7,38 @@ import re
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
 LONGEST, DEEPEST, MOST = 2_000_000, 50, 50_000
-TAGS = frozenset(re.findall(r"[\w-]+", """
+TAGS = frozenset(
+    re.findall(
+        r"[\w-]+",
+        """
     svg g defs symbol use title desc path rect circle ellipse line polyline polygon text tspan textPath marker
     clipPath mask pattern linearGradient radialGradient stop
-"""))
-ATTRIBUTES = frozenset(re.findall(r"[\w-]+", """
+""",
+    )
+)
+ATTRIBUTES = frozenset(
+    re.findall(
+        r"[\w-]+",
+        """
     id role aria-label aria-hidden viewBox preserveAspectRatio width height x y x1 y1 x2 y2 cx cy r rx ry fx
     fy d points transform style href offset dx dy rotate textLength lengthAdjust startOffset refX refY orient
     markerWidth markerHeight markerUnits clipPathUnits maskUnits patternUnits patternTransform gradientUnits
     gradientTransform spreadMethod version
-"""))
-LOOKS = frozenset(re.findall(r"[\w-]+", """
+""",
+    )
+)
+LOOKS = frozenset(
+    re.findall(
+        r"[\w-]+",
+        """
     fill fill-opacity fill-rule clip-path clip-rule mask stroke stroke-width stroke-linecap stroke-linejoin
     stroke-miterlimit stroke-dasharray stroke-dashoffset stroke-opacity opacity color display visibility
     marker-start marker-mid marker-end font-family font-size font-style font-weight text-anchor
     dominant-baseline alignment-baseline baseline-shift letter-spacing stop-color stop-opacity vector-effect
     paint-order
-"""))
+""",
+    )
+)
 WORDS = frozenset({"text", "tspan", "textPath", "title", "desc"})
 LOCAL = re.compile(r"(url\(['\"]?#)")
 REFERENCE = re.compile(r"#([\w.-]+)")
@@ -53,7 +68,12 @@ def safe_svg(text: str, *, prefix: str = "", label: str = "") -> str:
         raise NotADrawing(f"the drawing begins with <{_plain_name(root.tag)}>; it must begin with <svg>")
     if sum(1 for _ in root.iter()) > MOST:
         raise NotADrawing(f"the drawing has more than {MOST} elements")
-    referred = {name for element in root.iter() for value in element.attrib.values() for name in REFERENCE.findall(value)}
+    referred = {
+        name
+        for element in root.iter()
+        for value in element.attrib.values()
+        for name in REFERENCE.findall(value)
+    }
     for element in root.iter():
         if element.get("id") not in referred:
             element.attrib.pop("id", None)
@@ -72,7 +92,10 @@ def _written(element: Element, prefix: str, label: str, depth: int) -> str:
         raise NotADrawing(f"the drawing nests groups more than {DEEPEST} deep")
     attributes = {
         name: value
-        for name, value in ((_plain_name(name), _fit(_plain_name(name), value, prefix)) for name, value in element.attrib.items())
+        for name, value in (
+            (_plain_name(name), _fit(_plain_name(name), value, prefix))
+            for name, value in element.attrib.items()
+        )
         if value
     }
     if depth == 0:
@@ -89,8 +112,11 @@ def _fit(name: str, value: str, prefix: str) -> str:
     """The attribute's value as it may stand in the page, or nothing."""
     if name == "style":
         rules = (rule.partition(":") for rule in value.split(";"))
-        return "; ".join(f"{look.strip()}: {fit}" for look, _, text in rules
-                         if look.strip() in LOOKS and (fit := _fit(look.strip(), text.strip(), prefix)))
+        return "; ".join(
+            f"{look.strip()}: {fit}"
+            for look, _, text in rules
+            if look.strip() in LOOKS and (fit := _fit(look.strip(), text.strip(), prefix))
+        )
     if name not in ATTRIBUTES | LOOKS or HARMFUL.search(value):
         return ""
     if name == "id":

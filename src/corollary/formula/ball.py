@@ -18,7 +18,9 @@ from corollary.formula.exact import RationalPi, exactly
 __all__ = ["Certified", "RationalPi", "Undefined", "certified", "evaluate", "holds", "precision_of", "sign"]
 
 FIRST_BITS = 64
-EXACT_FROM = 256  # from here on the parts known exactly are put in: a tie or a zero is not decided by smaller balls
+EXACT_FROM = (
+    256  # from here on the parts known exactly are put in: a tie or a zero is not decided by smaller balls
+)
 MOST_BITS = 8192
 
 T = TypeVar("T")
@@ -104,7 +106,9 @@ def holds(relation: Relation, values: Values) -> bool | None:
             raise ValueError(f"{other} compares nothing; use = != < <= > >=")
 
 
-def _refined(tree: Expr, values: Values, decide: Callable[[arb], T | None]) -> tuple[T | None, int, arb | None]:
+def _refined(
+    tree: Expr, values: Values, decide: Callable[[arb], T | None]
+) -> tuple[T | None, int, arb | None]:
     """The decision, the bits it took, the last ball."""
     bits, last, settled = FIRST_BITS, None, False
     with _FLINT:

@@ -9,7 +9,19 @@ from typing import assert_never
 
 from flint import arb, fmpq
 
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum, names
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    names,
+)
 from corollary.formula.exact import constant
 
 Step = Callable[[Sequence[arb]], arb]
@@ -57,7 +69,10 @@ def _step(tree: Expr, place: dict[str, int]) -> Step:
             inner = _step(term, place)
             return lambda at: -inner(at)
         case Sum(terms):
-            signed = [(isinstance(term, Negative), term.term if isinstance(term, Negative) else term) for term in terms]
+            signed = [
+                (isinstance(term, Negative), term.term if isinstance(term, Negative) else term)
+                for term in terms
+            ]
             return _sum([(minus, _step(term, place)) for minus, term in signed])
         case Product(factors):
             return _product([_step(factor, place) for factor in factors])

@@ -4,7 +4,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum, names
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    names,
+)
 from corollary.formula.functions import ANGLE_IN
 
 DEGREE = Quotient(Name("pi"), Number(Fraction(180)))

@@ -62,7 +62,9 @@ def exactly(tree: Expr, values: Mapping[str, object]) -> RationalPi | None:
             return _power(exactly(base, values), power.ratio) if power is not None and power.pi == 0 else None
         case Call(function, arguments):
             known = [exactly(argument, values) for argument in arguments]
-            return _called(function, [each for each in known if each is not None]) if None not in known else None
+            return (
+                _called(function, [each for each in known if each is not None]) if None not in known else None
+            )
         case Relation():
             return None
         case _:
@@ -72,7 +74,11 @@ def exactly(tree: Expr, values: Mapping[str, object]) -> RationalPi | None:
 def _small(ratio: Fraction, pi: int) -> RationalPi | None:
     if ratio == 0:
         return NOTHING
-    return RationalPi(ratio, pi) if max(ratio.numerator.bit_length(), ratio.denominator.bit_length()) < MOST_BITS else None
+    return (
+        RationalPi(ratio, pi)
+        if max(ratio.numerator.bit_length(), ratio.denominator.bit_length()) < MOST_BITS
+        else None
+    )
 
 
 def _plus(left: RationalPi | None, right: RationalPi | None) -> RationalPi | None:
@@ -88,7 +94,12 @@ def _times(left: RationalPi | None, right: RationalPi | None) -> RationalPi | No
 
 
 def _power(base: RationalPi | None, power: Fraction) -> RationalPi | None:
-    if base is None or (base.ratio == 0 and power < 0) or power.denominator > 64 or power.numerator.bit_length() > 12:
+    if (
+        base is None
+        or (base.ratio == 0 and power < 0)
+        or power.denominator > 64
+        or power.numerator.bit_length() > 12
+    ):
         return None
     bits = max(base.ratio.numerator.bit_length(), base.ratio.denominator.bit_length())
     if bits * abs(power) > MOST_BITS or (base.pi * power).denominator != 1:
@@ -101,7 +112,11 @@ def _root(ratio: Fraction, degree: int) -> Fraction | None:
     if ratio < 0:
         return None
     top, bottom = _whole_root(ratio.numerator, degree), _whole_root(ratio.denominator, degree)
-    return Fraction(top, bottom) if top**degree == ratio.numerator and bottom**degree == ratio.denominator else None
+    return (
+        Fraction(top, bottom)
+        if top**degree == ratio.numerator and bottom**degree == ratio.denominator
+        else None
+    )
 
 
 def _whole_root(number: int, degree: int) -> int:
@@ -156,6 +171,12 @@ def _angle_of(function: str, ratio: Fraction) -> RationalPi | None:
     if function == "atan":
         known = {ZERO: ZERO, Fraction(1): Fraction(1, 4), Fraction(-1): Fraction(-1, 4)}.get(ratio)
     else:
-        known = {ZERO: ZERO, HALF: Fraction(1, 6), Fraction(1): HALF, -HALF: Fraction(-1, 6), Fraction(-1): -HALF}.get(ratio)
+        known = {
+            ZERO: ZERO,
+            HALF: Fraction(1, 6),
+            Fraction(1): HALF,
+            -HALF: Fraction(-1, 6),
+            Fraction(-1): -HALF,
+        }.get(ratio)
         known = HALF - known if known is not None and function == "acos" else known
     return None if known is None else _small(known, 1)

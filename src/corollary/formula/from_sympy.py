@@ -101,7 +101,9 @@ def _roots_together(top: sympy.Expr, bottom: sympy.Expr) -> tuple[Expr | None, s
     below, plain_below = _square_roots(bottom)
     if len(above) + len(below) < 2:
         return None, top / bottom
-    return Call("sqrt", (tree(sympy.Mul(*above) / sympy.Mul(*below)),)), sympy.Mul(*plain_above) / sympy.Mul(*plain_below)
+    return Call("sqrt", (tree(sympy.Mul(*above) / sympy.Mul(*below)),)), sympy.Mul(*plain_above) / sympy.Mul(
+        *plain_below
+    )
 
 
 def _square_roots(product: sympy.Expr) -> tuple[list[sympy.Expr], list[sympy.Expr]]:

@@ -38,8 +38,14 @@ def letter(name: str) -> str:
         return rf"\Delta {letter(change[1])}"
     greek = GREEK.match(name)
     head, rest = (greek[0], name[greek.end() :]) if greek else (name[:1], name[1:])
-    head = ("\\varepsilon" if head in ("eps", "epsilon") else "\\varphi" if head == "phi" else "\\" + head) if greek else head
-    indices = [rf"\mathrm{{{each}}}" if len(each) > 1 and each.isalpha() else each for each in INDEX.findall(rest)]
+    head = (
+        ("\\varepsilon" if head in ("eps", "epsilon") else "\\varphi" if head == "phi" else "\\" + head)
+        if greek
+        else head
+    )
+    indices = [
+        rf"\mathrm{{{each}}}" if len(each) > 1 and each.isalpha() else each for each in INDEX.findall(rest)
+    ]
     return head + (f"_{{{','.join(indices)}}}" if indices else "")
 
 
@@ -56,7 +62,10 @@ def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
         case Negative(term):
             return "-" + within(term, TIMES), ADD
         case Sum(terms):
-            signed = [(isinstance(term, Negative), term.term if isinstance(term, Negative) else term) for term in terms]
+            signed = [
+                (isinstance(term, Negative), term.term if isinstance(term, Negative) else term)
+                for term in terms
+            ]
             return _sum([(minus, within(term, TIMES)) for minus, term in signed]), ADD
         case Product(factors):
             *before, last = factors
@@ -85,12 +94,18 @@ def _number(value: Fraction, figures: int) -> tuple[str, int]:
         fraction = rf"\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
         return ("-" + fraction, ADD) if value < 0 else (fraction, TIMES)
     mantissa, _, power = decimal_text(value, figures).partition("e")
-    return (rf"{mantissa} \cdot 10^{{{power}}}" if power else mantissa), ADD if value < 0 else TIMES if power else ATOM
+    return (
+        rf"{mantissa} \cdot 10^{{{power}}}" if power else mantissa
+    ), ADD if value < 0 else TIMES if power else ATOM
 
 
 def _sum(terms: list[tuple[bool, str]]) -> str:
     (first_minus, first), *others = terms
-    return ("-" if first_minus else "") + first + "".join((" - " if minus else " + ") + term for minus, term in others)
+    return (
+        ("-" if first_minus else "")
+        + first
+        + "".join((" - " if minus else " + ") + term for minus, term in others)
+    )
 
 
 def _product(factors: list[str]) -> str:
@@ -118,7 +133,9 @@ def _named(function: str) -> str:
 
 def _argument(argument: Expr, letters: Mapping[str, str]) -> str:
     written, hold = _latex(argument, letters)
-    return f" {written}" if hold == ATOM and isinstance(argument, Name | Number) else rf"\left({written}\right)"
+    return (
+        f" {written}" if hold == ATOM and isinstance(argument, Name | Number) else rf"\left({written}\right)"
+    )
 
 
 def _call(function: str, arguments: tuple[Expr, ...], letters: Mapping[str, str]) -> tuple[str, int]:

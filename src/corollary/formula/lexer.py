@@ -17,7 +17,9 @@ MOST_TOKENS = 200
 MOST_DIGITS = 40
 LARGEST_EXPONENT = 400
 
-Kind = Literal["number", "name", "function", "e", "degree", "sign", "open", "close", "comma", "bar", "compare", "end"]
+Kind = Literal[
+    "number", "name", "function", "e", "degree", "sign", "open", "close", "comma", "bar", "compare", "end"
+]
 NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<power>[+-]?[0-9]+))?")
 RAISED_RUN = re.compile(r"[⁻⁺]?[⁰¹²³⁴-⁹]+")
 COMPARE = re.compile(r"==|!=|<=|>=|[=<>≤≥≠]")
@@ -47,7 +49,9 @@ class Token:
 ReadRun = Callable[[str, int], list[Piece] | ParseError]
 
 
-def tokens(text: str, read_run: ReadRun, *, longest: int = LONGEST, most: int = MOST_TOKENS) -> list[Token] | ParseError:
+def tokens(
+    text: str, read_run: ReadRun, *, longest: int = LONGEST, most: int = MOST_TOKENS
+) -> list[Token] | ParseError:
     """The signs of a formula, an `end` last; words are taken apart by `read_run`."""
     if len(text) > longest:
         return refused(f"this is longer than {longest} characters", longest)
@@ -80,7 +84,9 @@ def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> tuple[list[Tok
         pieces = read_run(run[0], at)
         if isinstance(pieces, ParseError):
             return pieces
-        return [Token(piece.kind, piece.name, piece.at, tight or place > 0) for place, piece in enumerate(pieces)], run.end()
+        return [
+            Token(piece.kind, piece.name, piece.at, tight or place > 0) for place, piece in enumerate(pieces)
+        ], run.end()
     raised = RAISED_RUN.match(plain, at)
     if raised:
         return _raised(raised, tight)
@@ -130,4 +136,8 @@ def _raised(found: re.Match[str], tight: bool) -> tuple[list[Token], int] | Pars
     if len(digits) > 4:
         return refused("this exponent is too large", at)
     minus = [Token("sign", "-", at, True)] if plain[0] == "-" else []
-    return [Token("sign", "^", at, tight), *minus, Token("number", digits, at, True, Fraction(int(digits)))], found.end()
+    return [
+        Token("sign", "^", at, tight),
+        *minus,
+        Token("number", digits, at, True, Fraction(int(digits))),
+    ], found.end()

@@ -19,9 +19,17 @@ FANCY = {
     " ": "\u00a0\u2002\u2003\u2009\u200a\u202f\u2007\u200b\u2060\u2062\u3000\ufeff\t\n\r",
 }  # fmt: skip
 PLAIN = {ord(fancy): plain for plain, several in FANCY.items() for fancy in several}
-PLAIN |= {wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)}  # as typed on a keyboard for Chinese or Japanese
+PLAIN |= {
+    wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)
+}  # as typed on a keyboard for Chinese or Japanese
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-VULGAR = {"½": Fraction(1, 2), "⅓": Fraction(1, 3), "⅔": Fraction(2, 3), "¼": Fraction(1, 4), "¾": Fraction(3, 4)}
+VULGAR = {
+    "½": Fraction(1, 2),
+    "⅓": Fraction(1, 3),
+    "⅔": Fraction(2, 3),
+    "¼": Fraction(1, 4),
+    "¾": Fraction(3, 4),
+}
 
 SIGN = re.compile(r"\s*([+-]?)\s*")
 BODY = re.compile(r"(?:[0-9]{1,3}(?:[ '][0-9]{3})+(?![0-9])|[0-9]+)(?:[.,][0-9]+)*\.?|[.,][0-9]+")
@@ -57,7 +65,9 @@ def read_number(text: str) -> Written | ParseError:
     if rest == "%":
         return Written(number.value / 100, number.figures, number.least, percent=True)
     if rest:
-        return refused(f"{rest!r} is left over after the number", end + text[end:].index(rest[0]), "write one number")
+        return refused(
+            f"{rest!r} is left over after the number", end + text[end:].index(rest[0]), "write one number"
+        )
     return number
 
 
@@ -79,7 +89,10 @@ def scan_number(text: str) -> tuple[Written, int] | ParseError:
         if divisor.value == 0:
             return refused("a fraction cannot have 0 below its line", below.end())
         number = Written(number.value / divisor.value, 0, 0)
-    if number.value and not Fraction(10) ** -LARGEST_EXPONENT <= number.value <= Fraction(10) ** LARGEST_EXPONENT:
+    if (
+        number.value
+        and not Fraction(10) ** -LARGEST_EXPONENT <= number.value <= Fraction(10) ** LARGEST_EXPONENT
+    ):
         return refused("this number is too large or too small to be meant", at)
     return Written(sign * number.value, number.figures, number.least), end
 
@@ -130,7 +143,12 @@ def _plain_digits(body: str, at: int, *, scientific: bool) -> str | ParseError:
     if len(marks) == 1:
         before, after = groups
         if len(after) == 3 and 1 <= len(before) <= 3 and before.strip("0") and not scientific:
-            return ambiguous(f"{body} can be {before}.{after} or {before}{after}", at, f"{before}.{after}", f"{before}{after}")
+            return ambiguous(
+                f"{body} can be {before}.{after} or {before}{after}",
+                at,
+                f"{before}.{after}",
+                f"{before}{after}",
+            )
         return f"{before}.{after}"
     thousands = 1 <= len(groups[0]) <= 3 and all(len(group) == 3 for group in groups[1:-1])
     if thousands and len(set(marks)) == 1 and len(groups[-1]) == 3:

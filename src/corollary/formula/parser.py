@@ -14,7 +14,9 @@ from corollary.formula.functions import ANGLE_IN, ARGUMENTS
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.text import text
 
-Lean = Literal["ask", "near", "far"]  # what has two readings: ask, let `cos θ/M` and `a/b c` end near, or let them reach far
+Lean = Literal[
+    "ask", "near", "far"
+]  # what has two readings: ask, let `cos θ/M` and `a/b c` end near, or let them reach far
 DEEPEST = 40
 LARGEST_POWER = 64
 MOST_BITS = 4096
@@ -99,14 +101,22 @@ def _formula(line: _Line, least: int) -> Expr:
     grows: type | None = None  # the sum or product this loop is building, to which terms are added
     while True:
         token = line.next
-        if token.kind == "compare" and not line.student and least < COMPARE and not isinstance(tree, Relation):
+        if (
+            token.kind == "compare"
+            and not line.student
+            and least < COMPARE
+            and not isinstance(tree, Relation)
+        ):
             line.take()
             tree, grows = Relation(token.text, tree, _formula(line, COMPARE)), None
         elif token.kind == "sign" and token.text in "+-" and least < ADD:
             line.take()
             term = _formula(line, ADD)
             term = Negative(term) if token.text == "-" else term
-            tree, grows = Sum((*tree.terms, term) if grows is Sum and isinstance(tree, Sum) else (tree, term)), Sum
+            tree, grows = (
+                Sum((*tree.terms, term) if grows is Sum and isinstance(tree, Sum) else (tree, term)),
+                Sum,
+            )
         elif token.kind == "sign" and token.text == "*" and least < TIMES:
             line.take()
             factor = _formula(line, TIMES)
@@ -128,13 +138,17 @@ def _formula(line: _Line, least: int) -> Expr:
 
 
 def _times(tree: Expr, factor: Expr, grows: type | None) -> Expr:
-    return Product((*tree.factors, factor) if grows is Product and isinstance(tree, Product) else (tree, factor))
+    return Product(
+        (*tree.factors, factor) if grows is Product and isinstance(tree, Product) else (tree, factor)
+    )
 
 
 def _follows(line: _Line) -> bool:
     """Whether a factor follows without a product sign."""
     token = line.next
-    return token.kind in STARTS or (token.kind == "bar" and (not line.bars or line.bars[-1] != _brackets(line)))
+    return token.kind in STARTS or (
+        token.kind == "bar" and (not line.bars or line.bars[-1] != _brackets(line))
+    )
 
 
 def _brackets(line: _Line) -> int:
@@ -149,9 +163,16 @@ def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
     if token.kind == "number":
         shown = f"{before.text}^{token.text}", f"{before.text}*{token.text}"
         raise _Stop(ambiguous("a number behind a factor can be a power or a product", token.at, *shown))
-    half = isinstance(tree, Quotient) and isinstance(tree.top, Number) and isinstance(tree.bottom, Number) and not token.tight
+    half = (
+        isinstance(tree, Quotient)
+        and isinstance(tree.top, Number)
+        and isinstance(tree.bottom, Number)
+        and not token.tight
+    )
     factor = _formula(line, TIMES)
-    if grows is Quotient and isinstance(tree, Quotient) and not half:  # `1/2 m`, with its space, is one half of m
+    if (
+        grows is Quotient and isinstance(tree, Quotient) and not half
+    ):  # `1/2 m`, with its space, is one half of m
         below = Quotient(tree.top, _times(tree.bottom, factor, None))
         if line.lean == "far":
             return below, Quotient
@@ -243,10 +264,16 @@ def _power_of_function(line: _Line, function: str) -> Expr:
     """`sin^2 x`; `sin^-1 x` has two readings."""
     sign = line.take()
     if line.next.kind == "sign" and line.next.text == "-":
-        choices = (f"arc{function}(…)", f"1/{function}(…)") if function in ANGLE_IN else (f"1/{function}(…)", f"{function}(…)")
+        choices = (
+            (f"arc{function}(…)", f"1/{function}(…)")
+            if function in ANGLE_IN
+            else (f"1/{function}(…)", f"{function}(…)")
+        )
         raise _Stop(ambiguous(f"{function}^-1 can be read in two ways", sign.at, *choices))
     if line.next.kind != "number" or line.next.figures or not 0 < line.next.value <= LARGEST_POWER:
-        _refuse(f"a whole number is expected as the power of {function}", line.next.at, f"write ({function}(…))^n")
+        _refuse(
+            f"a whole number is expected as the power of {function}", line.next.at, f"write ({function}(…))^n"
+        )
     return Number(line.take().value)
 
 

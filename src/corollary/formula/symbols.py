@@ -23,7 +23,9 @@ WORDS = tuple(sorted(set(GREEK.values()) - {"pi", "Pi"}, key=len, reverse=True))
 
 APART = re.compile(r"([Δ∆]|Delta)( +)(?=[A-Za-z])")  # `Δ t`: the space goes before the change, no place moves
 LETTER = "A-Za-z" + "".join(GREEK)
-RUN = re.compile(rf"[{LETTER}](?:[{LETTER}0-9{''.join(LOWERED)}]|_\{{[{LETTER}0-9, ]{{1,12}}\}}|_(?=[{LETTER}0-9]))*")
+RUN = re.compile(
+    rf"[{LETTER}](?:[{LETTER}0-9{''.join(LOWERED)}]|_\{{[{LETTER}0-9, ]{{1,12}}\}}|_(?=[{LETTER}0-9]))*"
+)
 LONGEST_RUN = 60
 
 
@@ -58,7 +60,9 @@ def letters(names: frozenset[str]) -> Letters:
     exact |= {key: ("name", name) for name in names for key in (name, name.replace("_", ""))}
     if "e" not in names:
         exact["e"] = ("e", "e")
-    return Letters(names, exact, _unshared((_loosened(key), word[1]) for key, word in exact.items() if word[0] == "name"))
+    return Letters(
+        names, exact, _unshared((_loosened(key), word[1]) for key, word in exact.items() if word[0] == "name")
+    )
 
 
 def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
@@ -74,25 +78,45 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
         kind, name = known.exact[plain]
         return _two_meanings(name, at, known) or [Piece(kind, name, at)]
     exact_cuts = _cuts(plain, joints, known, loosely=False)
-    if _loosened(plain) in known.loose:  # `ma` may be the letter m_A, or m times a: only when both exist is there a question
+    if (
+        _loosened(plain) in known.loose
+    ):  # `ma` may be the letter m_A, or m times a: only when both exist is there a question
         kind, name = known.loose[_loosened(plain)]
         if exact_cuts:
-            return ambiguous(f"{run} can be read in two ways", at, name, "*".join(word[1] for _, word in exact_cuts[0]))
+            return ambiguous(
+                f"{run} can be read in two ways", at, name, "*".join(word[1] for _, word in exact_cuts[0])
+            )
         return [Piece(kind, name, at)]
     cuts = exact_cuts or _cuts(plain, joints, known, loosely=True)
     if len(cuts) > 1:
-        return ambiguous(f"{run} can be read in several ways", at, *("*".join(word[1] for _, word in cut) for cut in cuts[:2]))
+        return ambiguous(
+            f"{run} can be read in several ways",
+            at,
+            *("*".join(word[1] for _, word in cut) for cut in cuts[:2]),
+        )
     if cuts:
         pieces = [Piece(*word, at + places[start]) for start, word in cuts[0]]
-        return next((trouble for piece in pieces if (trouble := _two_meanings(piece.name, piece.at, known))), None) or pieces
+        return (
+            next(
+                (trouble for piece in pieces if (trouble := _two_meanings(piece.name, piece.at, known))), None
+            )
+            or pieces
+        )
     if plain.startswith("log"):
         return ambiguous("log can be the natural or the decimal logarithm", at, "ln(…)", "log10(…)")
-    return refused(f"{run} is not among the letters here ({', '.join(sorted(known.names))})", at, _near(plain, known))
+    return refused(
+        f"{run} is not among the letters here ({', '.join(sorted(known.names))})", at, _near(plain, known)
+    )
 
 
 def _two_meanings(name: str, at: int, known: Letters) -> ParseError | None:
     if name in ("asin", "acos", "atan") and "a" in known.names:
-        return ambiguous(f"{name} can be an inverse function, or a times {name[1:]}", at, f"arc{name[1:]}(…)", f"a*{name[1:]}(…)")
+        return ambiguous(
+            f"{name} can be an inverse function, or a times {name[1:]}",
+            at,
+            f"arc{name[1:]}(…)",
+            f"a*{name[1:]}(…)",
+        )
     return None
 
 

@@ -37,7 +37,11 @@ def parse(
     if found:
         start = found.end()
         if left is not None and isinstance(read_run(found[1], 0, letters(frozenset({left}))), ParseError):
-            return refused(f"{found[1]} stands on the left, but {left} is asked for", found.start(1), f"begin with {left} =")
+            return refused(
+                f"{found[1]} stands on the left, but {left} is asked for",
+                found.start(1),
+                f"begin with {left} =",
+            )
     known = letters(frozenset(names))
     # Blanks stand for what was skipped, so that a place found is a place in what was typed.
     line = " " * start + (text[start:] if "Delta" in known.names else APART.sub(r"\2\1", text[start:]))

@@ -35,12 +35,22 @@ def without_tex(text: str) -> str:
 
 def moved(trouble: ParseError, typed: str, plain: str) -> ParseError:
     """What is amiss, without its place when the text was rewritten before it was read."""
-    return trouble if typed == plain else ParseError(trouble.status, trouble.why, None, trouble.suggestion, trouble.choices)
+    return (
+        trouble
+        if typed == plain
+        else ParseError(trouble.status, trouble.why, None, trouble.suggestion, trouble.choices)
+    )
 
 
 def _bracket(found: str) -> str:
     return (
-        "" if found in ("\\!", "$", "\\(", "\\)", "\\[", "\\]") else "(" if "begin" in found else ")" if "end" in found else " "
+        ""
+        if found in ("\\!", "$", "\\(", "\\)", "\\[", "\\]")
+        else "("
+        if "begin" in found
+        else ")"
+        if "end" in found
+        else " "
     )
 
 
@@ -77,7 +87,9 @@ def _plain(text: str, depth: int) -> str:
             case _:
                 word = SAID.get(name, name)
                 apart = word[:1].isalpha() and done[-1:].isalnum()
-                done += f"{' ' if apart else ''}{word}{' ' if word[-1:].isalpha() and rest[:1].isalnum() else ''}"
+                done += (
+                    f"{' ' if apart else ''}{word}{' ' if word[-1:].isalpha() and rest[:1].isalnum() else ''}"
+                )
         text = rest
     return _round_brackets(done + text)
 
@@ -86,7 +98,9 @@ def _round_brackets(text: str) -> str:
     """Curly brackets group: after ^ they become round ones, an index keeps them, others are left out."""
     text = INDEX.sub("_\0\\1\1", text.replace("\0", "").replace("\1", ""))
     text = re.sub(
-        r"\^\s*\{([^{}]*)\}", lambda found: f"^{found[1]} " if PLAIN_POWER.fullmatch(found[1]) else f"^({found[1]})", text
+        r"\^\s*\{([^{}]*)\}",
+        lambda found: f"^{found[1]} " if PLAIN_POWER.fullmatch(found[1]) else f"^({found[1]})",
+        text,
     )
     return re.sub(r"(?<!\^)\{([^{}]*)\}", r"\1", text).replace("\0", "{").replace("\1", "}")
 

@@ -60,5 +60,7 @@ def _number_text(value: Fraction, figures: int) -> tuple[str, int]:
 def _sum_text(terms: tuple[Expr, ...]) -> str:
     written = within(terms[0], TIMES) if not isinstance(terms[0], Negative) else _text(terms[0])[0]
     for term in terms[1:]:
-        written += f" - {within(term.term, TIMES)}" if isinstance(term, Negative) else f" + {within(term, TIMES)}"
+        written += (
+            f" - {within(term.term, TIMES)}" if isinstance(term, Negative) else f" + {within(term, TIMES)}"
+        )
     return written

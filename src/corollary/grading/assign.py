@@ -66,7 +66,10 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
         return None, f"an answer does not exist: {error}"
     for part, truth in key.truths.items():
         if truth.noise > MOST:
-            return None, f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}"
+            return (
+                None,
+                f"part {part}: honest rounding to three figures already moves the answer by {truth.noise:.1%}",
+            )
         if truth.scale == 0:
             return None, f"part {part}: the answer is zero, and nothing says compared with what"
     for part, text in collisions(key):
@@ -88,7 +91,9 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
                 if not differs(solution, place, wrong.rule, truth.place):
                     continue
                 try:
-                    values = replay(solution, givens, WhatIf(rules={place: wrong.rule}), truth.place)[truth.place]
+                    values = replay(solution, givens, WhatIf(rules={place: wrong.rule}), truth.place)[
+                        truth.place
+                    ]
                 except Undefined:
                     continue
                 if within(values, truth.values, truth.tolerance + APART, truth.scale):
@@ -130,7 +135,9 @@ def _changes(problem: Problem, solution: Solution, place: int, rule: Rule, at: i
 
 def _unasked_way(solution: Solution, start: int, end: int) -> bool:
     """Whether a way of rules leads from one find to another over finds nobody is asked about."""
-    names_of: Mapping[str, int] = {name: place for place, find in enumerate(solution.finds) for name in find.names}
+    names_of: Mapping[str, int] = {
+        name: place for place, find in enumerate(solution.finds) for name in find.names
+    }
     todo, seen = [end], set()
     while todo:
         place = todo.pop()

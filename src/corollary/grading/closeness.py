@@ -19,7 +19,11 @@ def same_signs(values: Sequence[float], target: Sequence[float], doubt: Sequence
 
 
 def coarse(
-    values: Sequence[float], figures: Sequence[int], target: Sequence[float], sizes: Sequence[float], near: float = 0.0
+    values: Sequence[float],
+    figures: Sequence[int],
+    target: Sequence[float],
+    sizes: Sequence[float],
+    near: float = 0.0,
 ) -> int:
     """The fewest figures written, when the target rounded to the figures written gives just these values; else 0.
 

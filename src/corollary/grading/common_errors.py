@@ -21,7 +21,10 @@ KMH = "A factor of 3.6 too {}: km/h and m/s have been mixed."
 FACTORS = (
     (2.0, "A factor of 2 too large."),
     (0.5, "A factor of 2 too small."),
-    *((10.0**n, TEN.format(str(10**n) if n > 0 else f"1/{10**-n}")) for n in (1, -1, 2, -2, 3, -3, 4, -4, 6, -6)),
+    *(
+        (10.0**n, TEN.format(str(10**n) if n > 0 else f"1/{10**-n}"))
+        for n in (1, -1, 2, -2, 3, -3, 4, -4, 6, -6)
+    ),
     (3.6, KMH.format("large")),
     (1 / 3.6, KMH.format("small")),
 )
@@ -76,7 +79,11 @@ def _replayed(key: Key, truth: Truth, base: Carried) -> Iterator[tuple[Values, s
         }
         deviation = WhatIf(base.deviation.held, swapped | dict(base.deviation.rules))
         yield from _with(
-            key, truth, deviation, givens, "Sine and cosine have changed places: check from where the angle is measured."
+            key,
+            truth,
+            deviation,
+            givens,
+            "Sine and cosine have changed places: check from where the angle is measured.",
         )
 
 

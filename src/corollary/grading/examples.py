@@ -31,7 +31,9 @@ def judge_example(key: Key, part: Part, answer: Numbers) -> Verdict:
     except Undefined as error:
         return Unread(f"These numbers cannot be put into the laws: {error}")
     if broken:
-        return Wrong(f"Your numbers do not keep this law: {' and '.join(law.name.lower() for law in broken)}.")
+        return Wrong(
+            f"Your numbers do not keep this law: {' and '.join(law.name.lower() for law in broken)}."
+        )
     return Right("Every law holds for your numbers.")
 
 

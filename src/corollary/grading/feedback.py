@@ -20,7 +20,11 @@ def sentence(verdict: Verdict) -> str:
         case Follows(earlier):
             return f"This follows correctly from your answer in {_parts(earlier)}, though that answer is not right."
         case Mistaken(mistake, earlier):
-            return mistake + (f" (Your answer in {_parts(earlier)} was carried along and costs nothing here.)" if earlier else "")
+            return mistake + (
+                f" (Your answer in {_parts(earlier)} was carried along and costs nothing here.)"
+                if earlier
+                else ""
+            )
         case Slip(slip):
             return f"Nearly. {slip}"
         case Wrong(why):

@@ -32,11 +32,16 @@ def judge_formulas(key: Key, part: Part, answer: Formulas, earlier: Mapping[str,
     if all(isinstance(each, Equal) for each in found):
         return Right()
     if any(isinstance(each, Undecided) for each in found):
-        return Unmarked("The machine can neither show that this formula is right nor that it is wrong; a person will look at it.")
+        return Unmarked(
+            "The machine can neither show that this formula is right nor that it is wrong; a person will look at it."
+        )
     if part.kind != "expression" and (verdict := _by_value(key, part, answer, closed, earlier)) is not None:
         return verdict
     for wrong, said in wrong_forms(key, truth.place):
-        if all(isinstance(compare(tree, other, where), Equal) for tree, other in zip(answer.trees, wrong, strict=True)):
+        if all(
+            isinstance(compare(tree, other, where), Equal)
+            for tree, other in zip(answer.trees, wrong, strict=True)
+        ):
             return Mistaken(said)
     first = next(each for each in found if isinstance(each, Different))
     if said := hint(first):
@@ -45,7 +50,9 @@ def judge_formulas(key: Key, part: Part, answer: Formulas, earlier: Mapping[str,
     return Wrong(f"For example at {point} (SI) it gives something else than the laws do.")
 
 
-def _by_value(key: Key, part: Part, answer: Formulas, closed: tuple[Expr, ...], earlier: Mapping[str, Values]) -> Verdict | None:
+def _by_value(
+    key: Key, part: Part, answer: Formulas, closed: tuple[Expr, ...], earlier: Mapping[str, Values]
+) -> Verdict | None:
     """Right where only some letters were put in as numbers, or where it follows from earlier answers; else None."""
     if all(names(mine) <= names(wanted) | {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)):
         return _numbers_put_in(key, part, answer, closed)
@@ -56,7 +63,9 @@ def _by_value(key: Key, part: Part, answer: Formulas, closed: tuple[Expr, ...], 
 
 def _numbers_put_in(key: Key, part: Part, answer: Formulas, closed: tuple[Expr, ...]) -> Right | None:
     """`m v cos(30°)`, `L/9`: right when the letters left out were put in as numbers, exactly or as decimals."""
-    if not any(names(wanted) - names(mine) - {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)):
+    if not any(
+        names(wanted) - names(mine) - {"pi"} for mine, wanted in zip(answer.trees, closed, strict=True)
+    ):
         return None
     decimals = any(isinstance(node, Number) and node.figures for tree in answer.trees for node in walk(tree))
     truth = key.truths[part.id]
@@ -111,7 +120,10 @@ def domain(problem: Problem) -> Mapping[str, tuple[float, float]]:
     """Where the problem's letters live: the grid of each given, in SI; one that is fixed is widened by a tenth."""
     box = {}
     for given in problem.givens:
-        ends = (RationalPi(value * given.unit.factor, given.unit.pi) for value in (given.grid.first, given.grid.last))
+        ends = (
+            RationalPi(value * given.unit.factor, given.unit.pi)
+            for value in (given.grid.first, given.grid.last)
+        )
         low, high = sorted(certified(Name("x"), {"x": end}).value for end in ends)
         if low == high:
             low, high = sorted((0.9 * low, 1.1 * high))

@@ -27,7 +27,9 @@ def plainly(answer: Any) -> Value:
         case list() | tuple():
             items = tuple(map(plainly, answer))
             shapes = {item.shape for item in items if isinstance(item, Items)}
-            inner = shapes.pop() if len(shapes) == 1 and all(isinstance(item, Items) for item in items) else ()
+            inner = (
+                shapes.pop() if len(shapes) == 1 and all(isinstance(item, Items) for item in items) else ()
+            )
             return Items(items, (len(items), *inner))
         case _:
             return Refused("this kind of value is no answer", type(answer).__name__)

@@ -24,7 +24,12 @@ NOTHING_RAN = ProgramRun()
 
 
 def judge(
-    key: Key, answers: Mapping[str, Value], shown: Mapping[str, ProgramRun] | None = None, *, secret: bytes = b"", student: str = ""
+    key: Key,
+    answers: Mapping[str, Value],
+    shown: Mapping[str, ProgramRun] | None = None,
+    *,
+    secret: bytes = b"",
+    student: str = "",
 ) -> dict[str, tuple[tuple[Verdict, ...], str]]:
     """The verdicts of each part, and how the answer was read. A part of two kinds (code and plot) has two verdicts."""
     earlier: dict[str, Values] = {}
@@ -32,13 +37,20 @@ def judge(
     result = {}
     for part in key.variant.problem.parts:
         if "code" in part.kinds or "plot" in part.kinds:
-            result[part.id] = _programs(key, part, (shown or {}).get(part.id, NOTHING_RAN), secret, student), part.signature
+            result[part.id] = (
+                _programs(key, part, (shown or {}).get(part.id, NOTHING_RAN), secret, student),
+                part.signature,
+            )
             continue
         answer = KINDS[part.kind].read(answers.get(part.id, Nothing()), part, key.variant.problem)
         verdict = _once(verdict_on(key, part, answer, earlier), told)
         if part.id in key.truths:
             values = (
-                answer.values if isinstance(answer, Numbers) else values_of(key, answer) if isinstance(answer, Formulas) else None
+                answer.values
+                if isinstance(answer, Numbers)
+                else values_of(key, answer)
+                if isinstance(answer, Formulas)
+                else None
             )
             if values is not None:
                 earlier[part.id] = values
@@ -53,7 +65,9 @@ def verdict_on(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Value
             return Unread("No answer was given.", blank=True)
         case Unclear(why, _, readings):
             if any(isinstance(verdict_on(key, part, meant, earlier), Right | Follows) for meant in readings):
-                return Unmarked(f"This can be read in two ways, and one of them is right: a person will decide. ({why[0].upper()}{why[1:]}.)")
+                return Unmarked(
+                    f"This can be read in two ways, and one of them is right: a person will decide. ({why[0].upper()}{why[1:]}.)"
+                )
             return Unread(f"This could not be read: {why}{'' if why.endswith(('.', '?')) else '.'}")
         case Numbers() if part.kind == "example":
             return judge_example(key, part, answer)
@@ -99,4 +113,11 @@ def _once(verdict: Verdict, told: set[str]) -> Verdict:
 
 def rubric(key: Key, part: Part) -> tuple[str, ...]:
     """What earns credit in a part that a person marks."""
-    return next((entry.rubric for entry in key.solution.entries if isinstance(entry, Explain) and entry.part == part.id), ())
+    return next(
+        (
+            entry.rubric
+            for entry in key.solution.entries
+            if isinstance(entry, Explain) and entry.part == part.id
+        ),
+        (),
+    )

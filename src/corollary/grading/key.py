@@ -117,7 +117,11 @@ def scale_of(find: SolvedUnknown, values: tuple[float, ...], known) -> float:
 
 def chosen(options, givens, part: str) -> str:
     """The letter of the one option that holds. Raises Undefined when it is not exactly one."""
-    true = [letter for letter, held in options.items() if (held if isinstance(held, bool) else holds(held, givens))]
+    true = [
+        letter
+        for letter, held in options.items()
+        if (held if isinstance(held, bool) else holds(held, givens))
+    ]
     if len(true) != 1:
         raise Undefined(f"part {part}: {len(true)} options hold ({', '.join(true)}); exactly one must")
     return true[0]

@@ -43,7 +43,10 @@ def part_key(key: Key, part: Part) -> dict[str, Any]:
         }
     if part.id in solution.proofs:
         proof = solution.proofs[part.id]
-        return {"laws": [text(relation) for law in proof.laws for relation in law.here], "target": text(proof.target)}
+        return {
+            "laws": [text(relation) for law in proof.laws for relation in law.here],
+            "target": text(proof.target),
+        }
     entry = {}
     for each in solution.entries:
         match each:
@@ -62,7 +65,11 @@ def si_name(part: Part) -> str:
     """The SI unit in which a value is given: `rad` for an angle."""
     if part.unit.text in {"deg", "rad"}:
         return "rad"
-    return canonical(si_unit(part.unit.dimension)) if part.unit.factor != 1 or part.unit.pi else canonical(part.unit)
+    return (
+        canonical(si_unit(part.unit.dimension))
+        if part.unit.factor != 1 or part.unit.pi
+        else canonical(part.unit)
+    )
 
 
 def _one(values, show, part: Part):

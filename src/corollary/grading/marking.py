@@ -25,15 +25,21 @@ from corollary.sandbox.runner import Runner
 Keys = Mapping[str, Key]
 
 
-def mark(sheet: Worksheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float) -> Marked:
+def mark(
+    sheet: Worksheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float
+) -> Marked:
     """The marks of one submission; `late` in seconds. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
     taken = runner.take(_job(sheet, keys, notebook, secret))
-    grades = tuple(_grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises)
+    grades = tuple(
+        _grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises
+    )
     share = sheet.problem_set.scheme.late if late > 0 else 1.0
     trouble = taken.trouble
-    return Marked(sheet.student, grades, taken.cells, taken.figures, taken.isolation.line, trouble, late, share)
+    return Marked(
+        sheet.student, grades, taken.cells, taken.figures, taken.isolation.line, trouble, late, share
+    )
 
 
 def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job:
@@ -43,31 +49,50 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
         for prompt in sheet.prompts
         if "code" in prompt.part.kinds
         for ask in asks(
-            keys[prompt.problem.code].solution, keys[prompt.problem.code].variant, prompt.part, secret, sheet.student.id
+            keys[prompt.problem.code].solution,
+            keys[prompt.problem.code].variant,
+            prompt.part,
+            secret,
+            sheet.student.id,
         )
     ]
     cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, handed_out(sheet)))
-    names = tuple(prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds))
+    names = tuple(
+        prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds)
+    )
     return Job(cells, names, tuple(calls), tuple(plot_cells(notebook.node, sheet).values()))
 
 
-def _grade(sheet: Worksheet, keys: Keys, code: str, notebook: Notebook, taken: ExecutionResult, secret: bytes) -> Grade:
+def _grade(
+    sheet: Worksheet, keys: Keys, code: str, notebook: Notebook, taken: ExecutionResult, secret: bytes
+) -> Grade:
     prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
     plots = plot_cells(notebook.node, sheet)
     answers = {prompt.part.id: _answer(prompt, notebook, taken) for prompt in prompts}
     shown = {
         prompt.part.id: ProgramRun(
-            taken.calls, tuple(figure for figure in taken.figures if figure.cell == plots.get(prompt.key)), True
+            taken.calls,
+            tuple(figure for figure in taken.figures if figure.cell == plots.get(prompt.key)),
+            True,
         )
         for prompt in prompts
     }
     problem_set = sheet.problem_set
     judged = judge(keys[code], answers, shown, secret=secret, student=sheet.student.id)
     graded = grade(
-        keys[code], judged, problem_set.scheme, problem_set.weight(keys[code].variant.problem), reveal=problem_set.reveal
+        keys[code],
+        judged,
+        problem_set.scheme,
+        problem_set.weight(keys[code].variant.problem),
+        reveal=problem_set.reveal,
     )
     ran = _runs(notebook, taken)
-    return replace(graded, parts=tuple(_explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)))
+    return replace(
+        graded,
+        parts=tuple(
+            _explained(part, prompt, ran) for part, prompt in zip(graded.parts, prompts, strict=True)
+        ),
+    )
 
 
 def _answer(prompt: Prompt, notebook: Notebook, taken: ExecutionResult) -> Value:
@@ -80,7 +105,9 @@ def _answer(prompt: Prompt, notebook: Notebook, taken: ExecutionResult) -> Value
 def _runs(notebook: Notebook, taken: ExecutionResult) -> dict[str, CellRun]:
     """How the cell of each answer fared, by the name it was handed out with."""
     by_id = {run.id: run for run in taken.cells}
-    return {name: by_id[cell.id] for name, cell in cells_by_id(notebook.node).items() if cell.get("id") in by_id}
+    return {
+        name: by_id[cell.id] for name, cell in cells_by_id(notebook.node).items() if cell.get("id") in by_id
+    }
 
 
 def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> PartGrade:
@@ -102,11 +129,16 @@ def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
     grades = tuple(
         Grade(
             exercise.variant,
-            tuple(PartGrade(prompt.part, Unmarked(why), 0.0, prompt.out_of, "", why) for prompt in exercise.prompts),
+            tuple(
+                PartGrade(prompt.part, Unmarked(why), 0.0, prompt.out_of, "", why)
+                for prompt in exercise.prompts
+            ),
         )
         for exercise in sheet.exercises
     )
-    return Marked(sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0)
+    return Marked(
+        sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0
+    )
 
 
 def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:
@@ -115,7 +147,10 @@ def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:
     grades = tuple(
         Grade(
             keys[exercise.problem.code].variant,
-            tuple(PartGrade(prompt.part, Unread(said), 0.0, prompt.out_of, "", said) for prompt in exercise.prompts),
+            tuple(
+                PartGrade(prompt.part, Unread(said), 0.0, prompt.out_of, "", said)
+                for prompt in exercise.prompts
+            ),
         )
         for exercise in sheet.exercises
     )

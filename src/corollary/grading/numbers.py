@@ -76,7 +76,9 @@ def _in_words(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, Value
     verdict = judge_numbers(key, part, answer, earlier)
     if isinstance(verdict, (Right, Follows)):
         return verdict
-    other = judge_numbers(key, part, replace(answer, values=tuple(-value for value in answer.values)), earlier)
+    other = judge_numbers(
+        key, part, replace(answer, values=tuple(-value for value in answer.values)), earlier
+    )
     return (
         Unmarked(f"The size is right; a person will read your words on the direction: {answer.shown}.")
         if isinstance(other, (Right, Follows))
@@ -97,7 +99,9 @@ def _misfit(why: str, verdict: Verdict) -> Verdict:
 
 def _met(answer: Numbers, truth: Truth, target: Values) -> bool:
     """Within the tolerance of the target's length, every component pointing the right way."""
-    return within(answer.values, target, truth.tolerance, size(target, truth)) and same_signs(answer.values, target, truth.doubt)
+    return within(answer.values, target, truth.tolerance, size(target, truth)) and same_signs(
+        answer.values, target, truth.doubt
+    )
 
 
 def _coarse(part: Part, answer: Numbers, truth: Truth, target: Values) -> int:
@@ -108,7 +112,11 @@ def _coarse(part: Part, answer: Numbers, truth: Truth, target: Values) -> int:
 
 def _also_a_mistake(key: Key, part: Part, truth: Truth, bases: list[Carried], answer: Numbers) -> bool:
     """Whether so few figures fit a known mistake as well."""
-    return any(_coarse(part, answer, truth, wrong) for wrong, _ in mistakes(key, truth, bases[0])) if bases else False
+    return (
+        any(_coarse(part, answer, truth, wrong) for wrong, _ in mistakes(key, truth, bases[0]))
+        if bases
+        else False
+    )
 
 
 def _distinct(bases: list[Carried]) -> list[Carried]:
@@ -139,6 +147,10 @@ def _hint(part: Part, answer: Numbers, truth: Truth) -> str:
             return CLOSE
         if right:
             one, others = len(right) == 1, "others" if len(answer.values) - len(right) > 1 else "other"
-            fit = f"Component {right[0]} fits" if one else f"Components {', '.join(right[:-1])} and {right[-1]} fit"
+            fit = (
+                f"Component {right[0]} fits"
+                if one
+                else f"Components {', '.join(right[:-1])} and {right[-1]} fit"
+            )
             return f"{fit}; look at the {others} again."
     return f"Read as {kind}{f' in {show(part.unit)}' if show(part.unit) else ''}; it does not follow from the numbers given."

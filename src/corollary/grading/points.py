@@ -57,4 +57,6 @@ def _said(kinds: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
     if len(verdicts) == 1:
         return sentence(verdicts[0])
     titles = {"code": "Program", "plot": "Figure"}
-    return " ".join(f"{titles[kind]}: {sentence(verdict)}" for kind, verdict in zip(kinds, verdicts, strict=True))
+    return " ".join(
+        f"{titles[kind]}: {sentence(verdict)}" for kind, verdict in zip(kinds, verdicts, strict=True)
+    )

@@ -45,18 +45,24 @@ def judge_proof(key: Key, part: Part, answer: Chain) -> Verdict:
     if len(answer.lines) < 2:
         return Wrong("One line is a claim; a proof shows the way from a law to it.")
     if _leaps(answer.lines, [law for stated in truth.laws for law in stated.here], truth.target, lawful):
-        return Unmarked("Every line holds, but the way from the law to the last line is not written down; a person will look at it.")
+        return Unmarked(
+            "Every line holds, but the way from the law to the last line is not written down; a person will look at it."
+        )
     return Right("Every line holds, from the law to what was to be shown.")
 
 
-def _leaps(lines: Sequence[Relation], laws: Sequence[Relation], target: Relation, lawful: Sequence[Point]) -> bool:
+def _leaps(
+    lines: Sequence[Relation], laws: Sequence[Relation], target: Relation, lawful: Sequence[Point]
+) -> bool:
     """Whether nothing stands between some of the laws and the claim: no step, and not every law that it takes."""
     written = {text(line): line for line in lines}.values()
     if len(written) > len(laws) + 1:
         return False
     steps = [line for line in written if text(line) not in (text(lines[-1]), text(target))]
     stated = [[_equivalent(step, law, lawful) for law in laws] for step in steps]
-    return all(map(any, stated)) and not all(any(each[place] for each in stated) for place in range(len(laws)))
+    return all(map(any, stated)) and not all(
+        any(each[place] for each in stated) for place in range(len(laws))
+    )
 
 
 def lawful_points(key: Key) -> list[Point]:
@@ -80,7 +86,10 @@ def lawless_points(lawful: Sequence[Point]) -> list[Point]:
     """The same letters, each moved on its own, so that no law holds any more but by chance."""
     dice = random.Random(7)
     return [
-        {name: RationalPi(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi) for name, value in point.items()}
+        {
+            name: RationalPi(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi)
+            for name, value in point.items()
+        }
         for point in lawful
     ]
 

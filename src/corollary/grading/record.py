@@ -43,7 +43,9 @@ def marked_record(marked: Marked) -> dict[str, Any]:
         "points": round(marked.points, 6),
         "out_of": marked.out_of,
         "parts": {
-            grade.variant.problem.answer_name(part.part): part_record(part) for grade in marked.grades for part in grade.parts
+            grade.variant.problem.answer_name(part.part): part_record(part)
+            for grade in marked.grades
+            for part in grade.parts
         },
         "variants": {grade.variant.problem.code: grade.variant.index for grade in marked.grades},
         "isolation": marked.isolation,

@@ -29,7 +29,10 @@ BY_THE_RULES = WhatIf()
 
 
 def replay(
-    solution: Solution, givens: Mapping[str, RationalPi], deviation: WhatIf = BY_THE_RULES, until: int | None = None
+    solution: Solution,
+    givens: Mapping[str, RationalPi],
+    deviation: WhatIf = BY_THE_RULES,
+    until: int | None = None,
 ) -> list[Values]:
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
     values: dict[str, RationalPi] = dict(givens)
@@ -54,7 +57,9 @@ def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Values:
         case ClosedForms(trees):
             return tuple(number(tree, values) for tree in trees)
         case Measured(scene, settings, observe):
-            return observed(scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe)
+            return observed(
+                scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe
+            )
 
 
 def number(tree: Expr, values: Mapping[str, RationalPi]) -> float:
@@ -88,7 +93,9 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
     except (BadSetting, GuardFailed) as error:
         raise Undefined(str(error)) from None
     if observe not in outcome.observed:
-        raise Undefined(f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}")
+        raise Undefined(
+            f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}"
+        )
     seen = outcome.observed[observe]
     return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
 

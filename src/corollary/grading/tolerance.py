@@ -31,7 +31,13 @@ def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Seque
     noise = _silence(values)
     dice = random.Random(1)  # the same roundings for every variant: fair, and the same in ten years
     for _ in range(REPLAYS):
-        _widen(noise, solution, givens, values, WhatIf(rounding=lambda x: x + _half_unit(x) * dice.uniform(-1, 1)))
+        _widen(
+            noise,
+            solution,
+            givens,
+            values,
+            WhatIf(rounding=lambda x: x + _half_unit(x) * dice.uniform(-1, 1)),
+        )
     if (other := GRAVITY.get(givens["g"].ratio) if "g" in givens else None) is not None:
         shifts = _silence(values)
         _widen(shifts, solution, {**givens, "g": RationalPi(other)}, values, WhatIf())
@@ -46,7 +52,11 @@ def _silence(values: Sequence[Values]) -> list[Noise]:
 
 
 def _widen(
-    noise: list[Noise], solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Values], deviation: WhatIf
+    noise: list[Noise],
+    solution: Solution,
+    givens: Mapping[str, RationalPi],
+    values: Sequence[Values],
+    deviation: WhatIf,
 ) -> None:
     try:
         found = replay(solution, givens, deviation)
@@ -56,7 +66,9 @@ def _widen(
         off = math.dist(numbers, truth)
         if math.isfinite(off):
             each.distance = max(each.distance, off)
-            each.components = [max(a, abs(x - y)) for a, x, y in zip(each.components, numbers, truth, strict=True)]
+            each.components = [
+                max(a, abs(x - y)) for a, x, y in zip(each.components, numbers, truth, strict=True)
+            ]
 
 
 def _half_unit(x: float) -> float:

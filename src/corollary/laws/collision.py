@@ -18,7 +18,15 @@ def restitution(r: object, *, A: tuple, B: tuple) -> Law:
 
 def reduced_mass(mu: object, m_A: object, m_B: object) -> Law:
     """Two bodies that act on each other move against each other like one of this mass."""
-    return law("Reduced mass", "mu = m_A*m_B/(m_A + m_B)", source="", holds="no external force acts", mu=mu, m_A=m_A, m_B=m_B)
+    return law(
+        "Reduced mass",
+        "mu = m_A*m_B/(m_A + m_B)",
+        source="",
+        holds="no external force acts",
+        mu=mu,
+        m_A=m_A,
+        m_B=m_B,
+    )
 
 
 def half_oscillation(T: object, m: object, k: object) -> Law:
@@ -49,7 +57,11 @@ def after_elastic(*, A: tuple, B: tuple) -> tuple[sympy.Expr, sympy.Expr]:
 def in_the_limit(found: object, formula: object, letter: sympy.Symbol, to: object, holds: str) -> Law:
     """What a formula (or each of several) becomes as one letter vanishes or grows beyond all bounds; taken here."""
     several = isinstance(formula, tuple)
-    limits = tuple(sympy.limit(one, letter, to) for one in formula) if several else sympy.limit(formula, letter, to)
+    limits = (
+        tuple(sympy.limit(one, letter, to) for one in formula)
+        if several
+        else sympy.limit(formula, letter, to)
+    )
     return law("Limit", "v = v_limit", source="(12.69)-(12.72)", holds=holds, v=found, v_limit=limits)
 
 

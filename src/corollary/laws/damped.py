@@ -7,7 +7,9 @@ from corollary.laws.law import Law, law
 
 def damping_rate(beta: object, m: object, c: object) -> Law:
     """How fast a swing with the drag c v dies away, from m x'' = -k x - c x'."""
-    return law("Damped oscillation", "beta = c/(2*m)", holds="the contact pushes with k x + c v", beta=beta, m=m, c=c)
+    return law(
+        "Damped oscillation", "beta = c/(2*m)", holds="the contact pushes with k x + c v", beta=beta, m=m, c=c
+    )
 
 
 def damped_frequency(omega: object, m: object, k: object, beta: object) -> Law:

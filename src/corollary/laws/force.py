@@ -22,7 +22,15 @@ def within(theta: object, room: object, holds: str) -> Law:
 
 
 def sphere_contact(
-    F: object, *, theta: object, k: object, delta: object, eta: object, apart: tuple, r: object, passing: tuple
+    F: object,
+    *,
+    theta: object,
+    k: object,
+    delta: object,
+    eta: object,
+    apart: tuple,
+    r: object,
+    passing: tuple,
 ) -> Law:
     """What sphere B does to sphere A: a push along the line of centres, and a drag; `apart` and `passing` are B less A."""
     return law("Contact of two spheres", "F = theta*(-k*abs(delta)^(3/2)*dr/r + eta*dv)", source="(program of section 12.6)",
@@ -43,4 +51,12 @@ def towards_circle(F: object, *, k: object, b: object, place: tuple, r: object) 
 
 def on_a_circle(F: object, *, m: object, v: object, r: object) -> Law:
     """What must pull inwards for a circle at constant speed."""
-    return law("Newton's second law", "F = m*v^2/r", holds="F is the force towards the centre of the circle", F=F, m=m, v=v, r=r)
+    return law(
+        "Newton's second law",
+        "F = m*v^2/r",
+        holds="F is the force towards the centre of the circle",
+        F=F,
+        m=m,
+        v=v,
+        r=r,
+    )

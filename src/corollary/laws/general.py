@@ -12,4 +12,12 @@ def same(x: object, y: object, because: str = "") -> Law:
 
 def level_floor(N: object, m: object, g: object) -> Law:
     """On a level floor the normal force carries the weight."""
-    return law("Newton's second law", "N = m*g", source="(12.16)", holds="nothing accelerates vertically", N=N, m=m, g=g)
+    return law(
+        "Newton's second law",
+        "N = m*g",
+        source="(12.16)",
+        holds="nothing accelerates vertically",
+        N=N,
+        m=m,
+        g=g,
+    )

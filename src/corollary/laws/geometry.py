@@ -14,11 +14,26 @@ def angle_between(psi: object, *, a: tuple, b: tuple, lengths: tuple) -> Law:
 def line_of_centres(n: tuple, *, s: object, D: object) -> tuple[Law, Law]:
     """The unit vector from centre to centre as two spheres touch: across the motion the centres are s apart, in all D."""
     return (
-        law("Line of centres", "n_y = s/D", holds="the centres are D apart when the spheres touch", n_y=n[1], s=s, D=D),
-        law("Unit vector", "n_x = sqrt(1 - n_y^2)", holds="A comes along +x, so that B lies ahead of it", n_x=n[0], n_y=n[1]),
+        law(
+            "Line of centres",
+            "n_y = s/D",
+            holds="the centres are D apart when the spheres touch",
+            n_y=n[1],
+            s=s,
+            D=D,
+        ),
+        law(
+            "Unit vector",
+            "n_x = sqrt(1 - n_y^2)",
+            holds="A comes along +x, so that B lies ahead of it",
+            n_x=n[0],
+            n_y=n[1],
+        ),
     )
 
 
 def rope_height(h: object, L: object, theta: object) -> Law:
     """How far the end of a rope of length L has risen when the rope makes the angle theta with the vertical."""
-    return law("Geometry of the rope", "h = L*(1 - cos(theta))", holds="the rope stays tight", h=h, L=L, theta=theta)
+    return law(
+        "Geometry of the rope", "h = L*(1 - cos(theta))", holds="the rope stays tight", h=h, L=L, theta=theta
+    )

@@ -9,7 +9,9 @@ from corollary.laws.law import Law, law
 
 def impulse_momentum(J: object, dp: object) -> Law:
     """The impulse of the net force is the change of momentum (12.19), (12.20)."""
-    return law("Impulse", "J = dp", source="(12.19), (12.20)", holds="J is the impulse of the net force", J=J, dp=dp)
+    return law(
+        "Impulse", "J = dp", source="(12.19), (12.20)", holds="J is the impulse of the net force", J=J, dp=dp
+    )
 
 
 def mean_force(F: object, J: object, dt: object) -> Law:
@@ -41,4 +43,12 @@ def force_on_standing(F: object, N: object, m: object, g: object) -> Law:
 
 def direction(angle: object, J: tuple) -> Law:
     """The angle of a vector above the x-axis (12.41), for vectors with a positive x-component."""
-    return law("Direction", "beta = atan(J_y/J_x)", source="(12.41)", holds="J_x is positive", beta=angle, J_x=J[0], J_y=J[1])
+    return law(
+        "Direction",
+        "beta = atan(J_y/J_x)",
+        source="(12.41)",
+        holds="J_x is positive",
+        beta=angle,
+        J_x=J[0],
+        J_y=J[1],
+    )

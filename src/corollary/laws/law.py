@@ -69,7 +69,8 @@ def sides(stated: Law) -> list[tuple[sympy.Expr, sympy.Expr]]:
 def component(stated: Law, index: int) -> dict[str, sympy.Expr]:
     """What the letters mean in one scalar equation of the law."""
     return {
-        letter: meaning[index] if isinstance(meaning, tuple) else meaning for letter, meaning in stated.letters.items()
+        letter: meaning[index] if isinstance(meaning, tuple) else meaning
+        for letter, meaning in stated.letters.items()
     }
 
 

@@ -14,7 +14,9 @@ def momentum(p: object, m: object, v: object) -> Law:
 
 def change_of_momentum(dp: object, m: object, *, before: object, after: object) -> Law:
     """The change is what it is after less what it was before (12.29)."""
-    return law("Change of momentum", "dp = m*v_1 - m*v_0", source="(12.29)", dp=dp, m=m, v_1=after, v_0=before)
+    return law(
+        "Change of momentum", "dp = m*v_1 - m*v_0", source="(12.29)", dp=dp, m=m, v_1=after, v_0=before
+    )
 
 
 def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:

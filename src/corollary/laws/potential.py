@@ -33,7 +33,14 @@ def angular_momentum(*, m: object, w_0: object, r_0: object, w_1: object, r_1: o
 
 def oscillation(T: object, *, m: object, k: object) -> Law:
     """The period of a body on a linear spring."""
-    return law("Harmonic oscillation", "T = 2*pi*sqrt(m/k)", holds="the force is -k (x - b) all the way", T=T, m=m, k=k)
+    return law(
+        "Harmonic oscillation",
+        "T = 2*pi*sqrt(m/k)",
+        holds="the force is -k (x - b) all the way",
+        T=T,
+        m=m,
+        k=k,
+    )
 
 
 def far_turning_point(r: object, *, b: object, kappa: object) -> Law:

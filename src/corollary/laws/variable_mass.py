@@ -37,7 +37,9 @@ def growing(m_1: object, *, m: object, R: object, t: object) -> Law:
     return law("Constant rate", "m_1 = m + R*t", m_1=m_1, m=m, R=R, t=t)
 
 
-def impulse_of_growing_weight(J: object, *, m: sympy.Expr, R: sympy.Expr, g: sympy.Expr, t: sympy.Expr) -> Law:
+def impulse_of_growing_weight(
+    J: object, *, m: sympy.Expr, R: sympy.Expr, g: sympy.Expr, t: sympy.Expr
+) -> Law:
     """The integral of (m + R t) g over the time, worked out."""
     now = sympy.Dummy("t", positive=True)
     return law("Impulse", "J = S", source="(12.20)", holds="the weight grows with the mass, (m + R t) g",

@@ -65,7 +65,9 @@ def paper_of(about: Mapping[str, str]) -> Paper | None:
         return None
     who = next((each for each in students(course) if each.id == student), None)
     if who is None or student not in dealt:
-        raise NotOnRoster(f"{student} handed in {name} but is not on the roster; add them and generate {name} again")
+        raise NotOnRoster(
+            f"{student} handed in {name} but is not on the roster; add them and generate {name} again"
+        )
     bank, problem_set = read_origin(course, name)
     path = submissions(course, name).get(student, course.notebook("submitted", student, name))
     solutions = _solved(bank, _state(bank, problem_set))

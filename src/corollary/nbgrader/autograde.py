@@ -42,10 +42,14 @@ class OwnSheet(NotebookExporter):
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
         run = self.parent
-        if isinstance(run, Autograde):  # which makes its exporter before all else, and has no hook around a whole run
+        if isinstance(
+            run, Autograde
+        ):  # which makes its exporter before all else, and has no hook around a whole run
             run.convert_notebooks = partial(_alone, run, run.convert_notebooks)
 
-    def from_file(self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any) -> tuple[Any, Any]:
+    def from_file(
+        self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any
+    ) -> tuple[Any, Any]:
         paper = _paper((resources or {}).get("nbgrader", {}))
         if paper is None or not _handed_in(paper, file_stream.name):
             return super().from_file(file_stream, resources=resources, **more)
@@ -56,13 +60,19 @@ class OwnNumbers(OverwriteCells):
     """The sheet has the student's own numbers already: the source's, which are the chapter's, must not replace them."""
 
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
-        return (nb, resources) if _paper(resources["nbgrader"]) is not None else super().preprocess(nb, resources)
+        return (
+            (nb, resources)
+            if _paper(resources["nbgrader"]) is not None
+            else super().preprocess(nb, resources)
+        )
 
 
 class JudgedOutside(Execute):
     """Runs what was handed in behind our walls and judges it outside of them; nothing a notebook prints is a mark."""
 
-    require_isolation = Integer(1, help="Refuse to run notebooks below this isolation level (0 to 3).").tag(config=True)
+    require_isolation = Integer(1, help="Refuse to run notebooks below this isolation level (0 to 3).").tag(
+        config=True
+    )
 
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict, *more: Any, **others: Any) -> Converted:
         paper = _paper(resources["nbgrader"])

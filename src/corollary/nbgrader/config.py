@@ -7,7 +7,7 @@ from pathlib import Path
 from corollary.records.course import Course, write_atomically
 
 MARK = "# Written by corollary."
-TEXT = f'''\
+TEXT = f"""\
 {MARK} Add your own settings below; corollary leaves this file alone from now on.
 from nbconvert.preprocessors import ClearMetadataPreprocessor
 from nbgrader.preprocessors import (
@@ -32,7 +32,7 @@ c.Autograde.autograde_preprocessors = [
 
 # Feedback is made anew each time, so that it never shows older marks than the gradebook.
 c.GenerateFeedback.force = True
-'''
+"""
 
 
 class NotOurs(Exception):

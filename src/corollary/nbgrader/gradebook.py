@@ -35,7 +35,9 @@ def need_nbgrader() -> None:
     try:
         import nbgrader.api  # noqa: F401
     except ImportError:
-        raise NoNbgrader("a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'") from None
+        raise NoNbgrader(
+            "a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'"
+        ) from None
 
 
 def settings(course: Course) -> Config:
@@ -45,7 +47,9 @@ def settings(course: Course) -> Config:
     try:
         found = PyFileConfigLoader("nbgrader_config.py", path=str(course.folder)).load_config()
     except ConfigFileNotFound:
-        raise NotRegistered(f"{course.folder} has no nbgrader_config.py; make it with corollary generate") from None
+        raise NotRegistered(
+            f"{course.folder} has no nbgrader_config.py; make it with corollary generate"
+        ) from None
     found.CourseDirectory.root = str(course.folder)
     return found
 

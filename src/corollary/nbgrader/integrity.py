@@ -26,7 +26,11 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
     edited, foreign = [], []
     for cell in handed_out(sheet).cells:
         theirs = found.get(cell.id)
-        if not cell.metadata["nbgrader"]["locked"] or theirs is None or _plain(theirs.source) == _plain(cell.source):
+        if (
+            not cell.metadata["nbgrader"]["locked"]
+            or theirs is None
+            or _plain(theirs.source) == _plain(cell.source)
+        ):
             continue
         (foreign if as_handed_out(theirs, cell) else edited).append(cell.id)
     return tuple(_said(sheet, _owner(notebook), edited, foreign))
@@ -51,7 +55,9 @@ def _said(sheet: Worksheet, owner: str, edited: list[str], foreign: list[str]):
 
 def _named(ids: list[str]) -> str:
     """The cells by name, and the verb that goes with them."""
-    words = ", ".join(ids[:MOST_NAMED]) + (f" and {len(ids) - MOST_NAMED} more" if len(ids) > MOST_NAMED else "")
+    words = ", ".join(ids[:MOST_NAMED]) + (
+        f" and {len(ids) - MOST_NAMED} more" if len(ids) > MOST_NAMED else ""
+    )
     return f"The cell {words} is" if len(ids) == 1 else f"The cells {words} are"
 
 

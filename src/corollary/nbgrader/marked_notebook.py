@@ -35,7 +35,9 @@ def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: Notebook
         if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
             cell.outputs = [_said(verdicts[cell.id])]
     remarks = [f"> **{safe_markdown(said)}**" for said in (marked.trouble, *marked.notes) if said]
-    nb.cells[1:1] = [new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)]
+    nb.cells[1:1] = [
+        new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)
+    ]
     return nb
 
 
@@ -75,7 +77,9 @@ def part_grades(marked: Marked) -> Iterator[tuple[str, PartGrade]]:
 def answer_sources(nb: NotebookNode, key: str) -> tuple[str, ...]:
     """What the student wrote for a part, as it stands in a marked notebook: equal when the answer is the same."""
     ids = (key, f"{key}_answer", f"{key}_plot")
-    return tuple(cell.source for cell in nb.cells if cell.get("id") in ids and cell.metadata["nbgrader"]["solution"])
+    return tuple(
+        cell.source for cell in nb.cells if cell.get("id") in ids and cell.metadata["nbgrader"]["solution"]
+    )
 
 
 def _fill_in(cell: NotebookNode, theirs: NotebookNode) -> None:

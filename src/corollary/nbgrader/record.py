@@ -27,7 +27,13 @@ if TYPE_CHECKING:
 
 
 def record_one(
-    course: Course, book: Gradebook, problem_set: ProblemSet, marked: Marked, notebook: str, *, anew: bool = False
+    course: Course,
+    book: Gradebook,
+    problem_set: ProblemSet,
+    marked: Marked,
+    notebook: str,
+    *,
+    anew: bool = False,
 ) -> None:
     """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again.
 
@@ -43,7 +49,10 @@ def record_one(
         _write_scores(each, marked, partial(_same_answer, place, notebook) if not anew else lambda key: False)
     book.db.commit()
     write_atomically(place, notebook)
-    for file, content in (("timestamp.txt", stamp), ("submission_secret.txt", _secret(course, name, student))):
+    for file, content in (
+        ("timestamp.txt", stamp),
+        ("submission_secret.txt", _secret(course, name, student)),
+    ):
         if content:
             write_atomically(course.place("autograded", student, name) / file, content)
 
@@ -76,7 +85,9 @@ def _assignment(book: Gradebook, name: str) -> Assignment:
     try:
         return book.find_assignment(name)
     except MissingEntry:
-        raise NotRegistered(f"the gradebook does not know {name}; make it with corollary generate {name}") from None
+        raise NotRegistered(
+            f"the gradebook does not know {name}; make it with corollary generate {name}"
+        ) from None
 
 
 def _write_scores(notebook: SubmittedNotebook, marked: Marked, same: Callable[[str], bool]) -> None:
@@ -113,7 +124,12 @@ def _same_answer(before: Path, now: str, key: str) -> bool:
     """Whether the student wrote the same for a part in the marked notebook that lies there and in this one."""
     try:
         old = nbformat.read(before, as_version=4)
-    except (OSError, ValueError, AttributeError, KeyError):  # no notebook yet, or one that somebody broke: as if there were none
+    except (
+        OSError,
+        ValueError,
+        AttributeError,
+        KeyError,
+    ):  # no notebook yet, or one that somebody broke: as if there were none
         return False
     return answer_sources(nbformat.reads(now, as_version=4), key) == answer_sources(old, key)
 

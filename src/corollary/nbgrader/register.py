@@ -47,7 +47,11 @@ def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookN
         about_set: dict[str, Any] = {"duedate": due, "course_id": book.course_id}
         book.update_or_create_assignment(name, **about_set)
         for each in students(course):
-            about = {"first_name": each.first_name or None, "last_name": each.last_name or None, "email": each.email or None}
+            about = {
+                "first_name": each.first_name or None,
+                "last_name": each.last_name or None,
+                "email": each.email or None,
+            }
             book.db.merge(Student(id=each.id, **about))
         book.db.commit()
     _generate(course, name)
@@ -64,7 +68,9 @@ def _generate(course: Course, name: str) -> None:
         return
     log = str(told.get("log", "")) + str(told.get("error", ""))
     if "locked" in log:
-        raise GradebookLocked(f"{course.gradebook} is locked by another program; close it, and generate again")
+        raise GradebookLocked(
+            f"{course.gradebook} is locked by another program; close it, and generate again"
+        )
     if "Cannot add or remove cells" in log:
         raise NotRegistered(
             f"parts of {name} were added or removed, but work on it is in the gradebook already; give the changed set a new name"
@@ -74,7 +80,10 @@ def _generate(course: Course, name: str) -> None:
 
 
 def record(
-    course: Course, problem_set: ProblemSet, marked: Iterable[Marked], notebooks: Mapping[str, NotebookNode | None]
+    course: Course,
+    problem_set: ProblemSet,
+    marked: Iterable[Marked],
+    notebooks: Mapping[str, NotebookNode | None],
 ) -> None:
     """Puts marks into the gradebook and marked notebooks into `autograded/`, one student after the other.
 

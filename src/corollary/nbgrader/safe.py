@@ -46,11 +46,17 @@ def _output(output: Mapping[str, object]) -> NotebookNode | None:
             return _made("stream", name=name, text=_short(_text(output.get("text"))))
         case "error":
             traceback = output.get("traceback")
-            lines = [_short(str(line)) for line in traceback[:50]] if isinstance(traceback, (list, tuple)) else []
+            lines = (
+                [_short(str(line)) for line in traceback[:50]] if isinstance(traceback, (list, tuple)) else []
+            )
             name, value = (_short(str(output.get(key))) for key in ("ename", "evalue"))
             return _made("error", ename=name, evalue=value, traceback=lines)
         case "display_data" | "execute_result":
-            data = {mime: shown for mime, content in _pairs(output.get("data")) if (shown := _picture(mime, content))}
+            data = {
+                mime: shown
+                for mime, content in _pairs(output.get("data"))
+                if (shown := _picture(mime, content))
+            }
             if "text/plain" in dict(_pairs(output.get("data"))):
                 data["text/plain"] = _short(_text(dict(_pairs(output.get("data")))["text/plain"]))
             return _made("display_data", data=data, metadata={}) if data else None

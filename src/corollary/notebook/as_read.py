@@ -58,7 +58,11 @@ def heard(asked: Asked, sent: tuple) -> Heard:
         case "number":
             number = in_own_axes(asked, sent, heard_numbers)
             unread = "cannot be read" in number.text and _like_formula(asked, sent)
-            return Heard(True, "no number with a unit; will be looked at as a formula when it is marked") if unread else number
+            return (
+                Heard(True, "no number with a unit; will be looked at as a formula when it is marked")
+                if unread
+                else number
+            )
         case "letter":
             return _letter(asked, sent)
         case "lines":
@@ -73,7 +77,10 @@ def heard_function(asked: Asked, function: object) -> Heard:
     if function is None:
         return Heard(False, "no function yet; write the function above and run its cell")
     if not isinstance(function, FunctionType):
-        return Heard(False, f"is of the type {type(function).__name__}, not a function; keep the line that begins with def")
+        return Heard(
+            False,
+            f"is of the type {type(function).__name__}, not a function; keep the line that begins with def",
+        )
     taken = tuple(inspect.signature(function).parameters)
     if taken != asked.words:
         return Heard(False, f"takes ({', '.join(taken)}), but it will be called with {wanted}")
@@ -88,7 +95,11 @@ def _empty(function: FunctionType) -> bool:
     space: dict[str, FunctionType] = {}
     exec(f"def stub({', '.join(inspect.signature(function).parameters)}):\n{words}    ...", space)
     stub, code, first = space["stub"].__code__, function.__code__, int(bool(words))
-    return (code.co_code, code.co_names, code.co_consts[first:]) == (stub.co_code, stub.co_names, stub.co_consts[first:])
+    return (code.co_code, code.co_names, code.co_consts[first:]) == (
+        stub.co_code,
+        stub.co_names,
+        stub.co_consts[first:],
+    )
 
 
 def in_own_axes(asked: Asked, sent: tuple, read: Callable[[Asked, tuple], Heard]) -> Heard:
@@ -99,7 +110,11 @@ def in_own_axes(asked: Asked, sent: tuple, read: Callable[[Asked, tuple], Heard]
     if axes is None or not axes.said:
         return _with_direction(asked, sent[1], read)
     found = _with_direction(asked, axes.text, read)
-    return Heard(True, f"{found.text} with {'your ' if axes.said[0].lower() in 'xyz' else ''}{axes.said}") if found.ok else found
+    return (
+        Heard(True, f"{found.text} with {'your ' if axes.said[0].lower() in 'xyz' else ''}{axes.said}")
+        if found.ok
+        else found
+    )
 
 
 def _with_direction(asked: Asked, text: str, read: Callable[[Asked, tuple], Heard]) -> Heard:
@@ -135,7 +150,11 @@ def _components(asked: Asked, sent: tuple) -> Heard:
     names, count = f"[{', '.join(asked.components)}]", len(asked.components)
     if sent[0] == "text":
         found = read_quantities(sent[1], asked.unit, count, asked.components)
-        return Heard(False, f"cannot be read: {sentence(found)}") if isinstance(found, ParseError) else _said(found)
+        return (
+            Heard(False, f"cannot be read: {sentence(found)}")
+            if isinstance(found, ParseError)
+            else _said(found)
+        )
     if sent[0] != "items" or len(sent[1]) != count:
         have = f"a list of {len(sent[1])}" if sent[0] == "items" else "one number"
         return Heard(False, f"is {have}; a list of {count} is expected, {names}")

@@ -48,11 +48,15 @@ def _cell(
     points: float | None = None,
 ) -> NotebookNode:
     """Put together by hand: nbformat's own makers check every cell against the schema, and so does the file's writer."""
-    mark = NotebookNode(schema_version=3, grade_id=id, grade=points is not None, solution=solution, locked=locked, task=False)
+    mark = NotebookNode(
+        schema_version=3, grade_id=id, grade=points is not None, solution=solution, locked=locked, task=False
+    )
     if points is not None:
         mark["points"] = points
     mark["cell_type"] = kind
-    cell = NotebookNode(cell_type=kind, id=id, metadata=NotebookNode(nbgrader=mark, deletable=False), source=source)
+    cell = NotebookNode(
+        cell_type=kind, id=id, metadata=NotebookNode(nbgrader=mark, deletable=False), source=source
+    )
     if locked:
         cell.metadata["editable"] = False
     if kind == "code":
@@ -72,7 +76,14 @@ def as_handed_out(theirs: NotebookNode, ours: NotebookNode) -> bool:
 def checksum(cell: NotebookNode) -> str:
     """nbgrader's fingerprint of a cell, by which it sees that one was changed (a detector; it protects nothing)."""
     mark = cell.metadata["nbgrader"]
-    words = [cell.source, cell.cell_type, str(mark["grade"]), str(mark["solution"]), str(mark["locked"]), mark["grade_id"]]
+    words = [
+        cell.source,
+        cell.cell_type,
+        str(mark["grade"]),
+        str(mark["solution"]),
+        str(mark["locked"]),
+        mark["grade_id"],
+    ]
     if mark["grade"]:
         words.append(str(float(mark["points"])))
     return hashlib.md5("".join(words).encode(), usedforsecurity=False).hexdigest()

@@ -69,8 +69,13 @@ check = corollary()'''
 def check_source(sheet: Worksheet) -> str:
     """The source of the cell for one sheet: it holds what is asked, and nothing of what is right."""
     asked = [prompt for prompt in sheet.prompts if prompt.part.kind != "explain"]
-    formulas = any(prompt.part.kind == "expression" for prompt in asked)  # else half the cell would be there for few
-    sources = (f"    reader({name!r}, r'''{source}''')\n" for name, source in readers(*NUMBERS, *FORMULAS if formulas else ()))
+    formulas = any(
+        prompt.part.kind == "expression" for prompt in asked
+    )  # else half the cell would be there for few
+    sources = (
+        f"    reader({name!r}, r'''{source}''')\n"
+        for name, source in readers(*NUMBERS, *FORMULAS if formulas else ())
+    )
     closing = CLOSING.replace("__WHERE__", "as_formula.heard_either" if formulas else "as_read.heard")
     return "\n".join([OPENING, *sources, closing.replace("__ASKED__", "\n".join(map(_asked, asked)))])
 

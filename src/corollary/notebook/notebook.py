@@ -19,7 +19,12 @@ from corollary.units.unit import show
 
 METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
-    "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python", "pygments_lexer": "ipython3"},
+    "language_info": {
+        "name": "python",
+        "file_extension": ".py",
+        "mimetype": "text/x-python",
+        "pygments_lexer": "ipython3",
+    },
 }
 SIZELESS = re.compile(
     r"""<svg(?![^>]*\s(?:width|height)=)[^>]*?\sviewBox=["'][\d.-]+[\s,]+[\d.-]+[\s,]+"""
@@ -42,9 +47,13 @@ def notebook(sheet: Worksheet) -> NotebookNode:
     """The notebook of one student. Raises ValueError when two parts of the set would share a name."""
     cells = list(_cells(sheet))
     if twice := [id for id, count in Counter(cell.id for cell in cells).items() if count > 1]:
-        raise ValueError(f"two cells of {sheet.problem_set.name} would be called {twice[0]}; rename one of the parts")
+        raise ValueError(
+            f"two cells of {sheet.problem_set.name} would be called {twice[0]}; rename one of the parts"
+        )
     about = {"corollary": {"set": sheet.problem_set.name, "student": sheet.student.id}}
-    return NotebookNode(cells=cells, metadata=nbformat.from_dict(METADATA | about), nbformat=4, nbformat_minor=5)
+    return NotebookNode(
+        cells=cells, metadata=nbformat.from_dict(METADATA | about), nbformat=4, nbformat_minor=5
+    )
 
 
 def filled_in(sheet: Worksheet, sources: Mapping[str, str]) -> str:
@@ -109,7 +118,9 @@ def _title(sheet: Worksheet) -> str:
     if about.due is not None:
         facts.append(f"due {about.due:%A} {about.due.day} {about.due:%B %Y, %H:%M %Z}")
     facts.append(points(sum(prompt.out_of for prompt in sheet.prompts)))
-    return f"# {about.title}\n\n{' · '.join(facts)}" + (f"\n\n{about.introduction}" if about.introduction else "")
+    return f"# {about.title}\n\n{' · '.join(facts)}" + (
+        f"\n\n{about.introduction}" if about.introduction else ""
+    )
 
 
 def _heading(exercise: Exercise) -> str:

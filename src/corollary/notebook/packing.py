@@ -39,7 +39,9 @@ def _follow(place: str, found: dict[str, str]) -> None:
             _follow(module.removeprefix("corollary.").replace(".", "/"), found)
         elif family not in sys.stdlib_module_names:
             raise ValueError(f"{place}.py imports {module}, which a student's computer may not have")
-    found[place] = re.sub(r"^from corollary(?:\.\w+)*\.(\w+) import", rf"from {PACKAGE}.\1 import", text, flags=re.MULTILINE)
+    found[place] = re.sub(
+        r"^from corollary(?:\.\w+)*\.(\w+) import", rf"from {PACKAGE}.\1 import", text, flags=re.MULTILINE
+    )
 
 
 def _imports(text: str) -> list[str]:

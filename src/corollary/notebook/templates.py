@@ -21,7 +21,9 @@ def blank(prompt: Prompt) -> str:
             return f"{name} = None   # {_numbers(part)}{_or_unit(part)}"
         case "expression" if part.components:
             row = ", ".join("None" for _ in part.components)
-            return f'{name} = [{row}]   # [{", ".join(part.components)}], each a formula as text: "2*a/(b + c)"'
+            return (
+                f'{name} = [{row}]   # [{", ".join(part.components)}], each a formula as text: "2*a/(b + c)"'
+            )
         case "expression":
             return f'{name} = None   # a formula as text, in quotes: "2*a/(b + c)"'
         case "choice":
@@ -40,7 +42,7 @@ def plot_blank(part: Part) -> str:
     """The source of a cell that is to draw."""
     return (
         "import matplotlib.pyplot as plt\n\n"
-        "# Draw here. Name both axes, each with its unit: plt.xlabel(\"t [s]\"), and label the curves when there are several.\n\n"
+        '# Draw here. Name both axes, each with its unit: plt.xlabel("t [s]"), and label the curves when there are several.\n\n'
         "plt.show()"
     )
 

@@ -80,12 +80,18 @@ def letters(problem: Problem, part: Part) -> str:
     if part.kind not in ("expression", "proof"):
         return ""
     known = ", ".join(f"`{given.symbol}` ({given.meaning})" for given in problem.givens)
-    more = f"; and, as said above, {', '.join(f'`{name}`' for name in part.components)}" if part.kind == "proof" else ""
+    more = (
+        f"; and, as said above, {', '.join(f'`{name}`' for name in part.components)}"
+        if part.kind == "proof"
+        else ""
+    )
     return f"\n\nLetters: {known}{more}. Write `*` for a product and `^` for a power."
 
 
 def worksheet(problem_set: ProblemSet, student: Student, variants: Iterable[Variant]) -> Worksheet:
     """One student's sheet; the variants in the order of the set's problems."""
     return Worksheet(
-        problem_set, student, tuple(exercise(variant, problem_set.weight(variant.problem)) for variant in variants)
+        problem_set,
+        student,
+        tuple(exercise(variant, problem_set.weight(variant.problem)) for variant in variants),
     )

@@ -40,7 +40,9 @@ def chapter_bank() -> Bank:
     for folder in (package / "bank", package.parent.parent):
         if (folder / "problems").is_dir() and (folder / "solutions").is_dir():
             return Bank(folder)
-    raise UnknownCode(f"the chapter's bank is missing beside {package}; reinstall corollary or name a bank with --bank DIR")
+    raise UnknownCode(
+        f"the chapter's bank is missing beside {package}; reinstall corollary or name a bank with --bank DIR"
+    )
 
 
 def open_bank(folder: Path | None) -> Bank:
@@ -78,11 +80,19 @@ def doubles(problems: list[Problem]) -> list[Diagnostic]:
     for problem in problems:
         if (other := codes.setdefault(problem.code.lower(), problem)) is not problem:
             complaints.append(
-                Diagnostic(problem.path, 2, f"{other.path.name} has the code {problem.code} already; change one of them")
+                Diagnostic(
+                    problem.path,
+                    2,
+                    f"{other.path.name} has the code {problem.code} already; change one of them",
+                )
             )
         if (other := names.setdefault(problem.name, problem)) is not problem:
             complaints.append(
-                Diagnostic(problem.path, 1, f"there is another {problem.path.name} in {other.topic}/; rename one of them")
+                Diagnostic(
+                    problem.path,
+                    1,
+                    f"there is another {problem.path.name} in {other.topic}/; rename one of them",
+                )
             )
     return complaints
 
@@ -100,7 +110,9 @@ def find(bank: Bank, code: str) -> Problem:
         if not path.is_file():
             raise UnknownCode(f"there is no file {code}")
         if bank.problems.resolve() not in path.parents:
-            raise UnknownCode(f"{code} does not lie in {bank.problems}; name its own bank with --bank, or leave --bank out")
+            raise UnknownCode(
+                f"{code} does not lie in {bank.problems}; name its own bank with --bank, or leave --bank out"
+            )
         return read_problem(path)
     for path in files(bank):
         if path.stem == code:
@@ -113,7 +125,11 @@ def find(bank: Bank, code: str) -> Problem:
 
 def _code_at_a_glance(path: Path) -> str:
     """The code a file gives itself, without reading all of it."""
-    found = CODE_LINE.search(path.read_text(encoding="utf-8", errors="replace")[:2000]) if path.is_file() else None
+    found = (
+        CODE_LINE.search(path.read_text(encoding="utf-8", errors="replace")[:2000])
+        if path.is_file()
+        else None
+    )
     return found[1] if found else ""
 
 

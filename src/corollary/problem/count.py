@@ -49,7 +49,9 @@ def _groups(problem: Problem) -> list[list[Given]]:
     for condition in problem.conditions:
         tied = names(condition.relation)
         joined = [given for group in groups if tied & {given.symbol for given in group} for given in group]
-        groups = [group for group in groups if not tied & {given.symbol for given in group}] + ([joined] if joined else [])
+        groups = [group for group in groups if not tied & {given.symbol for given in group}] + (
+            [joined] if joined else []
+        )
     return groups
 
 
@@ -67,7 +69,9 @@ def _counted(group: list[Given], conditions: list[Condition]) -> int:
     letters = {}
     for given in group:
         axis = [-1 if other is given else 1 for other in group]
-        letters[given.symbol] = Letter(_numbers(given, range(given.grid.count)), np.arange(given.grid.count).reshape(axis))
+        letters[given.symbol] = Letter(
+            _numbers(given, range(given.grid.count)), np.arange(given.grid.count).reshape(axis)
+        )
     return int(_kept_by_all(conditions, letters, [given.grid.count for given in group]).sum())
 
 

@@ -75,7 +75,9 @@ def _node(path: Path, node: yaml.Node, complaints: list[Diagnostic], depth: int)
     line = node.start_mark.line + 2  # the mark counts from 0, and line 1 is ---
     match node:
         case _ if depth > 6:
-            complaints.append(Diagnostic(path, line, "front matter is nested too deeply (or refers to itself)"))
+            complaints.append(
+                Diagnostic(path, line, "front matter is nested too deeply (or refers to itself)")
+            )
             return Text("", line)
         case yaml.ScalarNode():
             return Text(node.value, line)
@@ -116,7 +118,9 @@ class Reader:
             case Text(text, line) if text.strip() or default == "":
                 return text, line
             case Text(_, line):
-                self.complain(line, f"`{name}` of {self.what} is empty; say what it is, or leave the line out")
+                self.complain(
+                    line, f"`{name}` of {self.what} is empty; say what it is, or leave the line out"
+                )
                 return default or "", line
             case None if default is not None:
                 return default, self.table.line
@@ -132,7 +136,9 @@ class Reader:
             return None
         number = exact(text)
         if number is None and text:
-            self.complain(line, f"`{name}: {text}` of {self.what} is not a number; write it as 0.43, -2, 1/3 or 1.2e3")
+            self.complain(
+                line, f"`{name}: {text}` of {self.what} is not a number; write it as 0.43, -2, 1/3 or 1.2e3"
+            )
         return number
 
     def table_of(self, name: str) -> Table:

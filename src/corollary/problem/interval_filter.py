@@ -97,7 +97,10 @@ def kept(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
         holding = np.broadcast_to(SIGNS[relation.sign](gap.value), places[0].shape).copy()
         doubtful = np.broadcast_to(~(abs(gap.value) > gap.off), places[0].shape)
     for point in zip(*np.nonzero(doubtful), strict=True):
-        exact = {name: letter.numbers[int(at[point])] for (name, letter), at in zip(tied.items(), places, strict=True)}
+        exact = {
+            name: letter.numbers[int(at[point])]
+            for (name, letter), at in zip(tied.items(), places, strict=True)
+        }
         holding[point] = _holds(relation, exact)
     return holding
 

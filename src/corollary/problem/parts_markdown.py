@@ -10,13 +10,17 @@ from corollary.problem.part import KIND_NAMES, KindName, Option, Part
 from corollary.units.unit import Unit, unit
 
 HEADING = re.compile(r"""##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>(?:[^{}"]|"[^"]*")*)\})?\s*$""")
-ATTRIBUTE = re.compile(r"""\#(?P<id>[\w-]+)|\.(?P<kind>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))""")
+ATTRIBUTE = re.compile(
+    r"""\#(?P<id>[\w-]+)|\.(?P<kind>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))"""
+)
 OPTION = re.compile(r"-\s+\((?P<letter>[a-z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 KNOWN = {"unit", "points", "components", "function"}
 
 
-def read_parts(path: Path, body: str, first_line: int, complaints: list[Diagnostic]) -> tuple[str, tuple[Part, ...]]:
+def read_parts(
+    path: Path, body: str, first_line: int, complaints: list[Diagnostic]
+) -> tuple[str, tuple[Part, ...]]:
     """The statement and the parts; what is wrong is added to the complaints."""
     chunks: list[tuple[int, str, list[str]]] = [(first_line, "", [])]
     fenced = False
@@ -32,7 +36,9 @@ def read_parts(path: Path, body: str, first_line: int, complaints: list[Diagnost
         if part is None:
             continue
         if any(part.id == other.id for other in parts):
-            complaints.append(Diagnostic(path, line, f"part {part.id} occurs twice; every part needs an id of its own"))
+            complaints.append(
+                Diagnostic(path, line, f"part {part.id} occurs twice; every part needs an id of its own")
+            )
         parts.append(part)
     return "\n".join(chunks[0][2]).strip(), tuple(parts)
 
@@ -52,9 +58,11 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         elif attribute["kind"]:
             kinds.append(attribute["kind"])
         else:
-            settings[attribute["name"]] = attribute["quoted"] if attribute["quoted"] is not None else attribute["bare"]
+            settings[attribute["name"]] = (
+                attribute["quoted"] if attribute["quoted"] is not None else attribute["bare"]
+            )
     if left := ATTRIBUTE.sub("", match["attributes"]).strip():
-        complain(f"cannot read {left!r} among the attributes; use #id, .kind and name=\"value\"")
+        complain(f'cannot read {left!r} among the attributes; use #id, .kind and name="value"')
     if len(ids) != 1 or not ID.match(ids[0]):
         complain("a part needs one id of small letters and digits, such as #a or #c2")
         return None
@@ -62,7 +70,9 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         complain(f"part {ids[0]} has an unknown attribute {name}; known are {', '.join(sorted(KNOWN))}")
     known: list[KindName] = [kind for kind in KIND_NAMES if kind in kinds]
     if len(known) != len(kinds) or not known or (len(known) > 1 and known != ["code", "plot"]):
-        complain(f"part {ids[0]} needs one kind of {', '.join('.' + kind for kind in KIND_NAMES)} (or .code .plot together)")
+        complain(
+            f"part {ids[0]} needs one kind of {', '.join('.' + kind for kind in KIND_NAMES)} (or .code .plot together)"
+        )
         return None
     measured_in = _unit(settings.get("unit", "1"), ids[0], complain)
     points = _points(settings.get("points", "1"), ids[0], complain)
@@ -72,14 +82,18 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
     if not components and known[0] == "vector":
         complain(f'part {ids[0]} is a vector; name its components: components="x y"')
     signature = settings.get("function", "")
-    if ("code" in known) != bool(signature) or (signature and not re.match(r"[A-Za-z_]\w*\([\w\s,]*\)$", signature)):
+    if ("code" in known) != bool(signature) or (
+        signature and not re.match(r"[A-Za-z_]\w*\([\w\s,]*\)$", signature)
+    ):
         complain(f'part {ids[0]}: a .code part, and only that, has a function="name(arguments)"')
     options, text = _options(lines)
     if len(options) < 2 if "choice" in known else options:
         complain(f"part {ids[0]}: a .choice part, and only that, lists options, each as: - (a) text")
     if len({option.letter for option in options}) != len(options):
         complain(f"part {ids[0]} lists an option letter twice")
-    return Part(ids[0], match["title"], text, tuple(known), measured_in, points, components, options, signature, line)
+    return Part(
+        ids[0], match["title"], text, tuple(known), measured_in, points, components, options, signature, line
+    )
 
 
 def _options(lines: list[str]) -> tuple[tuple[Option, ...], str]:

@@ -45,7 +45,9 @@ class ProblemSet:
     @property
     def out_of(self) -> float:
         return sum(
-            part.points * weight for problem, weight in zip(self.problems, self.weights, strict=True) for part in problem.parts
+            part.points * weight
+            for problem, weight in zip(self.problems, self.weights, strict=True)
+            for part in problem.parts
         )
 
 
@@ -64,13 +66,16 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     complaints: list[Diagnostic] = []
     front = Reader(path, table, "the problem set", complaints)
     if not NAME.match(path.stem):
-        front.complain(1, f"the file's name becomes a folder's; {path.stem!r} will not do, use letters, digits, _ and -")
+        front.complain(
+            1, f"the file's name becomes a folder's; {path.stem!r} will not do, use letters, digits, _ and -"
+        )
     title = front.text("title")
     due, due_line = front.line_of("due", "")
     moment = _moment(due)
     if due and moment is None:
         front.complain(
-            due_line, f"due: {due} is no moment; write it as 2026-12-04 23:59 (or with a zone, 2026-12-04T23:59+01:00)"
+            due_line,
+            f"due: {due} is no moment; write it as 2026-12-04 23:59 (or with a zone, 2026-12-04T23:59+01:00)",
         )
     reveal, reveal_line = front.line_of("reveal", "no")
     if reveal not in {"yes", "no"}:
@@ -79,7 +84,9 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     chosen = _problems(bank, front)
     front.finish()
     if not front.list_of("problems"):
-        complaints.append(Diagnostic(path, table.line, "holds no problems; list them under problems:, one `- X12.5` a line"))
+        complaints.append(
+            Diagnostic(path, table.line, "holds no problems; list them under problems:, one `- X12.5` a line")
+        )
     if complaints:
         raise Malformed(complaints)
     problems, weights = zip(*chosen, strict=True)

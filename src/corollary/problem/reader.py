@@ -28,11 +28,21 @@ def read_problem(path: Path) -> Problem:
     table, body, line = split(path)
     complaints: list[Diagnostic] = []
     front = Reader(path, table, "the front matter", complaints)
-    (code, code_line), (title, title_line), source = front.line_of("code"), front.line_of("title"), front.text("source", "")
+    (code, code_line), (title, title_line), source = (
+        front.line_of("code"),
+        front.line_of("title"),
+        front.text("source", ""),
+    )
     if code and not CODE.match(code):
-        front.complain(code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5")
+        front.complain(
+            code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5"
+        )
     rows = front.table_of("given").entries
-    givens = tuple(given for symbol, node in rows.items() if (given := _given(path, symbol, node, complaints)) is not None)
+    givens = tuple(
+        given
+        for symbol, node in rows.items()
+        if (given := _given(path, symbol, node, complaints)) is not None
+    )
     known = frozenset(rows)  # those with a fault too: one fault is one complaint
     conditions = [
         condition
@@ -43,15 +53,21 @@ def read_problem(path: Path) -> Problem:
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     front.finish()
     if figure and not alt:
-        front.complain(figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it")
+        front.complain(
+            figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it"
+        )
     statement, parts = read_parts(path, body, line, complaints)
     for text, first in ((body, line), (figure, figure_line + ("\n" in figure)), (alt, alt_line)):
         _check_holes(path, text, first, known, complaints)
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
         if holes(text):
-            complaints.append(Diagnostic(path, at, f"the title {text!r} has a hole; numbers stand in the text below it"))
+            complaints.append(
+                Diagnostic(path, at, f"the title {text!r} has a hole; numbers stand in the text below it")
+            )
     if not parts:
-        complaints.append(Diagnostic(path, line, 'asks nothing; add a part: ## Title {#a .value unit="m/s" points=1}'))
+        complaints.append(
+            Diagnostic(path, line, 'asks nothing; add a part: ## Title {#a .value unit="m/s" points=1}')
+        )
     if complaints:
         raise Malformed(complaints)
     return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path,
@@ -61,7 +77,11 @@ def read_problem(path: Path) -> Problem:
 def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Diagnostic]) -> Given | None:
     if not isinstance(node, Table):
         complaints.append(
-            Diagnostic(path, node.line, f"{symbol} must be a table: {{is: …, value: …, from: …, to: …, step: …, unit: …}}")
+            Diagnostic(
+                path,
+                node.line,
+                f"{symbol} must be a table: {{is: …, value: …, from: …, to: …, step: …, unit: …}}",
+            )
         )
         return None
     before = len(complaints)
@@ -69,7 +89,9 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
     if not SYMBOL.match(symbol):
         row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
     elif symbol in TAKEN:
-        row.complain(node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter")
+        row.complain(
+            node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter"
+        )
     meaning, (unit_text, unit_line) = row.text("is"), row.line_of("unit", "1")
     value = row.fraction("value")
     first, last, step = (row.fraction(name, "") for name in ("from", "to", "step"))
@@ -82,9 +104,19 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
     if len(complaints) > before or value is None:
         return None
     if first is None and last is None and step is None:
-        return Given(symbol, meaning, measured_in, value, Grid(value, type(value)(0), 1), node.line, decimal_places(value))
+        return Given(
+            symbol,
+            meaning,
+            measured_in,
+            value,
+            Grid(value, type(value)(0), 1),
+            node.line,
+            decimal_places(value),
+        )
     if first is None or last is None or step is None:
-        row.complain(node.line, f"{symbol} needs all of from, to and step, or none of them (then it is always {value})")
+        row.complain(
+            node.line, f"{symbol} needs all of from, to and step, or none of them (then it is always {value})"
+        )
         return None
     if step <= 0 or last < first:
         row.complain(
@@ -99,14 +131,24 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
             f"{symbol} does not reach `to` in whole steps; the last value would be {float(first + (count - 1) * step):g}",
         )
         return None
-    return Given(symbol, meaning, measured_in, value, Grid(first, step, int(count)), node.line, decimal_places(first, step))
+    return Given(
+        symbol,
+        meaning,
+        measured_in,
+        value,
+        Grid(first, step, int(count)),
+        node.line,
+        decimal_places(first, step),
+    )
 
 
 def _condition(
     path: Path, node: Table | Text | List, known: frozenset[str], hard: bool, complaints: list[Diagnostic]
 ) -> Condition | None:
     if not isinstance(node, Text):
-        complaints.append(Diagnostic(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5"))
+        complaints.append(
+            Diagnostic(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5")
+        )
         return None
     try:
         relation = author_formula(node.text)
@@ -115,30 +157,46 @@ def _condition(
         return None
     if not isinstance(relation, Relation):
         complaints.append(
-            Diagnostic(path, node.line, f"condition {node.text!r} compares nothing; write a relation with <, <=, >, >= or !=")
+            Diagnostic(
+                path,
+                node.line,
+                f"condition {node.text!r} compares nothing; write a relation with <, <=, >, >= or !=",
+            )
         )
         return None
     if unknown := sorted(names(relation) - known - {"pi"}):
         complaints.append(
             Diagnostic(
-                path, node.line, f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})"
+                path,
+                node.line,
+                f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})",
             )
         )
         return None
     if not names(relation) - {"pi"}:
-        complaints.append(Diagnostic(path, node.line, f"condition {node.text!r} is about none of the givens; leave it out"))
+        complaints.append(
+            Diagnostic(path, node.line, f"condition {node.text!r} is about none of the givens; leave it out")
+        )
         return None
     return Condition(relation, node.text, hard, node.line)
 
 
-def _check_holes(path: Path, text: str, line: int, known: frozenset[str], complaints: list[Diagnostic]) -> None:
+def _check_holes(
+    path: Path, text: str, line: int, known: frozenset[str], complaints: list[Diagnostic]
+) -> None:
     for symbol, style, at in holes(text):
         if symbol not in known:
             complaints.append(
-                Diagnostic(path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})")
+                Diagnostic(
+                    path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})"
+                )
             )
         if style not in {"", "number"}:
-            complaints.append(Diagnostic(path, line + at, f"{{{{{symbol}|{style}}}}}: the only style is number"))
+            complaints.append(
+                Diagnostic(path, line + at, f"{{{{{symbol}|{style}}}}}: the only style is number")
+            )
     for at, words in enumerate(HOLE.sub("", text).splitlines()):
         if "{{" in words and "}}" in words:
-            complaints.append(Diagnostic(path, line + at, "a hole must hold one symbol: {{m}} or {{m|number}}"))
+            complaints.append(
+                Diagnostic(path, line + at, "a hole must hold one symbol: {{m}} or {{m|number}}")
+            )

@@ -29,7 +29,13 @@ def read_roster(path: Path) -> tuple[Student, ...]:
     """The students of a CSV file with the column `id`, in its order. Raises Malformed."""
     columns, rows = _rows(path)
     if not rows:
-        raise Malformed([Diagnostic(path, 1, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})")])
+        raise Malformed(
+            [
+                Diagnostic(
+                    path, 1, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})"
+                )
+            ]
+        )
     if "id" not in columns:
         raise Malformed([Diagnostic(path, 1, f"has no column `id`; its columns are {', '.join(columns)}")])
     complaints, students, lines = [], [], {}
@@ -39,7 +45,9 @@ def read_roster(path: Path) -> tuple[Student, ...]:
             sentence = f"id {student.id!r} will not do as a folder's name; use letters, digits, _ . @ -"
             complaints.append(Diagnostic(path, line, sentence))
         elif (first := lines.setdefault(student.id, line)) != line:
-            sentence = f"id {student.id} stands on line {first} already; every student needs an id of their own"
+            sentence = (
+                f"id {student.id} stands on line {first} already; every student needs an id of their own"
+            )
             complaints.append(Diagnostic(path, line, sentence))
         students.append(student)
     if complaints:

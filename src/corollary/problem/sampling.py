@@ -32,8 +32,10 @@ def sample(problem: Problem, count: int, *, salt: str = "sample") -> Iterator[Va
     """Distinct variants spread over the grid, the same every time; all of them where the grid is small."""
     total = size(problem)
     seen: set[int] = set()
-    indices = range(total) if total <= count else (
-        digest(b"corollary", salt, problem.code, str(n)) % total for n in range(50 * count)
+    indices = (
+        range(total)
+        if total <= count
+        else (digest(b"corollary", salt, problem.code, str(n)) % total for n in range(50 * count))
     )
     for index in indices:
         if index in seen:

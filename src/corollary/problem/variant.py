@@ -81,7 +81,9 @@ def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
             raise OutOfRange(f"{symbol} is not among the givens of {problem.code} ({known})")
     variant = Variant(problem, {**chapter(problem).values, **values}, None)
     if (broken := first_broken(variant, hard_only=True)) is not None:
-        have = ", ".join(f"{name} = {written(variant, name)}" for name in sorted(names(broken.relation) - {"pi"}))
+        have = ", ".join(
+            f"{name} = {written(variant, name)}" for name in sorted(names(broken.relation) - {"pi"})
+        )
         raise OutOfRange(f"{problem.code} needs {broken.text}, but {have}")
     return variant
 
@@ -112,6 +114,9 @@ def number(given: Given, value: Fraction) -> str:
     """The bare number, with the decimals of the given's grid where they suffice."""
     places = max(given.places, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
-        text = next((text for n in range(1, 7) if Fraction(text := decimal_text(value, n)) == value), decimal_text(value, 6))
+        text = next(
+            (text for n in range(1, 7) if Fraction(text := decimal_text(value, n)) == value),
+            decimal_text(value, 6),
+        )
         return text.replace("-", "−", 1) if value < 0 else text
     return f"{round(value * 10**places) / 10**places:.{places}f}".replace("-", "−")

@@ -25,7 +25,9 @@ Truths = Mapping[str, tuple[float, ...]]  # student -> right answer of one part,
 
 
 def sharing(
-    problem_set: ProblemSet, solutions: Solutions, dealt: Mapping[str, Mapping[str, int]],
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    dealt: Mapping[str, Mapping[str, int]],
     records: Mapping[str, Mapping[str, Any]],
 ) -> tuple[Shared, ...]:
     """Every pair of students of whom one's wrong answers fit the other's numbers, the least likely by chance first.
@@ -44,16 +46,22 @@ def sharing(
             for other, truth in others.items():
                 length = math.hypot(*truth)
                 if length > 0 and within(values, truth, WITHIN, length):
-                    met.setdefault((student, other), {}).setdefault(problem.code, []).append((problem.answer_name(part), width))
+                    met.setdefault((student, other), {}).setdefault(problem.code, []).append(
+                        (problem.answer_name(part), width)
+                    )
     shared = []
     for (student, other), problems in met.items():
         one = math.prod(max(width for _, width in parts) for parts in problems.values())
         chance = -math.expm1((len(dealt) - 1) * math.log1p(-min(one, 1 - 1e-12)))
-        shared.append(Shared(student, other, tuple(name for parts in problems.values() for name, _ in parts), chance))
+        shared.append(
+            Shared(student, other, tuple(name for parts in problems.values() for name, _ in parts), chance)
+        )
     return tuple(sorted(shared, key=lambda one: (one.chance, one.student, one.other)))
 
 
-def _wrong(problem: Problem, records: Mapping[str, Mapping[str, Any]]) -> Iterator[tuple[str, Part, tuple[float, ...]]]:
+def _wrong(
+    problem: Problem, records: Mapping[str, Mapping[str, Any]]
+) -> Iterator[tuple[str, Part, tuple[float, ...]]]:
     """Every answer in numbers that was marked wrong."""
     for student, record in records.items():
         for part in problem.parts:

@@ -72,11 +72,15 @@ def open_course(folder: Path) -> Course:
     try:
         key = (folder / ".corollary" / "key").read_bytes()
     except FileNotFoundError:
-        raise NotACourse(f"{folder} is no course of ours: it has no .corollary/key; make one with corollary generate") from None
+        raise NotACourse(
+            f"{folder} is no course of ours: it has no .corollary/key; make one with corollary generate"
+        ) from None
     except OSError as error:
         raise NotACourse(f"the key of the course in {folder} cannot be read: {error.strerror}") from None
     if len(key) != KEY_BYTES:
-        raise NotACourse(f"{folder}/.corollary/key is damaged: {len(key)} bytes, not {KEY_BYTES}; restore it from a backup")
+        raise NotACourse(
+            f"{folder}/.corollary/key is damaged: {len(key)} bytes, not {KEY_BYTES}; restore it from a backup"
+        )
     return Course(folder, key)
 
 
@@ -85,12 +89,16 @@ def students(course: Course) -> tuple[Student, ...]:
     try:
         return read_roster(course.folder / ".corollary" / "roster.csv")
     except Malformed as error:
-        raise NotACourse(f"the roster of {course.folder} is damaged: {error}; generate again with --roster") from None
+        raise NotACourse(
+            f"the roster of {course.folder} is damaged: {error}; generate again with --roster"
+        ) from None
 
 
 def write_dealt(course: Course, set_name: str, dealt: Dealt) -> None:
     """Records who got which numbers, so that they never change, whatever becomes of the problems."""
-    text = json.dumps({student: dict(dealt[student]) for student in sorted(dealt)}, indent=1, ensure_ascii=False)
+    text = json.dumps(
+        {student: dict(dealt[student]) for student in sorted(dealt)}, indent=1, ensure_ascii=False
+    )
     write_atomically(course.folder / ".corollary" / "dealt" / f"{set_name}.json", text + "\n")
 
 
@@ -101,7 +109,10 @@ def read_dealt(course: Course, set_name: str) -> dict[str, dict[str, int]]:
         return {}
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
-        return {str(student): {str(code): int(index) for code, index in row.items()} for student, row in record.items()}
+        return {
+            str(student): {str(code): int(index) for code, index in row.items()}
+            for student, row in record.items()
+        }
     except (OSError, ValueError, TypeError, AttributeError) as error:
         raise NotACourse(f"{path} is damaged ({error}); restore it from a backup") from None
 
@@ -109,13 +120,19 @@ def read_dealt(course: Course, set_name: str) -> dict[str, dict[str, int]]:
 def dealt_anywhere(course: Course, student: str) -> dict[str, int]:
     """The numbers a student was dealt, by code of the problem, whatever set they came in. Raises NotACourse."""
     sets = sorted((course.folder / ".corollary" / "dealt").glob("*.json"))
-    return {code: index for path in sets for code, index in read_dealt(course, path.stem).get(student, {}).items()}
+    return {
+        code: index for path in sets for code, index in read_dealt(course, path.stem).get(student, {}).items()
+    }
 
 
 def submissions(course: Course, set_name: str) -> dict[str, Path]:
     """The notebook each student handed in, by student."""
     places = sorted((course.folder / "submitted").glob("*/"))
-    return {place.name: path for place in places if (path := _handed_in_notebook(place / set_name, set_name)) is not None}
+    return {
+        place.name: path
+        for place in places
+        if (path := _handed_in_notebook(place / set_name, set_name)) is not None
+    }
 
 
 def _handed_in_notebook(place: Path, set_name: str) -> Path | None:

@@ -22,7 +22,9 @@ def one_writer(course: Course) -> Iterator[None]:
         fcntl.flock(place, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         os.close(place)
-        raise BeingGraded(f"another run is grading in {course.folder}; wait until it is done, then run this again") from None
+        raise BeingGraded(
+            f"another run is grading in {course.folder}; wait until it is done, then run this again"
+        ) from None
     try:
         yield
     finally:

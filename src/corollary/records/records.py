@@ -27,7 +27,12 @@ Record = dict[str, Any]
 
 
 def keep(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, marked: Marked, fingerprint: str, page: str | None = None
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    marked: Marked,
+    fingerprint: str,
+    page: str | None = None,
 ) -> None:
     """The feedback page, the history's line and the record, in this order: the record says that everything before it is done.
 
@@ -60,7 +65,11 @@ def read_record(course: Course, problem_set: ProblemSet, student: str) -> Record
         entry = json.loads(_record_path(course, problem_set, student).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return entry if isinstance(entry, dict) and {"fingerprint", "rows", "handed_in", "parts"} <= entry.keys() else None
+    return (
+        entry
+        if isinstance(entry, dict) and {"fingerprint", "rows", "handed_in", "parts"} <= entry.keys()
+        else None
+    )
 
 
 def history(course: Course, set_name: str) -> Iterator[Record]:
@@ -95,7 +104,9 @@ def feedback_places(course: Course, problem_set: ProblemSet, student: str) -> tu
     """Where our own page lies: beside nbgrader's, and beside the marked notebook, from where nbgrader copies it back when it
     makes the feedback folder anew."""
     name = problem_set.name
-    feedback, autograded = (course.place(step, student, name) / f"{name}.feedback.html" for step in ("feedback", "autograded"))
+    feedback, autograded = (
+        course.place(step, student, name) / f"{name}.feedback.html" for step in ("feedback", "autograded")
+    )
     return feedback, autograded
 
 
@@ -108,7 +119,12 @@ def lateness(course: Course, problem_set: ProblemSet, student: str) -> float:
 
 
 def fingerprint(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, student: str, path: Path, row: Mapping[str, int]
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    student: str,
+    path: Path,
+    row: Mapping[str, int],
 ) -> str:
     """What the marks depend on: the paper, its moment, the numbers, the problems and solutions, the scheme, and this program."""
     digest = hashlib.sha256()
@@ -119,7 +135,11 @@ def fingerprint(
     add(content_of(path))
     add(str(handed_in(course, problem_set.name, student)).encode())
     add(json.dumps(dict(row), sort_keys=True).encode())
-    add(repr((problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)).encode())
+    add(
+        repr(
+            (problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)
+        ).encode()
+    )
     for problem in problem_set.problems:
         add(problem.path.read_bytes())
         add(solutions.source(problem))
@@ -135,7 +155,11 @@ def keep_sharing(course: Course, problem_set: ProblemSet, shared: Iterable[Share
 def kept_sharing(course: Course, problem_set: ProblemSet) -> tuple[Shared, ...]:
     """Empty when nothing was found, or nothing graded yet."""
     try:
-        found = json.loads((course.folder / ".corollary" / "sharing" / f"{problem_set.name}.json").read_text(encoding="utf-8"))
+        found = json.loads(
+            (course.folder / ".corollary" / "sharing" / f"{problem_set.name}.json").read_text(
+                encoding="utf-8"
+            )
+        )
         return tuple(Shared(**one | {"parts": tuple(one["parts"])}) for one in found)
     except (OSError, ValueError, TypeError, KeyError):  # none, or damaged: found again at the next grading
         return ()

@@ -18,11 +18,17 @@ from corollary.render.verdict_look import LOOKS
 def summary(marked: Iterable[Marked], *, roster: Iterable[str] = ()) -> Report:
     """The report on marked submissions; `roster` holds the ids of all students of the course."""
     marked = list(marked)
-    return report([handed_in(one) for one in marked], [row for one in marked for row in rows(one)], roster=roster)
+    return report(
+        [handed_in(one) for one in marked], [row for one in marked for row in rows(one)], roster=roster
+    )
 
 
 def report(
-    handed: Sequence[HandedIn], rows: Sequence[Row], *, roster: Iterable[str] = (), shared: Sequence[Shared] = ()
+    handed: Sequence[HandedIn],
+    rows: Sequence[Row],
+    *,
+    roster: Iterable[str] = (),
+    shared: Sequence[Shared] = (),
 ) -> Report:
     """The report on plain rows, as they are kept beside a course; parts in the order of their first row."""
     by_part: dict[tuple[str, str], list[Row]] = {}
@@ -32,7 +38,9 @@ def report(
         if row.said:
             by_slip.setdefault((row.verdict, row.said, row.problem, row.part), {})[row.student] = None
     met = [Met(*met, tuple(students)) for met, students in by_slip.items()]
-    waiting = [Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.verdict == "unmarked"]
+    waiting = [
+        Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.verdict == "unmarked"
+    ]
     came = {one.student for one in handed}
     return Report(
         tuple(handed),
@@ -53,7 +61,14 @@ def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
 def handed_in(marked: Marked) -> HandedIn:
     student = marked.student
     return HandedIn(
-        student.id, student.name, marked.points, marked.out_of, marked.late, marked.late_share, marked.trouble, marked.isolation,
+        student.id,
+        student.name,
+        marked.points,
+        marked.out_of,
+        marked.late,
+        marked.late_share,
+        marked.trouble,
+        marked.isolation,
         marked.notes,
     )
 
@@ -62,7 +77,15 @@ def rows(marked: Marked) -> list[Row]:
     """One row for each part of one submission."""
     student = marked.student.id
     return [
-        Row(student, grade.variant.problem.code, part.part.id, word(part.verdict), part.points, part.out_of, *_said(part.verdict))
+        Row(
+            student,
+            grade.variant.problem.code,
+            part.part.id,
+            word(part.verdict),
+            part.points,
+            part.out_of,
+            *_said(part.verdict),
+        )
         for grade in marked.grades
         for part in grade.parts
     ]

@@ -15,7 +15,14 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
     roster = [student.id for student in students(course)]
     kept = [entry for student in roster if (entry := read_record(course, problem_set, student)) is not None]
     all_rows = [Row(**each) for entry in kept for each in entry["rows"]]
-    all_rows.sort(key=lambda each: order.index((each.problem, each.part)) if (each.problem, each.part) in order else len(order))
+    all_rows.sort(
+        key=lambda each: (
+            order.index((each.problem, each.part)) if (each.problem, each.part) in order else len(order)
+        )
+    )
     return report(
-        [HandedIn(**entry["handed_in"]) for entry in kept], all_rows, roster=roster, shared=kept_sharing(course, problem_set)
+        [HandedIn(**entry["handed_in"]) for entry in kept],
+        all_rows,
+        roster=roster,
+        shared=kept_sharing(course, problem_set),
     )

@@ -38,7 +38,9 @@ class AnsweredPart:
     @property
     def answered(self) -> bool:
         """Whether there is an answer to show."""
-        return bool(self.grade.answer) and not (isinstance(self.grade.verdict, Unread) and self.grade.verdict.blank)
+        return bool(self.grade.answer) and not (
+            isinstance(self.grade.verdict, Unread) and self.grade.verdict.blank
+        )
 
     @property
     def introduction(self) -> str:
@@ -63,7 +65,9 @@ class AnsweredExercise:
     solution: str
 
 
-def feedback_page(marked: Marked, problem_set: ProblemSet, *, solutions: Mapping[str, str] | None = None) -> str:
+def feedback_page(
+    marked: Marked, problem_set: ProblemSet, *, solutions: Mapping[str, str] | None = None
+) -> str:
     """The feedback of one student as a page of HTML that needs nothing beside it.
 
     `solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none.
@@ -89,7 +93,11 @@ def spell(seconds: float) -> str:
     """A length of time in its two leading units: 2 days 3 h, 5 min."""
     minutes = max(1, round(seconds / 60))
     days, hours, minutes = minutes // 1440, minutes // 60 % 24, minutes % 60
-    words = [f"{days} day{'s' * (days > 1)}" if days else "", f"{hours} h" if hours else "", f"{minutes} min" if minutes else ""]
+    words = [
+        f"{days} day{'s' * (days > 1)}" if days else "",
+        f"{hours} h" if hours else "",
+        f"{minutes} min" if minutes else "",
+    ]
     return " ".join([word for word in words if word][:2])
 
 
@@ -103,7 +111,9 @@ def describe(figure: Figure) -> str:
     return "Your figure: " + ("; ".join(axes) or "nothing is drawn in it")
 
 
-def _exercise(grade: Grade, pictures: Mapping[str, tuple[Picture, ...]], solutions: Mapping[str, str]) -> AnsweredExercise:
+def _exercise(
+    grade: Grade, pictures: Mapping[str, tuple[Picture, ...]], solutions: Mapping[str, str]
+) -> AnsweredExercise:
     asked = exercise(grade.variant)
     prompts = {prompt.part.id: prompt for prompt in asked.prompts}
     parts = []
@@ -119,13 +129,21 @@ def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple
     found: dict[str, tuple[Picture, ...]] = {}
     for figure in figures:
         # X12_5_c_2_plot begins with X12_5_c_ and with X12_5_c_2_: the longest key is meant.
-        key = max((key for key in keys if figure.cell == key or figure.cell.startswith(key + "_")), key=len, default="")
+        key = max(
+            (key for key in keys if figure.cell == key or figure.cell.startswith(key + "_")),
+            key=len,
+            default="",
+        )
         drawn = figure.png is not None and figure.png.startswith(PNG)
-        source = "data:image/png;base64," + base64.b64encode(figure.png).decode() if drawn and figure.png else ""
+        source = (
+            "data:image/png;base64," + base64.b64encode(figure.png).decode() if drawn and figure.png else ""
+        )
         found[key] = (*found.get(key, ()), Picture(source, describe(figure)))
     return found
 
 
 def _stopped(run: CellRun) -> tuple[str, str]:
     """The cell, and what stopped it."""
-    return run.id, run.error or ("It ran too long and was stopped." if run.status == "timeout" else "It ended in an error.")
+    return run.id, run.error or (
+        "It ran too long and was stopped." if run.status == "timeout" else "It ended in an error."
+    )

@@ -15,7 +15,11 @@ from corollary.render.maths import mathml
 @lru_cache(maxsize=1)
 def parser() -> MarkdownIt:
     """CommonMark with tables and `$…$`, `$$…$$`; without raw HTML, links and pictures, for students' words may flow through."""
-    markdown = MarkdownIt("commonmark", {"html": False}).enable("table").disable(["link", "image", "autolink", "reference"])
+    markdown = (
+        MarkdownIt("commonmark", {"html": False})
+        .enable("table")
+        .disable(["link", "image", "autolink", "reference"])
+    )
     dollarmath_plugin(markdown, allow_labels=False, allow_space=False, allow_digits=False, double_inline=True)
     markdown.add_render_rule("math_inline", _inline)
     markdown.add_render_rule("math_inline_double", _display)

@@ -13,7 +13,15 @@ RAISED = dict(zip("0123456789+−-=nixyTabcdt′″∘", "⁰¹²³⁴⁵⁶⁷�
 LOWERED = dict(zip("0123456789+−-=aeijnpt", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌ₐₑᵢⱼₙₚₜ", strict=True))
 QUAD = "\N{EM SPACE}"
 SPACED = frozenset("=<>≤≥≈≠≪≫+−-±∓→⇒⇔∝∼×·⋅∈≡⟹↦")
-OVER = {"→": "\u20d7", "ˆ": "\u0302", "˜": "\u0303", "¯": "\u0304", "‾": "\u0305", "˙": "\u0307", "¨": "\u0308"}
+OVER = {
+    "→": "\u20d7",
+    "ˆ": "\u0302",
+    "˜": "\u0303",
+    "¯": "\u0304",
+    "‾": "\u0305",
+    "˙": "\u0307",
+    "¨": "\u0308",
+}
 
 
 def plain_formula(latex: str) -> str:
@@ -49,7 +57,9 @@ def _said(element: Element) -> str:
             mark, under = OVER.get(accent.text or "", ""), _said(base)
             return under + mark if len(under) == 1 else under
         case "mtable", _:
-            return "; ".join(", ".join(filter(None, (_said(cell).strip() for cell in row))) for row in children)
+            return "; ".join(
+                ", ".join(filter(None, (_said(cell).strip() for cell in row))) for row in children
+            )
         case _:
             return _row(children)
 
@@ -59,7 +69,12 @@ def _row(children: list[Element]) -> str:
     said = ""
     for child in children:
         word = _said(child)
-        product = said and word and (said[-1].isalnum() or said[-1] in ")") and (word[0].isalpha() or word[0] == "√")
+        product = (
+            said
+            and word
+            and (said[-1].isalnum() or said[-1] in ")")
+            and (word[0].isalpha() or word[0] == "√")
+        )
         differential = said.endswith(("Δ", "∂")) or (said.endswith("d") and len(word) == 1)
         if product and child.tag != "mo" and not differential:
             said += " "
@@ -78,7 +93,11 @@ def _operator(element: Element) -> str:
 
 def _letter(letter: str) -> str:
     """A styled letter as a plain one: terminals have few of them."""
-    return unicodedata.normalize("NFKC", letter) if unicodedata.name(letter, "").startswith("MATHEMATICAL") else letter
+    return (
+        unicodedata.normalize("NFKC", letter)
+        if unicodedata.name(letter, "").startswith("MATHEMATICAL")
+        else letter
+    )
 
 
 def _grouped(element: Element) -> str:
@@ -93,6 +112,8 @@ def _grouped(element: Element) -> str:
 def _script(text: str, letters: dict[str, str], sign: str) -> str:
     """Raised or lowered signs for a number or one letter, else the sign and the text."""
     text = text.replace(" ", "")
-    if all(letter in letters for letter in text) and (len(text) == 1 or not any(letter.isalpha() for letter in text)):
+    if all(letter in letters for letter in text) and (
+        len(text) == 1 or not any(letter.isalpha() for letter in text)
+    ):
         return "".join(letters[letter] for letter in text)
     return sign + (text if text.replace(",", "").isalnum() else f"({text})")

@@ -51,7 +51,9 @@ def plain(text: str, *, width: int = 80) -> str:
 
 def _wrapped(text: str, width: int, first: str) -> str:
     rest = " " * len(first)
-    lines = [textwrap.fill(line, width, initial_indent=rest, subsequent_indent=rest) for line in text.split("\n")]
+    lines = [
+        textwrap.fill(line, width, initial_indent=rest, subsequent_indent=rest) for line in text.split("\n")
+    ]
     return first + "\n".join(lines).removeprefix(rest).replace("\N{NO-BREAK SPACE}", " ")
 
 

@@ -26,7 +26,9 @@ class Interval:
 def report_page(report: Report, problem_set: ProblemSet) -> str:
     """The report as one page of HTML that needs nothing beside it."""
     intervals = _intervals(report)
-    titles = {(problem.code, part.id): part.title for problem in problem_set.problems for part in problem.parts}
+    titles = {
+        (problem.code, part.id): part.title for problem in problem_set.problems for part in problem.parts
+    }
     return page(
         "report.html",
         title=f"{problem_set.title}: report",
@@ -74,7 +76,10 @@ def _totals(report: Report, intervals: list[Interval]) -> str:
 
 
 def _verdicts(report: Report) -> str:
-    layers = [Layer(look.short, tuple(part.counts[look.name] for part in report.parts), look.colour) for look in LOOKS.values()]
+    layers = [
+        Layer(look.short, tuple(part.counts[look.name] for part in report.parts), look.colour)
+        for look in LOOKS.values()
+    ]
     return stacked_bars(
         [_label(part) for part in report.parts],
         layers,

@@ -25,24 +25,42 @@ def _pieces(report: Report) -> Iterator[RenderableType]:
     if report.parts:
         yield _parts(report)
     if report.met:
-        yield _table("Misconceptions and slips met", ("part", "what", "students"), (
-            (f"{met.problem} {met.part}", met.text, f"{len(met.students)}: {_some(met.students)}") for met in report.met[:MOST]
-        ))
+        yield _table(
+            "Misconceptions and slips met",
+            ("part", "what", "students"),
+            (
+                (f"{met.problem} {met.part}", met.text, f"{len(met.students)}: {_some(met.students)}")
+                for met in report.met[:MOST]
+            ),
+        )
         yield from _more(len(report.met))
     if report.waiting:
-        yield _table("Waits for a person", ("student", "part", "why"), (
-            (one.student, f"{one.problem} {one.part}", one.why) for one in report.waiting[:MOST]
-        ))
+        yield _table(
+            "Waits for a person",
+            ("student", "part", "why"),
+            ((one.student, f"{one.problem} {one.part}", one.why) for one in report.waiting[:MOST]),
+        )
         yield from _more(len(report.waiting))
     if report.failed:
-        yield _table("Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed))
+        yield _table(
+            "Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed)
+        )
     if report.noticed:
-        yield _table("Noticed", ("student", "what"), ((one.student, note) for one in report.noticed for note in one.notes))
+        yield _table(
+            "Noticed",
+            ("student", "what"),
+            ((one.student, note) for one in report.noticed for note in one.notes),
+        )
     if report.shared:
         title = "Wrong here, right for somebody else's numbers (proves nothing by itself)"
-        yield _table(title, ("student", "fits", "parts", "by chance"), (
-            (one.student, one.other, ", ".join(one.parts), f"{one.chance:.2g}") for one in report.shared[:MOST]
-        ))
+        yield _table(
+            title,
+            ("student", "fits", "parts", "by chance"),
+            (
+                (one.student, one.other, ", ".join(one.parts), f"{one.chance:.2g}")
+                for one in report.shared[:MOST]
+            ),
+        )
         yield from _more(len(report.shared))
     if report.missing:
         yield Text(f"\nNothing from {len(report.missing)}: {_some(report.missing, 12)}")
@@ -67,7 +85,9 @@ def _parts(report: Report) -> Table:
     table.add_column("points", justify="right")
     for part in report.parts:
         counts = [str(part.counts[word]) if part.counts[word] else "·" for word in LOOKS]
-        table.add_row(Text(f"{part.problem} {part.part}"), *counts, "–" if part.share is None else f"{part.share:.0%}")
+        table.add_row(
+            Text(f"{part.problem} {part.part}"), *counts, "–" if part.share is None else f"{part.share:.0%}"
+        )
     return table
 
 

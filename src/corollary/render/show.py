@@ -18,7 +18,9 @@ def show_text(exercise: Exercise, solution: str | None = None, *, width: int = 8
         pieces.append(plain(f"[Figure: {exercise.figure_alt}]", width=width))
     for prompt in exercise.prompts:
         heading = f"({prompt.part.id}) {plain(prompt.part.title)}  [{_earns(prompt.part, prompt.out_of)}]"
-        options = "\n".join(plain(f"- ({option.letter}) {option.text}", width=width) for option in prompt.options)
+        options = "\n".join(
+            plain(f"- ({option.letter}) {option.text}", width=width) for option in prompt.options
+        )
         pieces.append("\n".join(filter(None, (heading, plain(prompt.text, width=width), options))))
     if solution:
         pieces += ["Worked solution", plain(solution, width=width)]

@@ -7,13 +7,27 @@ import unicodedata
 from itertools import groupby, pairwise
 from xml.etree.ElementTree import Element
 
-CHILDREN = {"mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2, "msubsup": 3, "munderover": 3}
+CHILDREN = {
+    "mfrac": 2,
+    "mroot": 2,
+    "msub": 2,
+    "msup": 2,
+    "mover": 2,
+    "munder": 2,
+    "msubsup": 3,
+    "munderover": 3,
+}
 ROWS = frozenset({"math", "mrow", "mstyle", "mtd", "msqrt", "mphantom", "mpadded", "menclose"})
 TAGS = ROWS | CHILDREN.keys() | {"mi", "mn", "mo", "mspace", "mtable", "mtext", "mtr"}
-ATTRIBUTES = frozenset(re.findall(r"\w+", """
+ATTRIBUTES = frozenset(
+    re.findall(
+        r"\w+",
+        """
     accent accentunder columnalign depth display displaystyle fence form height largeop linethickness lspace maxsize minsize
     movablelimits notation rspace scriptlevel separator stretchy symmetric voffset width
-"""))
+""",
+    )
+)
 # Words, or lengths of at most two digits: no formula may push the rest of the page away.
 VALUE = re.compile(r"[a-z -]{1,20}|[+-]?[0-9]{0,2}(\.[0-9]{0,4})?[a-z%]{0,3}")
 ENTITY = re.compile(r"&#x([0-9A-Fa-f]{1,6});")
@@ -34,12 +48,23 @@ def typeset(element: Element) -> Element:
     tag = element.tag if element.tag in TAGS else "mrow"
     if tag in {"mi", "mtext"} and text in SYMBOLS:
         tag = "mo"
-    elif tag == "mo" and (text == "∞" or (len(text) > 1 and text.isalpha() and text != "mod")):  # \operatorname{sgn} is a name
+    elif tag == "mo" and (
+        text == "∞" or (len(text) > 1 and text.isalpha() and text != "mod")
+    ):  # \operatorname{sgn} is a name
         tag = "mi"
-    copy = Element(tag, {name: value for name, value in element.attrib.items() if name in ATTRIBUTES and VALUE.fullmatch(value)})
+    copy = Element(
+        tag,
+        {
+            name: value
+            for name, value in element.attrib.items()
+            if name in ATTRIBUTES and VALUE.fullmatch(value)
+        },
+    )
     style = element.get("mathvariant", "")
     # A lone letter of \mathrm arrives as an entity without a style; TeX sets capital Greek upright.
-    if tag == "mi" and (style == "normal" or (ENTITY.fullmatch(element.text or "") and text.isascii()) or "Α" <= text <= "Ω"):
+    if tag == "mi" and (
+        style == "normal" or (ENTITY.fullmatch(element.text or "") and text.isascii()) or "Α" <= text <= "Ω"
+    ):
         copy.set("mathvariant", "normal")
     copy.text = _styled(text, style) if style not in {"", "normal"} else text
     if tag == "mo" and (text == "/" or text in BARS):
@@ -93,7 +118,9 @@ def _accented(over: Element, base: Element, accent: Element) -> None:
 def _joined(children: list[Element]) -> list[Element]:
     """Upright letters one by one (`n` `e` `t`) become one word, for the eye and for the voice."""
     joined: list[Element] = []
-    for upright, letters in groupby(children, lambda child: child.tag == "mi" and child.get("mathvariant") == "normal"):
+    for upright, letters in groupby(
+        children, lambda child: child.tag == "mi" and child.get("mathvariant") == "normal"
+    ):
         run = list(letters)
         if upright and len(run) > 1 and all((letter.text or "").isascii() for letter in run):
             run[0].text = "".join(letter.text or "" for letter in run)
@@ -105,7 +132,12 @@ def _joined(children: list[Element]) -> list[Element]:
 def _signed(children: list[Element]) -> list[Element]:
     """A sign after another operator belongs to the number behind it."""
     for before, sign in pairwise(children):
-        if sign.tag == "mo" and sign.text in SIGNS and before.tag == "mo" and (before.text or "") not in CLOSING:
+        if (
+            sign.tag == "mo"
+            and sign.text in SIGNS
+            and before.tag == "mo"
+            and (before.text or "") not in CLOSING
+        ):
             sign.set("form", "prefix")
     return children
 

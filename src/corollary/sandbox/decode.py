@@ -63,7 +63,11 @@ def plain(sent: Sent) -> Value:
             return Real(value)
         case SentExact(numerator, denominator):
             below = int(denominator, 16)
-            return Exact(Fraction(int(numerator, 16), below)) if below else Refused("is a fraction with denominator zero")
+            return (
+                Exact(Fraction(int(numerator, 16), below))
+                if below
+                else Refused("is a fraction with denominator zero")
+            )
         case SentComplex(real, imaginary):
             return Complex(real, imaginary)
         case SentText(text):

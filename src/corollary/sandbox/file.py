@@ -29,7 +29,9 @@ def bytes_of(path: str | Path) -> bytes | Unreadable:
         # A named pipe would wait for ever, and a link leads where the student could not go.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     except (OSError, ValueError) as error:
-        return Unreadable(f"The file cannot be opened: {error.strerror if isinstance(error, OSError) else error}.")
+        return Unreadable(
+            f"The file cannot be opened: {error.strerror if isinstance(error, OSError) else error}."
+        )
     if not stat.S_ISREG(os.fstat(descriptor).st_mode):
         os.close(descriptor)
         return Unreadable("This is not a file.")

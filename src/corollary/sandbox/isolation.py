@@ -37,7 +37,9 @@ def isolation_of(held: Mapping[str, bool], reasons: Mapping[str, str]) -> Isolat
     else:
         level = min(1, len(standing))
     bounds = ["rlimits"] if held.get("rlimits", False) else []
-    missing = [f"{wall}: {reasons.get(wall, 'did not hold when tried')}" for wall in _WALLS if wall not in standing]
+    missing = [
+        f"{wall}: {reasons.get(wall, 'did not hold when tried')}" for wall in _WALLS if wall not in standing
+    ]
     missing += [f"{wall}: {why}" for wall, why in reasons.items() if wall not in _WALLS]
     if "namespaces" not in standing:
         missing.append("a disk of its own: the folder's size is watched, not bounded")

@@ -34,7 +34,9 @@ def read_notebook(path: str | Path) -> Notebook | Unreadable:
 def notebook_of(content: bytes) -> Notebook | Unreadable:
     """The notebook in these bytes; never raises."""
     if len(content) > MOST_BYTES:
-        return Unreadable(f"The file is larger than {MOST_BYTES >> 20} MB: clear the outputs and hand it in again.")
+        return Unreadable(
+            f"The file is larger than {MOST_BYTES >> 20} MB: clear the outputs and hand it in again."
+        )
     if not content.strip():
         return Unreadable("The file is empty.")
     try:
@@ -113,7 +115,9 @@ def _sound_cells(cells: list, notes: list[str]) -> list[Any]:
         cell.id = name
         if cell.cell_type == "code":
             outputs = cell.get("outputs")
-            cell.outputs = [each for each in outputs if isinstance(each, dict)] if isinstance(outputs, list) else []
+            cell.outputs = (
+                [each for each in outputs if isinstance(each, dict)] if isinstance(outputs, list) else []
+            )
             cell.setdefault("execution_count", None)
         sound.append(cell)
     return sound

@@ -31,12 +31,16 @@ class Stream(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="strea
     text: _Long
 
 
-class Display(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="display_data", tag_field="output_type"):
+class Display(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="display_data", tag_field="output_type"
+):
     data: dict[_Words, _Long]
     metadata: dict[_Words, None]
 
 
-class Result(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="execute_result", tag_field="output_type"):
+class Result(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="execute_result", tag_field="output_type"
+):
     data: dict[_Words, _Long]
     metadata: dict[_Words, None]
     execution_count: _Index

@@ -51,7 +51,9 @@ def _place(job: Job, told: WorkerState) -> str:
     index = told.working_on.index
     if told.working_on.what == "cell":
         return f"in code cell {index + 1}"
-    return f"while its function {job.asks[index].function} was called" if index < len(job.asks) else "at its end"
+    return (
+        f"while its function {job.asks[index].function} was called" if index < len(job.asks) else "at its end"
+    )
 
 
 def cell_runs(job: Job, told: WorkerState) -> tuple[CellRun, ...]:
@@ -65,7 +67,11 @@ def cell_runs(job: Job, told: WorkerState) -> tuple[CellRun, ...]:
             runs.append(CellRun(cell.id, frame.status, outputs, told.seconds[index], frame.error))
         elif index == broken:
             status: Status = "timeout" if told.late else "error"
-            error = "the cell ran out of time and did not stop" if told.late else "the notebook's process ended in this cell"
+            error = (
+                "the cell ran out of time and did not stop"
+                if told.late
+                else "the notebook's process ended in this cell"
+            )
             runs.append(CellRun(cell.id, status, (), 0.0, error))
         else:
             runs.append(CellRun(cell.id, "not run", (), 0.0, ""))
@@ -106,7 +112,11 @@ def answered(told_call: CallTold | None, trouble: str, told: WorkerState, index:
 def figures_of(job: Job, told: WorkerState) -> tuple[Figure, ...]:
     """All figures in the order of the cells that showed them."""
     return tuple(
-        Figure(job.cells[index].id, tuple(_axes(each) for each in figure.axes if each is not None), _png(told, figure.picture))
+        Figure(
+            job.cells[index].id,
+            tuple(_axes(each) for each in figure.axes if each is not None),
+            _png(told, figure.picture),
+        )
         for index in sorted(told.cells)
         for figure in told.cells[index].figures
     )
@@ -119,4 +129,7 @@ def _png(told: WorkerState, place: int | None) -> bytes | None:
 
 def _axes(told: Axes) -> Axes:
     """With lines whose two rows are equally long, which a child may have got wrong."""
-    return replace(told, lines=tuple(replace(line, x=line.x[: len(line.y)], y=line.y[: len(line.x)]) for line in told.lines))
+    return replace(
+        told,
+        lines=tuple(replace(line, x=line.x[: len(line.y)], y=line.y[: len(line.x)]) for line in told.lines),
+    )

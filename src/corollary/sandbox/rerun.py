@@ -30,7 +30,12 @@ def rest_of(job: Job, told: WorkerState) -> Job | None:
 def together(job: Job, taken: ExecutionResult, rest: Job, later: ExecutionResult) -> ExecutionResult:
     """What the run of the rest gave, with what is known already of all that was left out of the job."""
     left_out = [cell.source != kept.source for cell, kept in zip(job.cells, rest.cells, strict=True)]
-    cells = tuple(known if out else run for known, run, out in zip(taken.cells, later.cells, left_out, strict=True))
-    values = {name: taken.values[name] if isinstance(value, Nothing) else value for name, value in later.values.items()}
+    cells = tuple(
+        known if out else run for known, run, out in zip(taken.cells, later.cells, left_out, strict=True)
+    )
+    values = {
+        name: taken.values[name] if isinstance(value, Nothing) else value
+        for name, value in later.values.items()
+    }
     trouble = " ".join(filter(None, (taken.trouble, AGAIN, later.trouble)))
     return replace(later, cells=cells, values=values, calls=taken.calls | later.calls, trouble=trouble)

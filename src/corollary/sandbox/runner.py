@@ -18,8 +18,21 @@ from corollary.sandbox.result import Answered, Axes, CellRun, ExecutionResult, F
 from corollary.sandbox.session import Watch, WorkerState, follow, give
 from corollary.sandbox.zygote import Child, Parent, ask, fork, leave, reap, start, stop
 
-__all__ = ["Answered", "Ask", "Axes", "Cell", "CellRun", "Figure", "Isolation", "Job", "Limits", "Line", "Runner", "ExecutionResult",
-           "WeakIsolation"]
+__all__ = [
+    "Answered",
+    "Ask",
+    "Axes",
+    "Cell",
+    "CellRun",
+    "ExecutionResult",
+    "Figure",
+    "Isolation",
+    "Job",
+    "Limits",
+    "Line",
+    "Runner",
+    "WeakIsolation",
+]
 
 _NO_JOB = Job((), ())
 
@@ -33,7 +46,9 @@ class Runner:
     they wait for one another.
     """
 
-    def __init__(self, limits: Limits | None = None, require: int = 0, without: frozenset[str] = frozenset()) -> None:
+    def __init__(
+        self, limits: Limits | None = None, require: int = 0, without: frozenset[str] = frozenset()
+    ) -> None:
         self.limits = limits or Limits()
         self.require = require
         self.without = without
@@ -45,7 +60,9 @@ class Runner:
         self._warm()
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         with self._lock:
             self._cool()
 
@@ -62,7 +79,9 @@ class Runner:
         with self._lock:
             began = time.monotonic()
             told, code = self._run(job)
-            if not (told.done or told.working_on):  # it died before anything of the notebook ran: not the notebook's doing
+            if not (
+                told.done or told.working_on
+            ):  # it died before anything of the notebook ran: not the notebook's doing
                 told, code = self._run(job)
             taken = self._taken(job, told, code)
             rest: Job | None = job
@@ -133,5 +152,10 @@ class Runner:
         values: dict[str, Value] = {name: Nothing() for name in job.names}
         for index in sorted(told.cells):
             values |= {name: plain(sent) for name, sent in told.cells[index].values.items() if name in values}
-        calls = {ask.key: answered(told.calls.get(index), trouble, told, index) for index, ask in enumerate(job.asks)}
-        return ExecutionResult(cell_runs(job, told), values, calls, figures_of(job, told), self.isolation, trouble)
+        calls = {
+            ask.key: answered(told.calls.get(index), trouble, told, index)
+            for index, ask in enumerate(job.asks)
+        }
+        return ExecutionResult(
+            cell_runs(job, told), values, calls, figures_of(job, told), self.isolation, trouble
+        )

@@ -11,7 +11,17 @@ import msgspec
 
 from corollary.sandbox.disk import bytes_in
 from corollary.sandbox.job import Job, Limits
-from corollary.sandbox.protocol import Began, Broken, CallTold, CellTold, Done, Frames, Garbled, PictureTold, WallTest
+from corollary.sandbox.protocol import (
+    Began,
+    Broken,
+    CallTold,
+    CellTold,
+    Done,
+    Frames,
+    Garbled,
+    PictureTold,
+    WallTest,
+)
 from corollary.sandbox.zygote import Child, tell
 
 _GRACE = 1.0

@@ -17,8 +17,25 @@ from corollary.sandbox.job import Limits
 
 WORKER = Path(__file__).parent / "worker"
 # In the order in which they import one another.
-_MODULES = ("libc", "namespaces", "landlock", "seccomp", "privileges", "frames", "outputs", "encode", "clock", "figures", "backend",
-            "shell", "executor", "prefault", "ready", "lifecycle", "warm")
+_MODULES = (
+    "libc",
+    "namespaces",
+    "landlock",
+    "seccomp",
+    "privileges",
+    "frames",
+    "outputs",
+    "encode",
+    "clock",
+    "figures",
+    "backend",
+    "shell",
+    "executor",
+    "prefault",
+    "ready",
+    "lifecycle",
+    "warm",
+)
 _PRELOAD = ("numpy", "matplotlib.pyplot", "sympy", "scipy.integrate", "scipy.optimize", "IPython.display")
 _PACKAGE = Path(__file__).parents[1]
 _READY_SECONDS = 120.0
@@ -63,11 +80,28 @@ def start(limits: Limits, without: frozenset[str] = frozenset()) -> Parent:
     for name in ("root", "notebook"):
         (base / name).mkdir()
     ours, theirs = socket.socketpair()
-    command = [sys.executable, "-I", "-S", "-B", "-c", (WORKER / "boot.py").read_text(encoding="utf-8"), str(theirs.fileno())]
+    command = [
+        sys.executable,
+        "-I",
+        "-S",
+        "-B",
+        "-c",
+        (WORKER / "boot.py").read_text(encoding="utf-8"),
+        str(theirs.fileno()),
+    ]
     said = base / "said"
     with said.open("wb") as errors, theirs:
-        process = subprocess.Popen(command, pass_fds=[theirs.fileno()], env=_environment(), cwd="/", umask=0o022,
-                                   stdin=subprocess.DEVNULL, stdout=errors, stderr=errors, start_new_session=True)
+        process = subprocess.Popen(
+            command,
+            pass_fds=[theirs.fileno()],
+            env=_environment(),
+            cwd="/",
+            umask=0o022,
+            stdin=subprocess.DEVNULL,
+            stdout=errors,
+            stderr=errors,
+            start_new_session=True,
+        )
     parent = Parent(process, ours, base, base / "notebook", {}, False, None, 0)
     try:
         _send(ours, _opening(limits, parent, without))
@@ -81,7 +115,9 @@ def start(limits: Limits, without: frozenset[str] = frozenset()) -> Parent:
     parent.missing, parent.namespaces = ready["missing"], ready["namespaces"]
     parent.user, parent.kilobytes = ready["user"], ready["kilobytes"]
     if ready["threads"] > 1:
-        parent.missing["a parent with one thread"] = f"a library started {ready['threads'] - 1} more: forks may hang"
+        parent.missing["a parent with one thread"] = (
+            f"a library started {ready['threads'] - 1} more: forks may hang"
+        )
     return parent
 
 
@@ -161,12 +197,16 @@ def _words(parent: Parent, left: int) -> int:
 
 def _environment() -> dict[str, str]:
     """Nothing of the instructor's; one thread for linear algebra, so that forking is sound and a core is one notebook's."""
-    threads = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS"), "1")
+    threads = dict.fromkeys(
+        ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS"), "1"
+    )
     return {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "TZ": os.environ.get("TZ", ""), **threads}
 
 
 def _opening(limits: Limits, parent: Parent, without: frozenset[str]) -> dict[str, object]:
-    libraries = [path for path in sys.path if path.endswith(("site-packages", "dist-packages")) and Path(path).is_dir()]
+    libraries = [
+        path for path in sys.path if path.endswith(("site-packages", "dist-packages")) and Path(path).is_dir()
+    ]
     return {
         "modules": [(name, (WORKER / f"{name}.py").read_text(encoding="utf-8")) for name in _MODULES],
         "libraries": libraries,

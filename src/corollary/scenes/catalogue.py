@@ -64,15 +64,27 @@ def run(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> 
     if name not in SCENES:
         raise BadSetting(f"There is no scene {name!r}; there are {', '.join(SCENES)}.")
     if not (math.isfinite(tolerance) and 1e-15 <= tolerance <= 0.1):
-        raise BadSetting(f"{name}: a tolerance of {tolerance:g} cannot be kept; ask for one between 1e-15 and 0.1.")
+        raise BadSetting(
+            f"{name}: a tolerance of {tolerance:g} cannot be kept; ask for one between 1e-15 and 0.1."
+        )
     ready = SCENES[name]
     settled = settle(name, ready.settings, settings)
     begin = time.perf_counter()
     try:
         played = ready.play(settled, tolerance)
     except (OverflowError, ZeroDivisionError):
-        raise BadSetting(f"{name}: with these settings numbers leave the range of a computer; choose milder ones.") from None
+        raise BadSetting(
+            f"{name}: with these settings numbers leave the range of a computer; choose milder ones."
+        ) from None
     seconds = time.perf_counter() - begin
     return Run(
-        name, settled, played.observed, played.errors, played.model, played.why, played.evaluations, seconds, played.outcome
+        name,
+        settled,
+        played.observed,
+        played.errors,
+        played.model,
+        played.why,
+        played.evaluations,
+        seconds,
+        played.outcome,
     )

@@ -36,7 +36,9 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
     a, b = scene.bodies
     reach = a.radius + b.radius
     match scene.forces:
-        case (Contact() as contact,) if reach > 0.0 and not math.isinf(a.mass) and not math.isinf(b.mass) and a.place != b.place:
+        case (Contact() as contact,) if (
+            reach > 0.0 and not math.isinf(a.mass) and not math.isinf(b.mass) and a.place != b.place
+        ):
             pass
         case _:
             return None
@@ -103,7 +105,9 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
     body, centre = scene.bodies
     at_rest = math.isinf(centre.mass) and not any(centre.place) and not any(centre.velocity)
     match scene.forces:
-        case (InverseSquare(ends=ends, strength=strength),) if set(ends) == {0, 1} and at_rest and any(body.place):
+        case (InverseSquare(ends=ends, strength=strength),) if (
+            set(ends) == {0, 1} and at_rest and any(body.place)
+        ):
             pass
         case _:
             return None
@@ -119,7 +123,9 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
         turns: Observed = (found.nearest,) if x * u + y * v < 0.0 else ()
         known: dict[str, Observed] = {"turning_points": turns}
         why = "it comes and goes: energy and angular momentum give the nearest distance, the root of a quadratic"
-        return _asked(Played(known, dict.fromkeys(known, 4.0 * CLOSED), "conservation", why, 0, "escaped"), observe)
+        return _asked(
+            Played(known, dict.fromkeys(known, 4.0 * CLOSED), "conservation", why, 0, "escaped"), observe
+        )
     if scene.until is not None and scene.until < SEEN * found.period:
         return None
     known = {"turning_points": (found.nearest, found.farthest), "period": found.period}
@@ -129,4 +135,6 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
 
 def _asked(played: Played, observe: Collection[Observable]) -> Played:
     names = [o.value for o in observe]
-    return replace(played, observed={n: played.observed[n] for n in names}, errors={n: played.errors[n] for n in names})
+    return replace(
+        played, observed={n: played.observed[n] for n in names}, errors={n: played.errors[n] for n in names}
+    )

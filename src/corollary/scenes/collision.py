@@ -47,7 +47,9 @@ def collide(line: Row, tolerance: float) -> Collided:
 
 
 def _one_free_contact(line: Row) -> bool:
-    return len(line.masses) == 2 and line.contacts[0].eta == 0.0 and line.weight == 0.0 and line.gaps[0] >= 0.0
+    return (
+        len(line.masses) == 2 and line.contacts[0].eta == 0.0 and line.weight == 0.0 and line.gaps[0] >= 0.0
+    )
 
 
 def _springs(line: Row) -> bool:
@@ -59,15 +61,25 @@ def _swinging(line: Row) -> Collided:
 
     passage = modal.collide(line)
     # Every opening or closing hands its rounding on to what follows.
-    sure = dict.fromkeys(("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1))
+    sure = dict.fromkeys(
+        ("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1)
+    )
     errors = sure | {"duration": 10.0 * sure["velocities"]}
     # A light body between heavier ones, near or far, is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much
     # of its speed.
-    sides = ((max(line.masses[:i]), m, max(line.masses[i + 1 :])) for i, m in enumerate(line.masses[1:-1], start=1))
+    sides = (
+        (max(line.masses[:i]), m, max(line.masses[i + 1 :])) for i, m in enumerate(line.masses[1:-1], start=1)
+    )
     caught = max((min(left, right) / m for left, m, right in sides), default=1.0)
     errors["velocities"] *= max(1.0, caught) ** 1.5
     errors["velocities"] = max(errors["velocities"], _energy_lost(line, passage))
-    return Collided(passage, errors, "piecewise exact", "springs: from one opening to the next the motion is a sum of swings", 0)
+    return Collided(
+        passage,
+        errors,
+        "piecewise exact",
+        "springs: from one opening to the next the motion is a sum of swings",
+        0,
+    )
 
 
 def _energy_lost(line: Row, passage: RowResult) -> float:
@@ -81,7 +93,13 @@ def _energy_lost(line: Row, passage: RowResult) -> float:
 def _two_bodies(line: Row) -> Collided:
     (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
     if u <= v:
-        return Collided(RowResult((u, v), 0.0, (0.0,), (0.0,), "missed", 0), {}, "conservation", "the bodies never meet", 0)
+        return Collided(
+            RowResult((u, v), 0.0, (0.0,), (0.0,), "missed", 0),
+            {},
+            "conservation",
+            "the bodies never meet",
+            0,
+        )
     mass, closing = reduced_mass(a, b), u - v
     overlap = largest_overlap(mass, contact.k, contact.q, closing)
     after = (u - 2.0 * mass / a * closing, v + 2.0 * mass / b * closing)
@@ -95,7 +113,9 @@ def _two_bodies(line: Row) -> Collided:
         openings=1,
     )
     why = "two bodies, no damping: momentum and energy give the velocities, Beta functions close the energy integral"
-    return Collided(passage, dict.fromkeys(("velocities", "duration", "overlaps", "forces"), CLOSED), "quadrature", why, 0)
+    return Collided(
+        passage, dict.fromkeys(("velocities", "duration", "overlaps", "forces"), CLOSED), "quadrature", why, 0
+    )
 
 
 def _integrated(line: Row, tolerance: float) -> Collided:
@@ -103,13 +123,17 @@ def _integrated(line: Row, tolerance: float) -> Collided:
     follow = _follower(line)
     coarse, fine = follow(line, max(tolerance, 1e-14)), follow(line, max(tolerance / 30.0, 1e-15))
     if coarse.outcome != fine.outcome:
-        raise GuardFailed(f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge.")
+        raise GuardFailed(
+            f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."
+        )
     units = natural_units(line)
     if units is None:
         return Collided(fine, {}, "conservation", "nothing moves toward anything", 0)
     error = {
         "velocities": _apart(coarse.velocities, fine.velocities) / units.speed,
-        "duration": 0.0 if math.isinf(fine.duration) else abs(coarse.duration - fine.duration) / max(units.time, fine.duration),
+        "duration": 0.0
+        if math.isinf(fine.duration)
+        else abs(coarse.duration - fine.duration) / max(units.time, fine.duration),
         "overlaps": _apart(coarse.overlaps, fine.overlaps) / units.overlap,
         "forces": _apart(coarse.forces, fine.forces) / units.force,
     }
@@ -123,7 +147,9 @@ def _follower(line: Row) -> Callable[[Row, float], RowResult]:
     if os.environ.get(COMPILED, "0") in ("", "0") or line.weight or any(c.eta > 0.0 for c in line.contacts):
         return regularised.collide
     if importlib.util.find_spec("numba") is None:
-        raise BadSetting(f"{COMPILED} is set, but numba is not installed: pip install 'corollary[fast]', or unset it.")
+        raise BadSetting(
+            f"{COMPILED} is set, but numba is not installed: pip install 'corollary[fast]', or unset it."
+        )
     from corollary.scenes.integrate import compiled  # here, since numba takes long to load
 
     return compiled.collide

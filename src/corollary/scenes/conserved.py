@@ -13,7 +13,15 @@ from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.thrust import Thrust
 from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.integrate.equations_of_motion import kinetic, masses_at, overlap, pairs, potential, start_of, velocity
+from corollary.scenes.integrate.equations_of_motion import (
+    kinetic,
+    masses_at,
+    overlap,
+    pairs,
+    potential,
+    start_of,
+    velocity,
+)
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import Observed
 from corollary.scenes.scene import Force, Scene
@@ -24,19 +32,27 @@ State = Sequence[float]
 def momentum(scene: Scene, time: float, state: State) -> tuple[float, ...]:
     """The sum of mass times velocity (kg m/s) over all bodies that are no walls, by components."""
     loose = [(i, m) for i, m in enumerate(masses_at(scene, time)) if not math.isinf(m)]
-    return tuple(math.fsum(m * velocity(scene, state, i)[axis] for i, m in loose) for axis in range(scene.axes))
+    return tuple(
+        math.fsum(m * velocity(scene, state, i)[axis] for i, m in loose) for axis in range(scene.axes)
+    )
 
 
 def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
     """The change of momentum (kg m/s) of each body that is no wall, body after body."""
     loose = [i for i, body in enumerate(scene.bodies) if not math.isinf(body.mass)]
-    changes = ((i, u, v) for i in loose for u, v in zip(velocity(scene, before, i), velocity(scene, after, i), strict=True))
+    changes = (
+        (i, u, v)
+        for i in loose
+        for u, v in zip(velocity(scene, before, i), velocity(scene, after, i), strict=True)
+    )
     return tuple(scene.bodies[i].mass * (v - u) for i, u, v in changes)
 
 
 def energy(scene: Scene, time: float, state: State) -> float:
     """Kinetic energy and the potential energy (J) of all forces that have one, without their drag."""
-    stored = potential(replace(scene, forces=tuple(_without_drag(force) for force in scene.forces if _stores(force))), state)
+    stored = potential(
+        replace(scene, forces=tuple(_without_drag(force) for force in scene.forces if _stores(force))), state
+    )
     return kinetic(scene, time, state) + (stored or 0.0)
 
 
@@ -78,4 +94,6 @@ def parts_undamped(scene: Scene) -> bool:
 
 def _isolated(scene: Scene) -> bool:
     """Whether bodies act on each other only, and none of them is a wall."""
-    return scene.has_only(Contact, Spring, InverseSquare) and not any(math.isinf(body.mass) for body in scene.bodies)
+    return scene.has_only(Contact, Spring, InverseSquare) and not any(
+        math.isinf(body.mass) for body in scene.bodies
+    )

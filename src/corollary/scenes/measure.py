@@ -30,14 +30,18 @@ Value = Callable[[Sequence[float]], float]
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
-def measured(scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()) -> Played:
+def measured(
+    scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
+) -> Played:
     """Integrate twice, a finer run after a coarser; the difference is the error of the coarser. `times` (s) are a trajectory's."""
     allowed = max(tolerance / 30.0, 1e-14)
     coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, allowed)
     rough = {o.value: _look(scene, coarse, o, times) for o in observe}
     observed = {o.value: _look(scene, fine, o, times) for o in observe}
     # Two runs that took nearly the same steps agree better than either is right: some steps' allowed error is the least that is stated.
-    errors = {name: max(_apart(rough[name], observed[name]), fine.dropped, 3.0 * allowed) for name in observed}
+    errors = {
+        name: max(_apart(rough[name], observed[name]), fine.dropped, 3.0 * allowed) for name in observed
+    }
     span = contact_span(scene, fine) if Observable.DURATION in observe else None
     if span is not None:
         duration = Observable.DURATION.value
@@ -78,7 +82,15 @@ def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]
             before = kinetic(scene, 0.0, start_of(scene))
             return kinetic(scene, record.time, record.state) / before if before else math.inf
         case Observable.LARGEST_OVERLAP:
-            return max([0.0, *(_largest(record, lambda y, a=a, b=b: overlap(scene, y, a, b)[0]) for a, b in pairs(scene))])
+            return max(
+                [
+                    0.0,
+                    *(
+                        _largest(record, lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
+                        for a, b in pairs(scene)
+                    ),
+                ]
+            )
         case Observable.PEAK_FORCE:
             return _peak_force(scene, record)
         case Observable.DURATION:
@@ -86,11 +98,17 @@ def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
             turns = _turns(scene, record)
-            return tuple(sorted({min(turns, key=lambda t: t[1])[1], max(turns, key=lambda t: t[1])[1]})) if turns else ()
+            return (
+                tuple(sorted({min(turns, key=lambda t: t[1])[1], max(turns, key=lambda t: t[1])[1]}))
+                if turns
+                else ()
+            )
         case Observable.PERIOD:
             inner = [time for time, _, inward in _turns(scene, record) if inward]
             if len(inner) < 2:
-                raise BadSetting(f"{scene.name}: the distance did not return twice before until = {scene.until} s.")
+                raise BadSetting(
+                    f"{scene.name}: the distance did not return twice before until = {scene.until} s."
+                )
             return (inner[-1] - inner[0]) / (len(inner) - 1)
         case Observable.IMPULSE:
             if masses_at(scene, 1.0) != masses_at(scene, 0.0):
@@ -103,7 +121,9 @@ def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]
         case Observable.ENERGY:
             return energy(scene, record.time, record.state)
         case Observable.TRAJECTORY:
-            return tuple(x for time in times for x in _state_at(scene, record, time)[: scene.axes * len(scene.bodies)])
+            return tuple(
+                x for time in times for x in _state_at(scene, record, time)[: scene.axes * len(scene.bodies)]
+            )
         case _:
             assert_never(what)
 
@@ -124,7 +144,9 @@ def _state_at(scene: Scene, record: Record, time: float) -> Sequence[float]:
 def _peak_force(scene: Scene, record: Record) -> float:
     contacts = [force for force in scene.forces if isinstance(force, Contact)]
     values: list[Value] = [
-        lambda y, f=f, a=a, b=b: math.hypot(*contact_force(f, scene, y, a, b)) for f in contacts for a, b in pairs(scene)
+        lambda y, f=f, a=a, b=b: math.hypot(*contact_force(f, scene, y, a, b))
+        for f in contacts
+        for a, b in pairs(scene)
     ]
     return max((_largest(record, value) for value in values), default=0.0)
 

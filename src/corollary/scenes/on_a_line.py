@@ -33,7 +33,14 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
     if two and set(observe) <= BEFORE_AND_AFTER and line.weight == 0.0 and line.contacts[0].eta == 0.0:
         if line.velocities[0] > line.velocities[1]:
             closing = line.velocities[0] - line.velocities[1]
-            _keep_apart(scene, (largest_overlap(reduced_mass(*line.masses), line.contacts[0].k, line.contacts[0].q, closing),))
+            _keep_apart(
+                scene,
+                (
+                    largest_overlap(
+                        reduced_mass(*line.masses), line.contacts[0].k, line.contacts[0].q, closing
+                    ),
+                ),
+            )
         return _conserved(line, observe)
     found = collide_two(line, tolerance) if len(line.masses) == 2 else collide(line, tolerance)
     _keep_apart(scene, found.passage.overlaps)
@@ -49,7 +56,12 @@ def _keep_apart(scene: Scene, overlaps: Sequence[float]) -> None:
 
 def as_line(scene: Scene) -> Row | None:
     """The scene as bodies in a row that touch their neighbours, if it is one; weight needs a floor below."""
-    if scene.axes != 1 or scene.until is not None or not scene.has_only(Contact, Weight) or len(scene.bodies) < 2:
+    if (
+        scene.axes != 1
+        or scene.until is not None
+        or not scene.has_only(Contact, Weight)
+        or len(scene.bodies) < 2
+    ):
         return None
     contacts = [force for force in scene.forces if isinstance(force, Contact)]
     weight = math.fsum(force.g for force in scene.forces if isinstance(force, Weight))
@@ -72,7 +84,9 @@ def _kinetic(line: Row, velocities: tuple[float, ...]) -> float:
 
 def _alone(line: Row, after: tuple[float, ...]) -> dict[Observable, Observed]:
     """What velocities say of bodies on which nothing acts but each other."""
-    loose = [(m, u, v) for m, u, v in zip(line.masses, line.velocities, after, strict=True) if not math.isinf(m)]
+    loose = [
+        (m, u, v) for m, u, v in zip(line.masses, line.velocities, after, strict=True) if not math.isinf(m)
+    ]
     return {
         Observable.IMPULSE: tuple(m * (v - u) for m, u, v in loose),
         Observable.MOMENTUM: (math.fsum(m * v for m, _, v in loose),),
@@ -92,7 +106,9 @@ def _conserved(line: Row, observe: Collection[Observable]) -> Played:
     }
     observed = {o.value: known[o] for o in observe}
     why = "only velocities before and after one undamped collision are asked: momentum and energy give them"
-    return Played(observed, dict.fromkeys(observed, CLOSED), "conservation", why, 0, "released" if meet else "missed")
+    return Played(
+        observed, dict.fromkeys(observed, CLOSED), "conservation", why, 0, "released" if meet else "missed"
+    )
 
 
 def _collided(line: Row, found: Collided, observe: Collection[Observable]) -> Played:
@@ -103,7 +119,10 @@ def _collided(line: Row, found: Collided, observe: Collection[Observable]) -> Pl
         Observable.DURATION: (passage.duration, "duration"),
         Observable.LARGEST_OVERLAP: (max(passage.overlaps), "overlaps"),
         Observable.PEAK_FORCE: (max(passage.forces), "forces"),
-        Observable.ENERGY_RATIO: (_kinetic(line, passage.velocities) / before if before else math.inf, "velocities"),
+        Observable.ENERGY_RATIO: (
+            _kinetic(line, passage.velocities) / before if before else math.inf,
+            "velocities",
+        ),
         **{what: (value, "velocities") for what, value in _alone(line, passage.velocities).items()},
     }
     observed = {o.value: known[o][0] for o in observe}

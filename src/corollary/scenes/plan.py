@@ -34,7 +34,9 @@ class Plan:
     play: Callable[[], Played]
 
 
-def plan(scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10, times: Sequence[float] = ()) -> Plan:
+def plan(
+    scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10, times: Sequence[float] = ()
+) -> Plan:
     """Choose the least model that gives everything asked for; `times` (s) are those of a trajectory.
 
     Raises BadSetting when no model does.
@@ -56,12 +58,24 @@ def plan(scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10
     return Plan("integration", why, lambda: measured(scene, observe, tolerance, why, times))
 
 
-def play(scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10, times: Sequence[float] = ()) -> Run:
+def play(
+    scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10, times: Sequence[float] = ()
+) -> Run:
     """Play a scene with the least model that answers. Raises BadSetting and GuardFailed as the models do."""
     begin = time.perf_counter()
     done = plan(scene, observe, tolerance, times).play()
     seconds = time.perf_counter() - begin
-    return Run(scene.name, {}, done.observed, done.errors, done.model, done.why, done.evaluations, seconds, done.outcome)
+    return Run(
+        scene.name,
+        {},
+        done.observed,
+        done.errors,
+        done.model,
+        done.why,
+        done.evaluations,
+        seconds,
+        done.outcome,
+    )
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:
@@ -76,11 +90,15 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
             )
         return tuple(end * i / (POINTS - 1) for i in range(POINTS))
     if not all(0.0 <= t <= end and math.isfinite(t) for t in times):
-        raise BadSetting(f"{scene.name}: times of a trajectory lie between 0 and {end:g} s; choose others, or a later until=….")
+        raise BadSetting(
+            f"{scene.name}: times of a trajectory lie between 0 and {end:g} s; choose others, or a later until=…."
+        )
     return tuple(times)
 
 
 def _kept(scene: Scene, known: dict[Observable, Observed], why: str) -> Played:
     observed = {o.value: value for o, value in known.items()}
-    outcome: Outcome = "bound" if scene.until is not None else ("missed" if never_touch(scene) else "released")
+    outcome: Outcome = (
+        "bound" if scene.until is not None else ("missed" if never_touch(scene) else "released")
+    )
     return Played(observed, dict.fromkeys(observed, CLOSED), "conservation", why, 0, outcome)

@@ -73,7 +73,9 @@ def natural_units(line: Row) -> Units | None:
     masses, speeds = list(pairwise(line.masses)), [u - v for u, v in pairwise(line.velocities)]
     mass = max(reduced_mass(a, b) for a, b in masses)
     falls = [line.weight if math.isinf(a) and not math.isinf(b) else 0.0 for a, b in masses]
-    falling = max(u * u + 2.0 * fall * max(gap, 0.0) for u, fall, gap in zip(speeds, falls, line.gaps, strict=True))
+    falling = max(
+        u * u + 2.0 * fall * max(gap, 0.0) for u, fall, gap in zip(speeds, falls, line.gaps, strict=True)
+    )
     squeezed = max(2.0 * stored(c, -gap) / mass for c, gap in zip(line.contacts, line.gaps, strict=True))
     speed = math.sqrt(max(falling, squeezed))
     resting = max((mass * fall / c.k) ** (1.0 / c.q) for fall, c in zip(falls, line.contacts, strict=True))
@@ -96,7 +98,8 @@ def in_units(line: Row, units: Units) -> Row:
         velocities=tuple(v / units.speed for v in line.velocities),
         gaps=tuple(gap / units.overlap for gap in line.gaps),
         contacts=tuple(
-            Contact(c.k * units.overlap**c.q / units.force, c.q, c.eta * units.speed / units.force) for c in line.contacts
+            Contact(c.k * units.overlap**c.q / units.force, c.q, c.eta * units.speed / units.force)
+            for c in line.contacts
         ),
         weight=line.weight * units.time / units.speed,
     )
@@ -136,10 +139,14 @@ def guard(line: Row, passage_energy: float, velocities: Sequence[float], toleran
     gained = (passage_energy - before) / scale
     damped = any(c.eta > 0.0 for c in line.contacts)
     if gained > tolerance or (not damped and gained < -tolerance):
-        raise GuardFailed(f"The run changed the energy by {gained:.1e} of itself; {tolerance:.1e} is allowed. Ask for less.")
+        raise GuardFailed(
+            f"The run changed the energy by {gained:.1e} of itself; {tolerance:.1e} is allowed. Ask for less."
+        )
     if line.weight == 0.0 and not any(math.isinf(m) for m in line.masses):
         momenta = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
         lost = math.fsum(m * v for m, v in zip(line.masses, velocities, strict=True)) - math.fsum(momenta)
         size = sum(map(abs, momenta)) + sum(abs(m * v) for m, v in zip(line.masses, velocities, strict=True))
         if abs(lost) > 1e-12 * size:
-            raise GuardFailed(f"The run changed the momentum by {lost / size:.1e} of itself; no force from outside acts.")
+            raise GuardFailed(
+                f"The run changed the momentum by {lost / size:.1e} of itself; no force from outside acts."
+            )

@@ -36,13 +36,19 @@ class Scene:
     def __post_init__(self) -> None:
         axes = {len(vector) for body in self.bodies for vector in (body.place, body.velocity)}
         if axes not in ({1}, {2}):
-            raise BadSetting(f"{self.name}: places and velocities of all bodies need one component each, or two each.")
+            raise BadSetting(
+                f"{self.name}: places and velocities of all bodies need one component each, or two each."
+            )
         for body in self.bodies:
             if not body.mass > 0.0 or body.radius < 0.0:
-                raise BadSetting(f"{self.name}: a body needs a mass above zero and a radius of zero or more; {body} has not.")
+                raise BadSetting(
+                    f"{self.name}: a body needs a mass above zero and a radius of zero or more; {body} has not."
+                )
         for force in self.forces:
             if any(not 0 <= i < len(self.bodies) for i in bodies_of(force)):
-                raise BadSetting(f"{self.name}: {force} names a body that is not there; they are counted from 0.")
+                raise BadSetting(
+                    f"{self.name}: {force} names a body that is not there; they are counted from 0."
+                )
         if self.until is not None and not self.until > 0.0:
             raise BadSetting(f"{self.name}: until = {self.until} s must be more than zero.")
 

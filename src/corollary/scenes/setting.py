@@ -34,7 +34,9 @@ def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) ->
     for name in given:
         if name not in settings:
             raise BadSetting(f"{scene}: {name!r} is not among its settings ({', '.join(settings)}).")
-    return {name: _checked(scene, s, given[name]) if name in given else s.value for name, s in settings.items()}
+    return {
+        name: _checked(scene, s, given[name]) if name in given else s.value for name, s in settings.items()
+    }
 
 
 def _checked(scene: str, setting: Setting, value: object) -> Observed:
@@ -47,7 +49,9 @@ def _checked(scene: str, setting: Setting, value: object) -> Observed:
 
 def _number(scene: str, setting: Setting, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise BadSetting(f"{scene}: {setting.name} = {value!r} is not a number; it is the {setting.meaning} in {setting.unit}.")
+        raise BadSetting(
+            f"{scene}: {setting.name} = {value!r} is not a number; it is the {setting.meaning} in {setting.unit}."
+        )
     number = float(value)
     if not math.isfinite(number):
         raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")
@@ -61,7 +65,9 @@ def _number(scene: str, setting: Setting, value: object) -> float:
     ):
         if broken:
             unit = "" if setting.unit == "1" else f" {setting.unit}"
-            raise BadSetting(f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}.")
+            raise BadSetting(
+                f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}."
+            )
     return number
 
 

@@ -30,7 +30,9 @@ def dimension_of(tree: Expr, dimensions: Mapping[str, Dimension]) -> Dimension |
         return refused(mismatch.why, None, "look at the units of each term")
 
 
-def wrong_dimension(tree: Expr, dimensions: Mapping[str, Dimension], expected: Dimension) -> ParseError | None:
+def wrong_dimension(
+    tree: Expr, dimensions: Mapping[str, Dimension], expected: Dimension
+) -> ParseError | None:
     """What is wrong with the dimension of an answer; None when it is the expected one, or the answer is 0."""
     try:
         found = _dimension(tree, dimensions)
@@ -38,7 +40,11 @@ def wrong_dimension(tree: Expr, dimensions: Mapping[str, Dimension], expected: D
         return refused(mismatch.why, None, "look at the units of each term")
     if found is None or found == expected:
         return None
-    return refused(f"{called(expected)} is expected, but this is {called(found)}", None, "look at the units of each factor")
+    return refused(
+        f"{called(expected)} is expected, but this is {called(found)}",
+        None,
+        "look at the units of each factor",
+    )
 
 
 def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:

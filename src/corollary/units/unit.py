@@ -50,7 +50,22 @@ def _dimension(kg: int, m: int, s: int) -> Dimension:
 
 ONE = Dimension()
 PURE = Unit("1", ONE)
-PREFIX = {"": 0, "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "K": 3, "M": 6, "G": 9}
+PREFIX = {
+    "": 0,
+    "p": -12,
+    "n": -9,
+    "u": -6,
+    "µ": -6,
+    "μ": -6,
+    "m": -3,
+    "c": -2,
+    "d": -1,
+    "h": 2,
+    "k": 3,
+    "K": 3,
+    "M": 6,
+    "G": 9,
+}
 TABLE = (  # symbol, powers of kg, m and s, size in SI, prefixes it is used with; sizes of eV and u: CODATA 2018
     ("g", (1, 0, 0), "1/1000", "nuµμmkK"), ("m", (0, 1, 0), "1", "nuµμmcdkK"), ("s", (0, 0, 1), "1", "pnuµμm"),
     ("N", (1, 1, -2), "1", "uµμmkKMG"), ("J", (1, 2, -2), "1", "uµμmkKMG"), ("W", (1, 2, -3), "1", "uµμmkKMG"),
@@ -60,7 +75,9 @@ TABLE = (  # symbol, powers of kg, m and s, size in SI, prefixes it is used with
 )  # fmt: skip
 ONE_SIGN = {"K": "k", "µ": "u", "μ": "u"}
 UNITS = {
-    sign + symbol: Unit(ONE_SIGN.get(sign, sign) + symbol, _dimension(*powers), Fraction(size) * Fraction(10) ** PREFIX[sign])
+    sign + symbol: Unit(
+        ONE_SIGN.get(sign, sign) + symbol, _dimension(*powers), Fraction(size) * Fraction(10) ** PREFIX[sign]
+    )
     for symbol, powers, size, prefixes in TABLE
     for sign in ("", *prefixes)
 }
@@ -69,7 +86,14 @@ UNITS |= {
     prefix + word + plural: UNITS[sign + symbol]
     for symbol, words in SPELLED.items()
     for word in words.split()
-    for prefix, sign in (("", ""), ("milli", "m"), ("micro", "u"), ("centi", "c"), ("kilo", "k"), ("mega", "M"))
+    for prefix, sign in (
+        ("", ""),
+        ("milli", "m"),
+        ("micro", "u"),
+        ("centi", "c"),
+        ("kilo", "k"),
+        ("mega", "M"),
+    )
     for plural in ("", "s", "n", "en")
     if sign + symbol in UNITS and (plural != "en" or word[-1] != "e")
 }
@@ -117,7 +141,9 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
         at = mark.start() + len(mark[0]) - len(mark[0].lstrip())
         if mark["sign"] == "/":
             if opened or (ready and certain) or floating:
-                return refused("this slash has no clear place", at, "write one slash and brackets, such as J/(kg m)")
+                return refused(
+                    "this slash has no clear place", at, "write one slash and brackets, such as J/(kg m)"
+                )
             side, slashed, ready = -1, False, True
         elif mark["sign"] == "*":
             if ready:
@@ -125,7 +151,9 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
             ready = True
         elif mark["sign"] == "(":
             if opened or (slashed and side < 0):
-                return refused("this bracket has no clear place", at, "write one slash and one bracket, such as J/(kg m)")
+                return refused(
+                    "this bracket has no clear place", at, "write one slash and one bracket, such as J/(kg m)"
+                )
             opened, ready = 1, True
         elif mark["sign"] == ")":
             if not opened or ready:
@@ -137,7 +165,9 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
                 return found
             if slashed and side < 0 and not floating:
                 doubt = at
-            (floating if slashed and side < 0 else certain).extend((each, power * side) for each, power in found)
+            (floating if slashed and side < 0 else certain).extend(
+                (each, power * side) for each, power in found
+            )
             slashed, ready = slashed or not opened, False
     if opened or ready:
         return refused("something is missing at the end of this unit", end, "write a unit such as kg m/s")
@@ -155,12 +185,16 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
     if power is None or abs(power) > LARGEST_POWER:
         return refused(f"a unit to the power {power_text.strip('^*')} does not occur here", at)
     if symbol == "ms" and power < 0:
-        return ambiguous("ms can be milliseconds, or metres times seconds", at, f"m s^{power}", _written("1/ms", -power))
+        return ambiguous(
+            "ms can be milliseconds, or metres times seconds", at, f"m s^{power}", _written("1/ms", -power)
+        )
     if known := UNITS.get(symbol) or (UNITS.get(symbol.lower()) if len(symbol) > 3 else None):
         return [(known, power)]
     splits = [[*((each, Fraction(1)) for each in before), (last, power)] for *before, last in _splits(symbol)]
     if len(splits) > 1:
-        return ambiguous(f"{symbol} can be read in several ways", at, *(_factors_text(split) for split in splits))
+        return ambiguous(
+            f"{symbol} can be read in several ways", at, *(_factors_text(split) for split in splits)
+        )
     if splits:
         return splits[0]
     low = {known.lower(): known for known in UNITS if known[0] != "K"}
@@ -209,14 +243,22 @@ def _factors_text(factors: Factors) -> str:
 
 
 def _written(text: str, power: Fraction) -> str:
-    exponent = str(power) if power.denominator == 1 else str(float(power)) if 20 % power.denominator == 0 else f"({power})"
+    exponent = (
+        str(power)
+        if power.denominator == 1
+        else str(float(power))
+        if 20 % power.denominator == 0
+        else f"({power})"
+    )
     return text if power == 1 else f"{text}^{exponent}"
 
 
 def _raised(size: Fraction, power: Fraction) -> Fraction | None:
     if power.denominator == 1:
         return size ** int(power)
-    top, bottom = (round(float(each) ** (1 / power.denominator)) for each in (size.numerator, size.denominator))
+    top, bottom = (
+        round(float(each) ** (1 / power.denominator)) for each in (size.numerator, size.denominator)
+    )
     root = Fraction(top, bottom)
     return root**power.numerator if root**power.denominator == size else None
 
@@ -225,7 +267,9 @@ def unit(text: str) -> Unit:
     """A unit an author wrote. Raises ValueError with a sentence."""
     found = read_unit(text)
     if isinstance(found, ParseError):
-        raise ValueError(f"unit {text!r}: {found.why}" + (f"; {found.suggestion}" if found.suggestion else ""))
+        raise ValueError(
+            f"unit {text!r}: {found.why}" + (f"; {found.suggestion}" if found.suggestion else "")
+        )
     return found
 
 
@@ -263,5 +307,10 @@ def latex(unit: Unit) -> str:
     if unit.text == "1":
         return ""
     raised = re.sub(r"\^(\(?[-0-9./]+\)?)", r"^{\1}", unit.text)
-    symbols = re.sub(r"\bu(?=[a-zA-Z])", r"\\mu ", raised).replace("*", r"\,").replace("deg", r"{}^{\circ}").replace("%", r"\%")
+    symbols = (
+        re.sub(r"\bu(?=[a-zA-Z])", r"\\mu ", raised)
+        .replace("*", r"\,")
+        .replace("deg", r"{}^{\circ}")
+        .replace("%", r"\%")
+    )
     return rf"\mathrm{{{symbols}}}"

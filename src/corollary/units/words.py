@@ -12,7 +12,9 @@ SPELLED = {
 SPEEDS = {"kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s"}
 SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
 PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")
-JOINED = re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])")  # `N-s`, `kg.m/s`
+JOINED = re.compile(
+    r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
+)  # `N-s`, `kg.m/s`
 ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
 GROUP = re.compile(r"(?<![/^])\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not below a slash, and not raised
 

@@ -69,14 +69,23 @@ def _formulas(quick: bool) -> Iterator[Formula]:
                     except Undefined:
                         continue
                 if met:
-                    yield Formula(f"{problem.code}: {name}", tree, tuple(at for at, _ in met), tuple(value for _, value in met))
+                    yield Formula(
+                        f"{problem.code}: {name}",
+                        tree,
+                        tuple(at for at, _ in met),
+                        tuple(value for _, value in met),
+                    )
 
 
 def _ways() -> list[Way]:
     between = intervals()
     return [
         _one_by_one(DOUBLES, _double),
-        Way(ARRAYS.name, _arrays, lambda formula, at: np.broadcast_to(at[0](at[1]), len(formula.true)).tolist()),
+        Way(
+            ARRAYS.name,
+            _arrays,
+            lambda formula, at: np.broadcast_to(at[0](at[1]), len(formula.true)).tolist(),
+        ),
         _one_by_one(PAIRS, _pair),
         _one_by_one(between, lambda given: between.number(given.ratio) * between.pi**given.pi),
         Way(
@@ -89,7 +98,9 @@ def _ways() -> list[Way]:
 
 def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> Way:
     def prepare(formula: Formula) -> Any:
-        return ready(formula.tree, arithmetic), [{name: number(given) for name, given in at.items()} for at in formula.givens]
+        return ready(formula.tree, arithmetic), [
+            {name: number(given) for name, given in at.items()} for at in formula.givens
+        ]
 
     def values(formula: Formula, prepared: Any) -> list[float]:
         run, rows = prepared
@@ -100,7 +111,9 @@ def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> 
 
 def _arrays(formula: Formula) -> Any:
     letters = formula.givens[0].keys()
-    return ready(formula.tree, ARRAYS), {name: np.array([_double(at[name]) for at in formula.givens]) for name in letters}
+    return ready(formula.tree, ARRAYS), {
+        name: np.array([_double(at[name]) for at in formula.givens]) for name in letters
+    }
 
 
 def _double(given: RationalPi) -> float:
@@ -113,7 +126,13 @@ def _pair(given: RationalPi) -> DoubleDouble:
 
 def _middle(value: Any) -> float:
     """An interval's middle; any other number as it is."""
-    return value if isinstance(value, float) else float(value.mid) if not isinstance(value, DoubleDouble) else float(value)
+    return (
+        value
+        if isinstance(value, float)
+        else float(value.mid)
+        if not isinstance(value, DoubleDouble)
+        else float(value)
+    )
 
 
 def _record(way: Way, formulas: list[Formula]) -> dict[str, Any]:

@@ -96,7 +96,9 @@ def replay_in_doubles(solution: Solution, givens: Mapping[str, RationalPi]) -> d
     known: dict[str, RationalPi] = dict(givens)
     found: dict[str, float] = {}
     for find in solution.finds:
-        if isinstance(find.local, Measured) or any(names(tree) - known.keys() - {"pi"} for tree in find.local.trees):
+        if isinstance(find.local, Measured) or any(
+            names(tree) - known.keys() - {"pi"} for tree in find.local.trees
+        ):
             continue
         try:
             numbers = compute(find.local, known)

@@ -37,4 +37,6 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
                 found = dimension_of(relation, dimensions)
                 tally.count("dimensions")
                 if isinstance(found, ParseError):
-                    tally.complain(f"{path.name}:{line_of(path, find.because)}: {law.name}: {sentence(found)}")
+                    tally.complain(
+                        f"{path.name}:{line_of(path, find.because)}: {law.name}: {sentence(found)}"
+                    )

@@ -45,10 +45,14 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
         with Runner() if runner is None else nullcontext(runner) as runner:
             for part in parts:
                 where = f"{path.name}:{line_of(path, _words(key, part))}: part {part.id}"
-                for kind, verdict in zip(part.kinds, _verdicts(runner, key, part, example(key, part)), strict=True):
+                for kind, verdict in zip(
+                    part.kinds, _verdicts(runner, key, part, example(key, part)), strict=True
+                ):
                     tally.expect(isinstance(verdict, Right), "programs run", lambda where=where, kind=kind, verdict=verdict: (
                         f"{where}: the example's {kind} should be right and is {_said(verdict)}"))  # fmt: skip
-                for kind, verdict in zip(part.kinds, _verdicts(runner, key, part, bent(key, part)), strict=True):
+                for kind, verdict in zip(
+                    part.kinds, _verdicts(runner, key, part, bent(key, part)), strict=True
+                ):
                     tally.expect(isinstance(verdict, Wrong | Mistaken), "programs run", lambda where=where, kind=kind, verdict=verdict: (
                         f"{where}: {'the example with its numbers bent' if kind == 'code' else 'a figure with nothing in it'} "
                         f"should be wrong and is {_said(verdict)}"))  # fmt: skip

@@ -53,7 +53,9 @@ def samples(key: Key, part: Part) -> tuple[Sample, ...]:
         case "example":
             known = key.variant.exact | named(key.solution, list(key.values))
             instance = key.solution.examples[part.id].instance
-            return KINDS[part.kind].samples([number(tree, known) for tree in instance], part) if instance else ()
+            return (
+                KINDS[part.kind].samples([number(tree, known) for tree in instance], part) if instance else ()
+            )
         case "proof":
             return KINDS[part.kind].samples("\n".join(key.solution.proofs[part.id].lines), part)
         case "code" | "plot":
@@ -78,6 +80,8 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
             ratio, pi = read.si
             unit = read.unit or part.unit
             size = float(unit.factor) * math.pi**unit.pi
-            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,)) or (ratio == 0 and value == 0)
+            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,)) or (
+                ratio == 0 and value == 0
+            )
             tally.expect(bool(met), "printed values", lambda where=where, printed=printed, value=value, entry=entry: (
                 f"{where}: {entry.where} prints {printed.strip()} for part {entry.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip

@@ -49,7 +49,9 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
     ranges = f"{problem.path.name}:{problem.givens[0].line if problem.givens else 1}"
     if drawn and share > TOO_MANY:
         why = reasons.most_common(1)[0][0]
-        tally.complain(f"{ranges}: {share:.0%} of the draws may not be dealt ({why}); change the ranges, or ask for the formula")
+        tally.complain(
+            f"{ranges}: {share:.0%} of the draws may not be dealt ({why}); change the ranges, or ask for the formula"
+        )
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
     own, reason = admitted(solution, chapter(problem))
@@ -90,7 +92,8 @@ def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
 def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     """Newton's second law, simulated, meets the algebra within the run's own error and what the scene neglects."""
     answers: dict[str, Seen] = {
-        part: truth.values[0] if len(truth.values) == 1 else truth.values for part, truth in key.truths.items()
+        part: truth.values[0] if len(truth.values) == 1 else truth.values
+        for part, truth in key.truths.items()
     }
     path = bank.solution(key.variant.problem)
     for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
@@ -105,7 +108,9 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
                 tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
                 continue
             mine, theirs = _list(expected), _list(found.observed[name])
-            allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(map(abs, (*mine, *theirs)))
+            allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(
+                map(abs, (*mine, *theirs))
+            )
             tally.expect(
                 len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed, "simulations met",
                 lambda about=about, name=name, mine=mine, theirs=theirs: (

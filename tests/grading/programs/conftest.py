@@ -100,7 +100,11 @@ def bounce(inputs, step=euler_cromer, interpolated=False, weight=1.0, power=1.5)
         if begin is None and y < R:
             begin = t - dt + part * dt
         if begin is not None and y >= R:
-            return [v + part * (u - v), largest, t - dt + part * dt - begin] if interpolated else [u, largest, t - begin]
+            return (
+                [v + part * (u - v), largest, t - dt + part * dt - begin]
+                if interpolated
+                else [u, largest, t - begin]
+            )
         x, v = y, u
     return [v, largest, 0.0]
 

@@ -17,8 +17,12 @@ from .conftest import RIGHT, euler_cromer, forward_euler, in_well
 
 def orbits(seed, step=euler_cromer, change=lambda well, case: well):
     cases = orbit_inputs({}, random.Random(seed).uniform)
-    ends = [in_well(change(well_of(case), case), start_of(case), case["T"], case["dt"], step) for case in cases]
-    return judge_orbit({}, [Called(case, tuple(map(float, end[:2]))) for case, end in zip(cases, ends, strict=True)])
+    ends = [
+        in_well(change(well_of(case), case), start_of(case), case["T"], case["dt"], step) for case in cases
+    ]
+    return judge_orbit(
+        {}, [Called(case, tuple(map(float, end[:2]))) for case, end in zip(cases, ends, strict=True)]
+    )
 
 
 def catches(seed, step=euler_cromer, keeps=0.5, pull=1.0):

@@ -109,7 +109,9 @@ def test_a_contact_not_waited_for_with_the_shorter_step_is_told():
     assert "fixed number of steps" in said.sentence
 
 
-@pytest.mark.parametrize("answer", [[], [1.0], [2.8, 249.0], [-2.8, 0.0, 0.0], [0.0, 0.0, 0.0], [math.nan] * 3, [math.inf] * 3])
+@pytest.mark.parametrize(
+    "answer", [[], [1.0], [2.8, 249.0], [-2.8, 0.0, 0.0], [0.0, 0.0, 0.0], [math.nan] * 3, [math.inf] * 3]
+)
 def test_nonsense_is_refused_with_a_sentence(answer):
     said = judged(1, lambda inputs: answer)
     assert isinstance(said, Said)

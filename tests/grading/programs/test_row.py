@@ -9,14 +9,27 @@ from scipy.integrate import solve_ivp
 from corollary.grading.programs.bound import OWN_STEPS
 from corollary.grading.programs.called import STEPS, Called
 from corollary.grading.programs.remarks import Remark, Said
-from corollary.grading.programs.row import CRADLE, bounds, contact_time, cradle_inputs, judge_contact, judge_cradle
+from corollary.grading.programs.row import (
+    CRADLE,
+    bounds,
+    contact_time,
+    cradle_inputs,
+    judge_contact,
+    judge_cradle,
+)
 from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, forward_euler, row
 
 
 def judged(program, seed=0):
-    return judge_cradle({}, [Called(inputs, tuple(map(float, program(inputs)))) for inputs in cradle_inputs({}, random.Random(seed).uniform)])
+    return judge_cradle(
+        {},
+        [
+            Called(inputs, tuple(map(float, program(inputs))))
+            for inputs in cradle_inputs({}, random.Random(seed).uniform)
+        ],
+    )
 
 
 def exact(inputs):
@@ -41,7 +54,9 @@ def test_a_solver_of_scipy_with_its_usual_tolerance_is_right(method, stepped):
 
         until, start = 3 * contact_time(m, k, q, inputs["v0"]), np.zeros(2 * n)
         start[n] = inputs["v0"]
-        return solve_ivp(slope, (0, until), start, method=method, max_step=inputs["dt"] if stepped else np.inf).y[n:, -1]
+        return solve_ivp(
+            slope, (0, until), start, method=method, max_step=inputs["dt"] if stepped else np.inf
+        ).y[n:, -1]
 
     said = judged(program, 1)
     assert said is None if stepped and method != "LSODA" else not isinstance(said, Said)
@@ -74,7 +89,11 @@ def test_errors_that_stay_or_fall_too_slowly_are_told_and_cost_nothing():
 
 @pytest.mark.parametrize(
     ("wrong", "words"),
-    [({"step": forward_euler}, "forward Euler"), ({"sign": -1.0, "most": 250}, "sign of the force"), ({"both": 0.0}, "half of the pair forces")],
+    [
+        ({"step": forward_euler}, "forward Euler"),
+        ({"sign": -1.0, "most": 250}, "sign of the force"),
+        ({"both": 0.0}, "half of the pair forces"),
+    ],
 )
 @pytest.mark.parametrize("seed", range(4))
 def test_usual_wrong_programs_are_known(wrong, words, seed):
@@ -100,7 +119,9 @@ def test_a_step_too_large_of_ones_own_is_told():
 def test_a_fixed_number_of_steps_is_right_with_one_step_and_told_with_the_other():
     def program(inputs):
         known = contact_time(inputs["m"], inputs["k"], inputs["q"], inputs["v0"])
-        return row(inputs) if known / inputs["dt"] < 1.5 * STEPS else [inputs["v0"] / inputs["N"]] * inputs["N"]
+        return (
+            row(inputs) if known / inputs["dt"] < 1.5 * STEPS else [inputs["v0"] / inputs["N"]] * inputs["N"]
+        )
 
     said = judged(program)
     assert isinstance(said, Said)
@@ -109,7 +130,9 @@ def test_a_fixed_number_of_steps_is_right_with_one_step_and_told_with_the_other(
 
 def test_a_shift_that_half_the_step_does_not_shrink_is_wrong_once_it_is_beyond_the_bound():
     def program(inputs):
-        return np.array(exact(inputs)) * (1 - 1.5 * bounds(inputs["N"], inputs["q"])[0].allowed(STEPS) * (1 + inputs["dt"]))
+        return np.array(exact(inputs)) * (
+            1 - 1.5 * bounds(inputs["N"], inputs["q"])[0].allowed(STEPS) * (1 + inputs["dt"])
+        )
 
     assert isinstance(judged(program), Said)
 

@@ -18,12 +18,16 @@ from .conftest import RIGHT, euler_cromer, forward_euler, two
 def spheres(seed, step=euler_cromer, eta=1.0, **changed):
     cases = sphere_inputs({}, random.Random(seed).uniform)
     forces = [sphere_force(case["R"], case["k"], eta * case["eta"], **changed) for case in cases]
-    return judge_spheres({}, [Called(case, tuple(two(case, force, step))) for case, force in zip(cases, forces, strict=True)])
+    return judge_spheres(
+        {}, [Called(case, tuple(two(case, force, step))) for case, force in zip(cases, forces, strict=True)]
+    )
 
 
 def ions(seed, step=euler_cromer, **changed):
     cases = ion_inputs({}, random.Random(seed).uniform)
-    return judge_ions({}, [Called(case, tuple(two(case, ion_force(case["C"], **changed), step))) for case in cases])
+    return judge_ions(
+        {}, [Called(case, tuple(two(case, ion_force(case["C"], **changed), step))) for case in cases]
+    )
 
 
 @pytest.mark.parametrize("step", RIGHT)
@@ -53,7 +57,9 @@ WRONG = [
 
 @pytest.mark.parametrize(("judged", "changed", "words"), WRONG)
 @pytest.mark.parametrize("seed", range(3))
-def test_signs_and_powers_as_printed_in_12_119_and_other_usual_mistakes_are_known(judged, changed, words, seed):
+def test_signs_and_powers_as_printed_in_12_119_and_other_usual_mistakes_are_known(
+    judged, changed, words, seed
+):
     said = judged(seed, **changed)
     assert isinstance(said, Said)
     assert said.known
@@ -84,13 +90,23 @@ def test_what_the_scene_says_is_right_and_told_to_be_no_stepping():
 
 
 def test_three_numbers_are_not_four():
-    said = judge_ions({}, [Called(case, (1.0, 2.0, 3.0)) for case in ion_inputs({}, random.Random(1).uniform)])
+    said = judge_ions(
+        {}, [Called(case, (1.0, 2.0, 3.0)) for case in ion_inputs({}, random.Random(1).uniform)]
+    )
     assert isinstance(said, Said)
     assert "four velocities" in said.sentence
 
 
 def test_the_reference_of_ions_turns_the_relative_velocity_round_and_knows_the_closest_approach():
-    case = {"C": 0.0012, "mA": 0.1, "mB": 0.15, "rA": (0.0, 0.0), "vA": (1.0, 0.0), "rB": (0.08, 0.0), "vB": (0.0, 0.0)}
+    case = {
+        "C": 0.0012,
+        "mA": 0.1,
+        "mB": 0.15,
+        "rA": (0.0, 0.0),
+        "vA": (1.0, 0.0),
+        "rB": (0.08, 0.0),
+        "vB": (0.0, 0.0),
+    }
     au, _, bu, _ = converged(case | {"T": 40.0, "dt": 1e-1}, ion_force(0.0012), 1e-6)
     energy = 0.06 * 1.0**2 / 2 + 0.0012 / 0.08
     assert bu - au == pytest.approx(math.sqrt(2 * energy / 0.06), rel=2e-3)

@@ -8,7 +8,12 @@ from nbgrader.converters.autograde import Autograde
 
 from corollary.nbgrader.autograde import JudgedOutside, LatenessKept, MarksKept, OwnNumbers, OwnSheet
 
-OURS = {"Execute": JudgedOutside, "OverwriteCells": OwnNumbers, "SaveAutoGrades": MarksKept, "AssignLatePenalties": LatenessKept}
+OURS = {
+    "Execute": JudgedOutside,
+    "OverwriteCells": OwnNumbers,
+    "SaveAutoGrades": MarksKept,
+    "AssignLatePenalties": LatenessKept,
+}
 
 for step in (Autograde.sanitize_preprocessors, Autograde.autograde_preprocessors):
     step.default_args = ([OURS.get(each.__name__, each) for each in step.default_args[0]],)

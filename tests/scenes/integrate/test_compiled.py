@@ -26,9 +26,16 @@ def cradle(count, q, **others):
 
 
 LINES = {
-    **{f"cradle {n} {q:g}": cradle(n, q) for n in (2, 3, 5, 8) for q in (1.0, 1.25, 1.37, 1.5, 2.0, 3.0, 10.0)},
+    **{
+        f"cradle {n} {q:g}": cradle(n, q)
+        for n in (2, 3, 5, 8)
+        for q in (1.0, 1.25, 1.37, 1.5, 2.0, 3.0, 10.0)
+    },
     "gaps": Row(
-        (1.0, 2.0, 0.5, 1.0), (1.0, 0.0, 0.3, -0.5), (0.2, 0.0, 3.0), (Contact(2.0, 1.5), Contact(0.3, 2.0), Contact(1.0))
+        (1.0, 2.0, 0.5, 1.0),
+        (1.0, 0.0, 0.3, -0.5),
+        (0.2, 0.0, 3.0),
+        (Contact(2.0, 1.5), Contact(0.3, 2.0), Contact(1.0)),
     ),
     "wall": Row((math.inf, 0.1, 0.3), (0.0, 0.0, -2.0), (0.0, 0.1), (Contact(1e4, 1.5),) * 2),
     "squeezed": Row((1.0, 1.0, 3.0), (0.0, 0.0, 0.0), (-0.1, 0.0), (Contact(5.0, 1.5),) * 2),
@@ -82,7 +89,9 @@ def test_it_is_used_where_it_is_asked_for(compiled, monkeypatch):
     plain = run("cradle", {"N": 4.0, "q": 1.5})
     calls = []
     monkeypatch.setattr(
-        compiled, "collide", lambda line, tolerance, real=compiled.collide: calls.append(line) or real(line, tolerance)
+        compiled,
+        "collide",
+        lambda line, tolerance, real=compiled.collide: calls.append(line) or real(line, tolerance),
     )
     for value, count in (("", 0), ("0", 0), ("1", 2)):
         monkeypatch.setenv(collision.COMPILED, value)

@@ -33,7 +33,9 @@ def in_plain_time(line, until, tolerance):
         return np.concatenate([y[count:], gained])
 
     start = np.concatenate([np.zeros(count), line.velocities])
-    found = integrate.solve_ivp(law, (0.0, until), start, "DOP853", rtol=tolerance, atol=tolerance, max_step=0.5)
+    found = integrate.solve_ivp(
+        law, (0.0, until), start, "DOP853", rtol=tolerance, atol=tolerance, max_step=0.5
+    )
     return found.y[count:, -1]
 
 
@@ -68,7 +70,9 @@ def test_springs_agree_with_their_exact_swings():
 def test_a_row_of_springs_in_the_chapters_units():
     """Ahead of the wave there is nothing but rounding, which must not be taken for a motion."""
     line = Row((0.1,) * 20, (1.0, *(0.0,) * 19), (0.0,) * 19, (Contact(1e4, 1.0),) * 19)
-    assert modal.collide(line).velocities == pytest.approx(modal.collide(cradle(20, 1.0)).velocities, abs=1e-13)
+    assert modal.collide(line).velocities == pytest.approx(
+        modal.collide(cradle(20, 1.0)).velocities, abs=1e-13
+    )
 
 
 def test_wide_gaps_hand_the_speed_on_ball_by_ball():

@@ -30,12 +30,21 @@ def test_each_pair_is_what_it_is_alone_within_the_error_it_claims(eta):
     assert found.errors.max() < 1e-7
     for i in range(60):
         m = 2.0 * pairs.mass[i]
-        alone = Pair(m, m, tuple(pairs.apart[i]), tuple(pairs.relative[i]), 0.04, Contact(pairs.k[i], 1.5, pairs.eta[i]))
+        alone = Pair(
+            m,
+            m,
+            tuple(pairs.apart[i]),
+            tuple(pairs.relative[i]),
+            0.04,
+            Contact(pairs.k[i], 1.5, pairs.eta[i]),
+        )
         met = meet(alone)
         assert (met is None) == found.missed[i]
         if met is not None:
             exact = after_parting(alone, met, follow(alone, met, 1e-13))
-            assert np.hypot(*(found.relative[i] - exact)) <= found.errors[i] * abs(pairs.relative[i, 0]) + 1e-12
+            assert (
+                np.hypot(*(found.relative[i] - exact)) <= found.errors[i] * abs(pairs.relative[i, 0]) + 1e-12
+            )
 
 
 @pytest.mark.parametrize(("eta", "seed"), [(0.0, 1), (1.0, 2), (3.0, 3)])

@@ -26,7 +26,9 @@ def test_a_contact_ends_as_exactly_as_it_was_followed(q, tolerance):
 
 
 @pytest.mark.parametrize("tolerance", [1e-8, 1e-10, 1e-12])
-@pytest.mark.parametrize(("place", "speed"), [((2.0, 0.3), (-5.0, 0.0)), ((1.0, 0.0), (0.0, 9.0)), ((2.0, 0.0), (-5.0, 0.0))])
+@pytest.mark.parametrize(
+    ("place", "speed"), [((2.0, 0.3), (-5.0, 0.0)), ((1.0, 0.0), (0.0, 9.0)), ((2.0, 0.0), (-5.0, 0.0))]
+)
 def test_a_force_that_ends_at_an_edge_costs_no_accuracy(place, speed, tolerance):
     record = integrate(Scene((Body(2.0, place, speed),), (Well(100.0, 1.0, 0.4),), until=2.0), tolerance)
     exact = run("atom", {"r0": place, "v0": speed}).observed["velocities"]

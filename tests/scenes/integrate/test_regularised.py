@@ -18,7 +18,13 @@ REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_
 
 
 def cradle(count, q, **others):
-    return Row((1.0,) * count, (1.0,) + (0.0,) * (count - 1), (0.0,) * (count - 1), (Contact(1.0, q),) * (count - 1), **others)
+    return Row(
+        (1.0,) * count,
+        (1.0,) + (0.0,) * (count - 1),
+        (0.0,) * (count - 1),
+        (Contact(1.0, q),) * (count - 1),
+        **others,
+    )
 
 
 @pytest.mark.parametrize("name", REFERENCES)
@@ -58,7 +64,9 @@ lines = st.integers(2, 5).flatmap(
         st.tuples(*[st.floats(0.1, 10.0)] * n),
         st.tuples(*[st.integers(-100, 100).map(lambda v: v / 100.0)] * n),
         st.tuples(*[st.sampled_from([0.0, 1e-9, 0.1, 3.0])] * (n - 1)),
-        st.tuples(*[st.builds(Contact, st.floats(0.1, 10.0), st.sampled_from([1.0, 1.25, 1.5, 2.0, 3.0]))] * (n - 1)),
+        st.tuples(
+            *[st.builds(Contact, st.floats(0.1, 10.0), st.sampled_from([1.0, 1.25, 1.5, 2.0, 3.0]))] * (n - 1)
+        ),
     )
 )
 
@@ -69,7 +77,9 @@ def test_momentum_and_energy_are_kept_and_no_body_passes_through_another(line):
     found = collide(line, 1e-11)
     momentum = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
     after = [m * v for m, v in zip(line.masses, found.velocities, strict=True)]
-    assert math.fsum(after) == pytest.approx(math.fsum(momentum), abs=1e-13 * sum(map(abs, momentum + after)) + 1e-15)
+    assert math.fsum(after) == pytest.approx(
+        math.fsum(momentum), abs=1e-13 * sum(map(abs, momentum + after)) + 1e-15
+    )
     start, none = energy(line, [0.0] * len(line.gaps), line.velocities), [0.0] * len(line.gaps)
     assert energy(line, none, found.velocities) == pytest.approx(start, rel=1e-8, abs=1e-12)
     speed = max(map(abs, line.velocities), default=0.0)

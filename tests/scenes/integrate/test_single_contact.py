@@ -62,7 +62,9 @@ def test_spin_fades_with_time_as_the_drag_says_and_energy_only_falls(eta, across
     speed = math.hypot(*after_parting(pair, met, found))
     assert speed <= 1.0 + 1e-10
     if not found.sticks:
-        assert found.spin == pytest.approx(met.spin * math.exp(-eta / 0.05 * found.duration), rel=1e-10, abs=1e-15)
+        assert found.spin == pytest.approx(
+            met.spin * math.exp(-eta / 0.05 * found.duration), rel=1e-10, abs=1e-15
+        )
 
 
 @given(st.floats(0.0, 1e-3), st.floats(-0.039, 0.039), st.floats(1.0, 5.0), st.floats(-3.0, 0.0))
@@ -94,12 +96,16 @@ def test_the_meeting_point_is_on_the_line_of_flight_at_the_reach(away, turn):
     met = meet(pair)
     place = [a + v * met.after for a, v in zip(pair.apart, pair.relative, strict=True)]
     assert math.hypot(*place) == pytest.approx(0.04, rel=1e-10)
-    assert math.remainder(math.atan2(place[1], place[0]) - met.angle, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
+    assert math.remainder(math.atan2(place[1], place[0]) - met.angle, 2 * math.pi) == pytest.approx(
+        0.0, abs=1e-9
+    )
     assert met.inward**2 + (met.spin / 0.04) ** 2 == pytest.approx(1.0, rel=1e-12)
 
 
 @given(
-    st.one_of(st.floats(-300.0, -3.0), st.floats(-20.0, -3.0)), st.sampled_from([1.0, 1.5, 3.0]), st.sampled_from([0.0, 0.018, 0.0399])
+    st.one_of(st.floats(-300.0, -3.0), st.floats(-20.0, -3.0)),
+    st.sampled_from([1.0, 1.5, 3.0]),
+    st.sampled_from([0.0, 0.018, 0.0399]),
 )
 @example(-15.0, 1.5, 0.0)
 @settings(max_examples=40, deadline=None)
@@ -118,10 +124,16 @@ def test_a_start_that_overlaps_by_a_rounding_is_the_touch(exponent, q, across):
         assert found.outward == pytest.approx(math.sqrt(gained), rel=1e-12)
         assert found.overlap == pytest.approx(touch.overlap * gained ** (1.0 / (q + 1.0)), rel=1e-12)
         whole = touch.duration * gained ** (1.0 / (q + 1.0) - 0.5)
-        assert found.duration == pytest.approx(whole - overlap * (1.0 - 0.5 * share ** (q + 1.0) * (q + 1.0) / (q + 2.0)), rel=1e-11)
+        assert found.duration == pytest.approx(
+            whole - overlap * (1.0 - 0.5 * share ** (q + 1.0) * (q + 1.0) / (q + 2.0)), rel=1e-11
+        )
 
 
-@given(st.floats(-200.0, -3.0), st.sampled_from([1.0, 1.5, 3.0]), st.sampled_from([(0.0, 1.0), (-1.0, 0.0), (-1.0, 1.0), (-1e-9, 1.0)]))
+@given(
+    st.floats(-200.0, -3.0),
+    st.sampled_from([1.0, 1.5, 3.0]),
+    st.sampled_from([(0.0, 1.0), (-1.0, 0.0), (-1.0, 1.0), (-1e-9, 1.0)]),
+)
 @settings(max_examples=30, deadline=None)
 def test_an_overlap_that_does_not_grow_ends_at_once(exponent, q, way):
     pair = chapter(q=q, k=as_hard_as_the_chapters(q))

@@ -44,7 +44,8 @@ def newton(line, state, touching):
     overlaps, speeds = state[1 : count + 1], state[count + 1 :]
     rates = [speeds[j] - speeds[j + 1] for j in range(count)]
     forces = [
-        push(c, d, r) if on and d >= 0.0 else 0.0 for c, d, r, on in zip(line.contacts, overlaps, rates, touching, strict=True)
+        push(c, d, r) if on and d >= 0.0 else 0.0
+        for c, d, r, on in zip(line.contacts, overlaps, rates, touching, strict=True)
     ]
     between = [0.0, *forces, 0.0]
     gained = [(between[i] - between[i + 1]) / m - line.weight for i, m in enumerate(line.masses)]
@@ -99,7 +100,9 @@ def test_a_step_written_out_is_the_step_of_the_table(count, h):
     for taken in (written_out(DOP853, count), long_row.step):
         found, fifth, third = taken(pendulums, 0.7, h, y, first)
         assert list(found) == pytest.approx(after, rel=1e-14)
-        assert error_size(fifth, third, h, count) == pytest.approx(doubt(DOP853, slopes, h, [1.0] * count), rel=1e-6)
+        assert error_size(fifth, third, h, count) == pytest.approx(
+            doubt(DOP853, slopes, h, [1.0] * count), rel=1e-6
+        )
 
 
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5, 2.0, 3.0, 3.5, 6.0, 1.25, 2.7, 10.0])

@@ -52,7 +52,9 @@ def test_energy_and_spin_at_the_turning_points_are_those_of_the_start(r, u, v):
         energy = u * u + v * v + 50.0 * (r - 1.0) ** 2
         for turn in found.observed["turning_points"]:
             # At a turning point only the speed across is left.
-            assert (r * v / turn) ** 2 + 50.0 * (turn - 1.0) ** 2 == pytest.approx(energy, rel=1e-9, abs=1e-12)
+            assert (r * v / turn) ** 2 + 50.0 * (turn - 1.0) ** 2 == pytest.approx(
+                energy, rel=1e-9, abs=1e-12
+            )
         assert 0.6 <= found.observed["turning_points"][0] <= r * (1 + 1e-12)
         assert 1.4 >= found.observed["turning_points"][1] >= r * (1 - 1e-12)
     else:

@@ -12,7 +12,9 @@ AT_ONCE = (2.45 / 1.01) ** 2 / 19.6
 
 
 def test_the_swing_costs_height_as_the_square_of_the_time():
-    lost = [1.0 - run("ballistic_pendulum", {"dt": dt}).observed["height"] / AT_ONCE for dt in (1e-4, 1e-3, 1e-2)]
+    lost = [
+        1.0 - run("ballistic_pendulum", {"dt": dt}).observed["height"] / AT_ONCE for dt in (1e-4, 1e-3, 1e-2)
+    ]
     assert lost[0] > 1e-11
     assert [b / a for a, b in pairwise(lost)] == pytest.approx([100.0, 100.0], rel=1e-2)
 
@@ -28,7 +30,9 @@ def test_it_costs_less_than_what_the_rope_can_pull_in_that_time(length, dt):
 
 
 def test_the_effect_does_not_come_from_the_steps():
-    fine, coarse = (run("ballistic_pendulum", {"dt": 1e-3}, tolerance).observed["height"] for tolerance in (1e-14, 1e-8))
+    fine, coarse = (
+        run("ballistic_pendulum", {"dt": 1e-3}, tolerance).observed["height"] for tolerance in (1e-14, 1e-8)
+    )
     assert coarse == pytest.approx(fine, rel=1e-8)
 
 
@@ -37,7 +41,9 @@ def test_angle_and_height_belong_together_even_on_a_very_long_rope():
     assert found["angle"] == pytest.approx(math.sqrt(2.0 * found["height"] / 1e9), rel=1e-12)
 
 
-@pytest.mark.parametrize(("settings", "says"), [({"dt": 0.1}, "shorten dt"), ({"v": 1000.0}, "above the rope's fixing")])
+@pytest.mark.parametrize(
+    ("settings", "says"), [({"dt": 0.1}, "shorten dt"), ({"v": 1000.0}, "above the rope's fixing")]
+)
 def test_what_is_no_ballistic_pendulum_is_refused(settings, says):
     with pytest.raises(BadSetting, match=says):
         run("ballistic_pendulum", settings)

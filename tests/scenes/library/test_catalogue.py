@@ -63,11 +63,18 @@ def test_a_tolerance_nobody_can_keep_is_refused():
 @settings(max_examples=30, deadline=None)
 def test_a_cradle_depends_on_its_size_in_one_way_only(m, k, v0):
     """Velocities scale with v0, times with (m/(k v0^(q-1)))^(1/(q+1)): one collision serves them all."""
-    found, one = run("cradle", {"q": 1.5, "m": m, "k": k, "v0": v0}), run("cradle", {"q": 1.5, "m": 1, "k": 1, "v0": 1})
-    assert [v / v0 for v in found.observed["velocities"]] == pytest.approx(one.observed["velocities"], rel=1e-14)
+    found, one = (
+        run("cradle", {"q": 1.5, "m": m, "k": k, "v0": v0}),
+        run("cradle", {"q": 1.5, "m": 1, "k": 1, "v0": 1}),
+    )
+    assert [v / v0 for v in found.observed["velocities"]] == pytest.approx(
+        one.observed["velocities"], rel=1e-14
+    )
     scale = (m * v0**2 / k) ** 0.4
     assert found.observed["duration"] / (scale / v0) == pytest.approx(one.observed["duration"], rel=1e-13)
-    assert found.observed["peak_force"] / (m * v0**2 / scale) == pytest.approx(one.observed["peak_force"], rel=1e-13)
+    assert found.observed["peak_force"] / (m * v0**2 / scale) == pytest.approx(
+        one.observed["peak_force"], rel=1e-13
+    )
 
 
 def test_a_tighter_cradle_behaves_more_like_the_toy():
@@ -135,10 +142,21 @@ def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
     deep = deepest(Contact(k, q), m, v, g)
     found = run(
         "ball_on_floor",
-        {"q": q, "g": g, "k": k, "v0": -v, "y0": 0.02, "eta": 2.0 * share * math.sqrt(q * k * m * deep ** (q - 1.0))},
+        {
+            "q": q,
+            "g": g,
+            "k": k,
+            "v0": -v,
+            "y0": 0.02,
+            "eta": 2.0 * share * math.sqrt(q * k * m * deep ** (q - 1.0)),
+        },
     )
     assert found.outcome == "sticks" or share < 1.0
-    assert not any(math.isnan(x) for value in found.observed.values() for x in (value if isinstance(value, tuple) else (value,)))
+    assert not any(
+        math.isnan(x)
+        for value in found.observed.values()
+        for x in (value if isinstance(value, tuple) else (value,))
+    )
     if found.outcome == "sticks":
         assert found.observed["rebound_speed"] == 0.0
         assert math.isinf(found.observed["duration"])
@@ -150,11 +168,14 @@ def test_honey_is_continuous_with_what_is_followed_in_steps(g):
     m, k, v = 0.1, 1e6, 2.8
     edge = HONEY * math.sqrt(k * m * deepest(Contact(k), m, v, g) ** 0.5)
     stepped, closed = (
-        run("ball_on_floor", {"g": g, "v0": -v, "y0": 0.02, "eta": part * edge}) for part in (1.0 - 1e-12, 1.0 + 1e-9)
+        run("ball_on_floor", {"g": g, "v0": -v, "y0": 0.02, "eta": part * edge})
+        for part in (1.0 - 1e-12, 1.0 + 1e-9)
     )
     assert (stepped.model, closed.model) == ("integration", "conservation")
     for name in ("largest_overlap", "peak_force"):
-        assert closed.observed[name] == pytest.approx(stepped.observed[name], rel=3.0 * closed.errors[name] + 3e-9)
+        assert closed.observed[name] == pytest.approx(
+            stepped.observed[name], rel=3.0 * closed.errors[name] + 3e-9
+        )
 
 
 def test_any_restitution_is_reached_by_a_spring_and_a_dashpot():

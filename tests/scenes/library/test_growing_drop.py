@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 from corollary.scenes.catalogue import run
 
 
-@given(st.floats(0.1, 10.0), st.floats(0.0, 12.0), st.floats(0.0, 5.0), st.floats(-3.0, 3.0), st.floats(0.1, 5.0))
+@given(
+    st.floats(0.1, 10.0), st.floats(0.0, 12.0), st.floats(0.0, 5.0), st.floats(-3.0, 3.0), st.floats(0.1, 5.0)
+)
 @settings(max_examples=25, deadline=None)
 def test_its_momentum_is_what_it_had_and_what_came(m, v, rate, u, t):
     found = run("growing_drop", {"m": m, "v": v, "R": rate, "u": u, "t": t}).observed
@@ -18,7 +20,9 @@ def test_its_momentum_is_what_it_had_and_what_came(m, v, rate, u, t):
 
 
 def test_a_drop_that_does_not_grow_falls_freely_and_one_from_next_to_nothing_half_as_fast():
-    assert run("growing_drop", {"R": 0.0}).observed["velocities"][0] == pytest.approx(6.0 + 9.8 * 1.5, rel=1e-14)
+    assert run("growing_drop", {"R": 0.0}).observed["velocities"][0] == pytest.approx(
+        6.0 + 9.8 * 1.5, rel=1e-14
+    )
     mist = run("growing_drop", {"m": 1e-9, "v": 0.0, "R": 1.0, "t": 2.0})
     assert mist.observed["velocities"][0] == pytest.approx(9.8, rel=1e-8)
     assert mist.observed["way"] == pytest.approx(9.8, rel=1e-8)
@@ -36,5 +40,7 @@ def test_a_drop_that_falls_for_ages_is_known_to_a_part_of_what_it_has_become(t):
     """It ends far faster than it began: half as fast as in free fall, and the start is soon forgotten."""
     found = run("growing_drop", {"t": t})
     momentum = 2.0 * 6.0 + 9.8 * (2.0 * t + 0.5 * 0.4 * t * t)
-    assert found.observed["velocities"][0] == pytest.approx(momentum / (2.0 + 0.4 * t), rel=1e-12 + found.error)
+    assert found.observed["velocities"][0] == pytest.approx(
+        momentum / (2.0 + 0.4 * t), rel=1e-12 + found.error
+    )
     assert found.evaluations < 10_000

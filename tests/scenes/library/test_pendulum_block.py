@@ -10,12 +10,19 @@ from corollary.scenes.catalogue import run
 def swinging_hit(k, m=1.0, block=2.0, length=1.0, g=9.8, steps=4000):
     """Velocities (sphere level, block) after the touch: the sphere on its arc, the block on the table, Runge-Kutta steps of order 4."""
     v = math.sqrt(2.0 * g * length)
-    touch = 1.05 * run("pendulum_block", {"m": m, "M": block, "L": length, "g": g, "k": k}).observed["duration"]
+    touch = (
+        1.05 * run("pendulum_block", {"m": m, "M": block, "L": length, "g": g, "k": k}).observed["duration"]
+    )
 
     def slope(y):
         angle, turning, _, pushed = y
         force = k * max(length * math.sin(angle) - y[2], 0.0) ** 1.5
-        return turning, -g / length * math.sin(angle) - force * math.cos(angle) / (m * length), pushed, force / block
+        return (
+            turning,
+            -g / length * math.sin(angle) - force * math.cos(angle) / (m * length),
+            pushed,
+            force / block,
+        )
 
     def ahead(y, dy, h):
         return [a + h * b for a, b in zip(y, dy, strict=True)]
@@ -26,7 +33,9 @@ def swinging_hit(k, m=1.0, block=2.0, length=1.0, g=9.8, steps=4000):
         b = slope(ahead(y, a, 0.5 * h))
         c = slope(ahead(y, b, 0.5 * h))
         d = slope(ahead(y, c, h))
-        y = [now + h / 6.0 * (p + 2.0 * q + 2.0 * r + s) for now, p, q, r, s in zip(y, a, b, c, d, strict=True)]
+        y = [
+            now + h / 6.0 * (p + 2.0 * q + 2.0 * r + s) for now, p, q, r, s in zip(y, a, b, c, d, strict=True)
+        ]
         if length * math.sin(y[0]) < y[2]:
             break
     return length * y[1] * math.cos(y[0]), y[3]

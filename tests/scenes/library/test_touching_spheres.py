@@ -15,39 +15,70 @@ masses, speeds = st.floats(0.05, 2.0), st.floats(-10.0, 10.0)
 @given(masses, masses, speeds, st.floats(0.004, 0.05), st.floats(0.0, 5.0), st.sampled_from([1.0, 1.5]))
 @settings(max_examples=12, deadline=None)
 def test_the_momentum_of_both_changes_by_the_impulse_of_their_weight(ma, mb, up, t, eta, q):
-    found = run("touching_spheres", {"mA": ma, "mB": mb, "vB": (-0.75, up), "t": t, "eta": eta, "q": q, "k": 1e5})
+    found = run(
+        "touching_spheres", {"mA": ma, "mB": mb, "vB": (-0.75, up), "t": t, "eta": eta, "q": q, "k": 1e5}
+    )
     x, y = found.observed["momentum_change"]
     pull = (ma + mb) * 9.8 * t
     assert abs(y + pull) <= (3.0 * found.errors["momentum_change"] + 1e-13) * pull
     assert abs(x) <= (3.0 * found.errors["momentum_change"] + 1e-13) * pull
-    assert found.observed["momentum"] == pytest.approx((3.0 * ma - 0.75 * mb, 4.0 * ma + up * mb - pull), abs=1e-11)
+    assert found.observed["momentum"] == pytest.approx(
+        (3.0 * ma - 0.75 * mb, 4.0 * ma + up * mb - pull), abs=1e-11
+    )
 
 
 def test_relative_to_each_other_falling_spheres_do_as_if_there_were_no_weight():
     """Once they have parted, after less than 10 ms, the two runs differ by g t for each sphere."""
-    falling, floating = (run("touching_spheres", {"eta": 1.0, "q": 1.5, "k": 1e5, "g": g, "t": 0.02}) for g in (9.8, 0.0))
+    falling, floating = (
+        run("touching_spheres", {"eta": 1.0, "q": 1.5, "k": 1e5, "g": g, "t": 0.02}) for g in (9.8, 0.0)
+    )
     lost = 9.8 * 0.02
     ax, ay, bx, by = floating.observed["velocities"]
     assert falling.observed["velocities"] == pytest.approx((ax, ay - lost, bx, by - lost), abs=1e-11)
-    assert falling.observed["largest_overlap"] == pytest.approx(floating.observed["largest_overlap"], rel=1e-10)
+    assert falling.observed["largest_overlap"] == pytest.approx(
+        floating.observed["largest_overlap"], rel=1e-10
+    )
 
 
 def test_without_weight_they_collide_as_the_two_spheres_of_the_section():
     """Two models that share nothing but the law of force: steps in a plane, and two integrals (or one contact in its own time)."""
-    there = {"mA": 0.1, "mB": 0.2, "R": 0.02, "k": 2e4, "q": 1.5, "dx": 0.06, "dy": 0.018, "vA": (1.0, 0.2), "vB": (-0.5, 0.0)}
+    there = {
+        "mA": 0.1,
+        "mB": 0.2,
+        "R": 0.02,
+        "k": 2e4,
+        "q": 1.5,
+        "dx": 0.06,
+        "dy": 0.018,
+        "vA": (1.0, 0.2),
+        "vB": (-0.5, 0.0),
+    }
     for eta in (0.0, 3.0):
         watched = run("touching_spheres", there | {"eta": eta, "g": 0.0, "t": 0.1}).observed
         known = run("spheres", there | {"eta": eta}).observed
         for name in ("velocities", "duration", "largest_overlap", "energy_ratio"):
             assert watched[name] == pytest.approx(known[name], rel=1e-9, abs=1e-10), name
-        assert watched["mean_force"] == pytest.approx([-part / 0.1 for part in known["impulse"]], rel=1e-9, abs=1e-10)
+        assert watched["mean_force"] == pytest.approx(
+            [-part / 0.1 for part in known["impulse"]], rel=1e-9, abs=1e-10
+        )
         assert "momentum_change" not in watched
 
 
 @pytest.mark.parametrize("t", [1e-5, 1e-6, 1e-7])
 def test_in_a_moment_the_mean_force_is_the_force(t):
     """The force changes at some 1.5 (rate of overlap)/overlap < 600/s: the mean over t is off by at most that times t."""
-    there = {"mA": 0.1, "mB": 0.1, "R": 0.02, "k": 2e4, "q": 1.5, "eta": 1.0, "dx": 0.03, "dy": 0.018, "vA": (0.0, 0.0), "vB": (-1.0, 0.5)}
+    there = {
+        "mA": 0.1,
+        "mB": 0.1,
+        "R": 0.02,
+        "k": 2e4,
+        "q": 1.5,
+        "eta": 1.0,
+        "dx": 0.03,
+        "dy": 0.018,
+        "vA": (0.0, 0.0),
+        "vB": (-1.0, 0.5),
+    }
     r = math.hypot(0.03, 0.018)
     push = 2e4 * (0.04 - r) ** 1.5
     force = (-push * 0.03 / r - 1.0, -push * 0.018 / r + 0.5)
@@ -65,7 +96,12 @@ def test_spheres_that_miss_each_other_fall():
 
 @pytest.mark.parametrize(
     ("settings", "says"),
-    [({"dx": 0.0, "dy": 0.0}, "one centre on the other"), ({"eta": 1e9}, "lower eta"), ({"k": 1.0, "t": 0.05}, "so soft"), ({"vA": (1.0, 2.0, 3.0)}, "components")],
+    [
+        ({"dx": 0.0, "dy": 0.0}, "one centre on the other"),
+        ({"eta": 1e9}, "lower eta"),
+        ({"k": 1.0, "t": 0.05}, "so soft"),
+        ({"vA": (1.0, 2.0, 3.0)}, "components"),
+    ],
 )
 def test_what_cannot_be_watched_is_refused_in_a_sentence(settings, says):
     with pytest.raises(BadSetting, match=says):

@@ -17,7 +17,9 @@ def test_the_factor_is_the_integral_of_the_inverse_speed(q):
     # x = 1 - y^2 takes the singularity out of the upper end.
     p = mp.mpf(q) + 1
     mp.mp.dps = 50
-    integral = mp.quad(lambda y: 2 * y / mp.sqrt(1 - (1 - y * y) ** p) if y > 1e-12 else 2 / mp.sqrt(p), [0, 1])
+    integral = mp.quad(
+        lambda y: 2 * y / mp.sqrt(1 - (1 - y * y) ** p) if y > 1e-12 else 2 / mp.sqrt(p), [0, 1]
+    )
     assert duration_factor(q) == pytest.approx(float(2 * integral), rel=3e-15)
 
 
@@ -30,7 +32,9 @@ def test_known_values():
 
 @given(sizes, sizes, st.floats(1.0, 10.0), sizes)
 def test_dimensions(m, k, q, v):
-    assert 0.5 * m * v**2 == pytest.approx(k * largest_overlap(m, k, q, v) ** (q + 1.0) / (q + 1.0), rel=1e-12)
+    assert 0.5 * m * v**2 == pytest.approx(
+        k * largest_overlap(m, k, q, v) ** (q + 1.0) / (q + 1.0), rel=1e-12
+    )
     assert contact_time(2.0 * m, 2.0 * k, q, v) == pytest.approx(contact_time(m, k, q, v), rel=1e-12)
     assert suggested_step(m, k, q, v) == contact_time(m, k, q, v) / 100.0
 

@@ -9,7 +9,12 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.beta import contact_time
 from corollary.scenes.models.bounce import bounce
 
-CASES = [(1e6, 1.5, 0.1, 2.8, 9.8), (1e6, 1.23, 0.1, 2.8, 9.8), (1e4, 1.0, 0.5, 0.01, 9.8), (1e6, 3.0, 0.1, 0.001, 9.8)]
+CASES = [
+    (1e6, 1.5, 0.1, 2.8, 9.8),
+    (1e6, 1.23, 0.1, 2.8, 9.8),
+    (1e4, 1.0, 0.5, 0.01, 9.8),
+    (1e6, 3.0, 0.1, 0.001, 9.8),
+]
 
 
 @pytest.mark.parametrize(("k", "q", "m", "v", "g"), CASES)
@@ -26,7 +31,11 @@ def test_against_mpmath(k, q, m, v, g):
     slope = 2 * k_ * deepest**q_ / m_ - 2 * g_
 
     def pace(y):
-        return 2 * deepest * y / mp.sqrt(square(deepest * (1 - y * y))) if y > 1e-10 else 2 * mp.sqrt(deepest / slope)
+        return (
+            2 * deepest * y / mp.sqrt(square(deepest * (1 - y * y)))
+            if y > 1e-10
+            else 2 * mp.sqrt(deepest / slope)
+        )
 
     half = mp.quad(pace, [0, 0.5, 1])
     assert found.overlap == pytest.approx(float(deepest), rel=1e-14)

@@ -52,7 +52,9 @@ def test_from_critical_damping_on_it_sticks_and_more_damping_stops_it_sooner(m, 
 
 
 def test_the_closed_form_passes_through_critical_damping_without_a_jump():
-    below, at, above = (damped_spring(1.0, 1.0, 2.0 * share, 1.0) for share in (1.0 - 1e-12, 1.0, 1.0 + 1e-12))
+    below, at, above = (
+        damped_spring(1.0, 1.0, 2.0 * share, 1.0) for share in (1.0 - 1e-12, 1.0, 1.0 + 1e-12)
+    )
     assert at.overlap == pytest.approx(math.exp(-1.0), rel=1e-15)
     assert below.overlap == pytest.approx(at.overlap, rel=1e-10)
     assert above.overlap == pytest.approx(at.overlap, rel=1e-10)

@@ -28,7 +28,9 @@ def test_a_ball_over_a_floor_falls_onto_it(height, up, g):
     state = [0.0, -height, 0.0, up]
     meeting = first_touch(line, state, 0.0, bounced=False)
     t = meeting.after
-    assert height + up * t - 0.5 * g * t * t == pytest.approx(0.0, abs=1e-12 * (height + abs(up) * t + g * t * t))
+    assert height + up * t - 0.5 * g * t * t == pytest.approx(
+        0.0, abs=1e-12 * (height + abs(up) * t + g * t * t)
+    )
     landed = flown(line, state, meeting)
     assert landed[3] ** 2 == pytest.approx(up**2 + 2 * g * height, rel=1e-9)
     assert landed[3] < 0.0

@@ -17,7 +17,12 @@ REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_
 
 
 def cradle(count):
-    return Row((1.0,) * count, (1.0,) + (0.0,) * (count - 1), (0.0,) * (count - 1), (Contact(1.0, 1.0),) * (count - 1))
+    return Row(
+        (1.0,) * count,
+        (1.0,) + (0.0,) * (count - 1),
+        (0.0,) * (count - 1),
+        (Contact(1.0, 1.0),) * (count - 1),
+    )
 
 
 def test_two_balls_swing_half_a_period():
@@ -25,12 +30,16 @@ def test_two_balls_swing_half_a_period():
     mass = 1.2
     assert found.duration == pytest.approx(math.pi * math.sqrt(mass / 7.0), rel=1e-14)
     assert found.overlaps[0] == pytest.approx(2.0 * math.sqrt(mass / 7.0), rel=1e-14)
-    assert found.velocities == pytest.approx((1.0 - 2.0 * mass / 2.0 * 2.0, -1.0 + 2.0 * mass / 3.0 * 2.0), abs=1e-14)
+    assert found.velocities == pytest.approx(
+        (1.0 - 2.0 * mass / 2.0 * 2.0, -1.0 + 2.0 * mass / 3.0 * 2.0), abs=1e-14
+    )
 
 
 @pytest.mark.parametrize("count", [3, 4, 5, 6])
 def test_cradles_of_springs_to_fourteen_digits(count):
-    assert collide(cradle(count)).velocities == pytest.approx([float(v) for v in REFERENCES[f"{count} 1"]], abs=3e-14)
+    assert collide(cradle(count)).velocities == pytest.approx(
+        [float(v) for v in REFERENCES[f"{count} 1"]], abs=3e-14
+    )
 
 
 def test_a_row_of_twenty():
@@ -41,16 +50,36 @@ def test_a_row_of_twenty():
 
 
 def test_a_wall_is_a_body_that_does_not_move():
-    found = collide(Row((math.inf, 1.0, 2.0), (0.0, 0.0, -1.0), (0.0, 0.0), (Contact(5.0, 1.0), Contact(3.0, 1.0))))
+    found = collide(
+        Row((math.inf, 1.0, 2.0), (0.0, 0.0, -1.0), (0.0, 0.0), (Contact(5.0, 1.0), Contact(3.0, 1.0)))
+    )
     assert found.velocities[0] == 0.0
     assert 0.5 * found.velocities[1] ** 2 + found.velocities[2] ** 2 == pytest.approx(1.0, abs=1e-13)
 
 
 def test_a_slow_pair_meets_when_the_others_are_miles_away():
     """A gap of 1e9 overlaps rounds to more than the pair will ever overlap; it opened and closed for ever."""
-    speeds = (5.960464477539063e-08, -0.9931158629910208, 0.0, 1e-11, 0.32572811782446665, -0.8107422607728347)
-    contacts = tuple(Contact(k, 1.0) for k in (56.38576738598232, 97.12391502195145, 56.38576738598232, 97.12391502195145, 99.99982440538724))
-    found = collide(Row((0.001,) * 4 + (0.32572811782446665, 0.001), speeds, (0.0, 0.3, 0.3, 0.3, 0.0), contacts))
+    speeds = (
+        5.960464477539063e-08,
+        -0.9931158629910208,
+        0.0,
+        1e-11,
+        0.32572811782446665,
+        -0.8107422607728347,
+    )
+    contacts = tuple(
+        Contact(k, 1.0)
+        for k in (
+            56.38576738598232,
+            97.12391502195145,
+            56.38576738598232,
+            97.12391502195145,
+            99.99982440538724,
+        )
+    )
+    found = collide(
+        Row((0.001,) * 4 + (0.32572811782446665, 0.001), speeds, (0.0, 0.3, 0.3, 0.3, 0.0), contacts)
+    )
     assert found.openings < 20
     assert list(found.velocities) == sorted(found.velocities)
 
@@ -76,7 +105,11 @@ def test_momentum_energy_and_order_are_kept(line):
     momentum = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
     after = [m * v for m, v in zip(line.masses, found.velocities, strict=True)]
     # Light bodies between heavy ones open and close thousands of times, each with its rounding.
-    assert math.fsum(after) == pytest.approx(math.fsum(momentum), abs=1e-12 * sum(map(abs, momentum + after)) + 1e-15)
+    assert math.fsum(after) == pytest.approx(
+        math.fsum(momentum), abs=1e-12 * sum(map(abs, momentum + after)) + 1e-15
+    )
     none = [0.0] * len(line.gaps)
-    assert energy(line, none, found.velocities) == pytest.approx(energy(line, none, line.velocities), rel=1e-9, abs=1e-12)
+    assert energy(line, none, found.velocities) == pytest.approx(
+        energy(line, none, line.velocities), rel=1e-9, abs=1e-12
+    )
     assert all(a <= b + 1e-9 for a, b in zip(found.velocities, found.velocities[1:], strict=False))

@@ -43,7 +43,9 @@ def right_sources(
     for prompt in sheet.prompts:
         key = keys[prompt.problem.code]
         if prompt.part.id in key.truths:
-            sources[f"{prompt.key}_answer"] = f"{prompt.name} = {(write or plainly)(prompt, key.truths[prompt.part.id].values)}"
+            sources[f"{prompt.key}_answer"] = (
+                f"{prompt.name} = {(write or plainly)(prompt, key.truths[prompt.part.id].values)}"
+            )
         elif prompt.part.id in key.choices:
             sources[f"{prompt.key}_answer"] = f'{prompt.name} = "{key.choices[prompt.part.id]}"'
         elif prompt.part.id in key.solution.examples:

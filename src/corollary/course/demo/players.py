@@ -16,7 +16,16 @@ from corollary.problem.roster import Student
 from corollary.units.unit import Unit, canonical, show, unit
 
 Keys = Mapping[str, Key]
-OTHER_UNITS = {"kg*m/s": "g*m/s", "N": "kN", "m/s": "km/h", "J": "kJ", "s": "ms", "m": "cm", "rad": "deg", "N*s": "N*ms"}
+OTHER_UNITS = {
+    "kg*m/s": "g*m/s",
+    "N": "kN",
+    "m/s": "km/h",
+    "J": "kJ",
+    "s": "ms",
+    "m": "cm",
+    "rad": "deg",
+    "N*s": "N*ms",
+}
 
 
 def in_unit(values: tuple[float, ...], of: Unit, mark: str = ".") -> list[str]:
@@ -49,7 +58,10 @@ def rounding(sheet: Worksheet, keys: Keys) -> Hand:
         place = keys[prompt.problem.code].truths[prompt.part.id].place
         return listed(
             prompt,
-            [f"{value:.3g} {canonical(prompt.part.unit)}".replace(" 1", "") for value in rounded[prompt.problem.code][place]],
+            [
+                f"{value:.3g} {canonical(prompt.part.unit)}".replace(" 1", "")
+                for value in rounded[prompt.problem.code][place]
+            ],
         )
 
     return Hand(right_sources(sheet, keys, write))
@@ -63,7 +75,11 @@ def other_units(sheet: Worksheet, keys: Keys) -> Hand:
 
 
 def decimal_comma(sheet: Worksheet, keys: Keys) -> Hand:
-    return Hand(right_sources(sheet, keys, lambda prompt, values: listed(prompt, in_unit(values, prompt.part.unit, ","))))
+    return Hand(
+        right_sources(
+            sheet, keys, lambda prompt, values: listed(prompt, in_unit(values, prompt.part.unit, ","))
+        )
+    )
 
 
 def formulas(sheet: Worksheet, keys: Keys) -> Hand:
@@ -74,11 +90,16 @@ def formulas(sheet: Worksheet, keys: Keys) -> Hand:
         if closed is not None and len(closed) == 1 and text(closed[0])[0] not in "0123456789p":
             return repr(text(closed[0]))
         numbers = repr(list(values)) if prompt.part.components else repr(values[0])
-        return f"__import__('numpy').array({numbers})" if prompt.part.components else f"__import__('numpy').float64({numbers})"
+        return (
+            f"__import__('numpy').array({numbers})"
+            if prompt.part.components
+            else f"__import__('numpy').float64({numbers})"
+        )
 
     sources = right_sources(sheet, keys, write)
     sources["X12_5_a_answer"] = (
-        "import sys, warnings\nprint('thinking', file=sys.stderr)\nwarnings.warn('careful')\n" + sources["X12_5_a_answer"]
+        "import sys, warnings\nprint('thinking', file=sys.stderr)\nwarnings.warn('careful')\n"
+        + sources["X12_5_a_answer"]
     )
     return Hand(sources)
 
@@ -115,7 +136,8 @@ def euler(sheet: Worksheet, keys: Keys) -> Hand:
     sources = right_sources(sheet, keys)
     source = sources["P12_14_h_answer"]
     swapped = source.replace(
-        "        v = v + a * dt\n        shift = shift + v * dt\n", "        shift = shift + v * dt\n        v = v + a * dt\n"
+        "        v = v + a * dt\n        shift = shift + v * dt\n",
+        "        shift = shift + v * dt\n        v = v + a * dt\n",
     )
     assert swapped != source, "the example program has changed; change this player with it"
     sources["P12_14_h_answer"] = swapped
@@ -154,7 +176,9 @@ def forged(sheet: Worksheet, keys: Keys) -> Hand:
 
 
 def no_notebook(sheet: Worksheet, keys: Keys) -> Hand:
-    return Hand({}, {prompt.key: "unread" for prompt in sheet.prompts}, raw=b'{"cells": [{"cell_type": "code", "sour')
+    return Hand(
+        {}, {prompt.key: "unread" for prompt in sheet.prompts}, raw=b'{"cells": [{"cell_type": "code", "sour'
+    )
 
 
 def late(sheet: Worksheet, keys: Keys) -> Hand:

@@ -56,7 +56,9 @@ class Demonstration:
     outcome: Outcome
 
 
-def perform(folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: Tell = lambda step: None) -> Demonstration:
+def perform(
+    folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: Tell = lambda step: None
+) -> Demonstration:
     """Plays the whole way in a fresh folder; an earlier demonstration there is replaced. Raises NotFresh."""
     if folder.exists() and any(folder.iterdir()):
         if not (folder / MARK).exists():
@@ -76,7 +78,11 @@ def perform(folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: T
         hands[player.student.id] = paper, hand
         hand_in(made.course, problem_set, paper, hand)
     outcome = grade_set(
-        open_course(folder), problem_set, solutions, Runner, tell=lambda student, left: tell(f"marking {student}")
+        open_course(folder),
+        problem_set,
+        solutions,
+        Runner,
+        tell=lambda student, left: tell(f"marking {student}"),
     )
     played = tuple(_played(problem_set, player, *hands[player.student.id], outcome) for player in PLAYERS)
     return Demonstration(made.course, played, outcome)
@@ -95,7 +101,9 @@ def hand_in(course: Course, problem_set: ProblemSet, paper: Worksheet, hand: Han
         write_atomically(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")
 
 
-def _played(problem_set: ProblemSet, player: Player, paper: Worksheet, hand: Hand, outcome: Outcome) -> Played:
+def _played(
+    problem_set: ProblemSet, player: Player, paper: Worksheet, hand: Hand, outcome: Outcome
+) -> Played:
     record = outcome.records[player.student.id]
     deserved, differences = 0.0, []
     for prompt in paper.prompts:
@@ -105,7 +113,9 @@ def _played(problem_set: ProblemSet, player: Player, paper: Worksheet, hand: Han
         deserved += prompt.out_of * (worth + halves - 1) / halves
         got = record["parts"][prompt.key]["verdict"]
         if got != verdict:
-            differences.append(f"{prompt.key}: {got} instead of {verdict} ({record['parts'][prompt.key]['feedback']})")
+            differences.append(
+                f"{prompt.key}: {got} instead of {verdict} ({record['parts'][prompt.key]['feedback']})"
+            )
     if hand.late:
         deserved *= problem_set.scheme.late
     return Played(player, round(deserved, 6), record["points"], record["out_of"], tuple(differences))
@@ -115,4 +125,6 @@ def _write_roster(path: Path, roster) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         rows = csv.writer(file)
         rows.writerow(["id", "first_name", "last_name", "email"])
-        rows.writerows([student.id, student.first_name, student.last_name, student.email] for student in roster)
+        rows.writerows(
+            [student.id, student.first_name, student.last_name, student.email] for student in roster
+        )

@@ -19,20 +19,29 @@ def judge_potential_plot(given: Mapping[str, float], figures: Sequence[Any]) -> 
     b, d, depth = given["b"], given["d"], given["k"] * given["d"] ** 2 / 2
     axes = next((each for each in figures if each.lines), None)
     if axes is None:
-        return Said("No axes with a curve were found; plot the potential energy against the place of the atom.")
+        return Said(
+            "No axes with a curve were found; plot the potential energy against the place of the atom."
+        )
     named = {axes.xlabel.lower(): ("x", "r", "m]"), axes.ylabel.lower(): ("u", "energy", "j]")}
     if not all(any(word in label for word in words) for label, words in named.items()):
         return Said("The axes need labels that name quantity and unit: x [m] and U [J].")
     curves = [line for line in axes.lines if line.kind == "line" and len(line.x) > 20]
     if not curves:
         return Said("The potential must be drawn as a curve of more than 20 points.")
-    if not any(_reads(line, {b: 0.0, b - d / 2: depth / 4, b + d / 2: depth / 4, b + 1.2 * d: depth}, depth) for line in curves):
-        return Said("No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right "
-                    "and on the left too, and stay at U0 beyond b + d.")
+    if not any(
+        _reads(line, {b: 0.0, b - d / 2: depth / 4, b + d / 2: depth / 4, b + 1.2 * d: depth}, depth)
+        for line in curves
+    ):
+        return Said(
+            "No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right "
+            "and on the left too, and stay at U0 beyond b + d."
+        )
     for name, level in (("below", given["eps"] * depth), ("above", given["epsx"] * depth)):
         if not any(_level(line, level, NEAR * level) for line in axes.lines):
-            return Said(f"The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the "
-                        f"energy asked for.")
+            return Said(
+                f"The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the "
+                f"energy asked for."
+            )
     return None
 
 
@@ -52,11 +61,15 @@ def judge_orbit_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Said
             if math.dist((line.x[0], line.y[0]), (b, 0.0)) > 0.02 * b:
                 return Said("The trajectory must start at (b, 0).")
             if r.min() < 0.98 * b:
-                return Said("The atom comes closer than b. It starts across the radius, and the force at r > b is not "
-                            "strong enough to pull it in further: check force and step.")
+                return Said(
+                    "The atom comes closer than b. It starts across the radius, and the force at r > b is not "
+                    "strong enough to pull it in further: check force and step."
+                )
             if abs(r.max() - far[-1]) > 0.02 * b:
-                return Said("The greatest distance of your trajectory is not that of (h1). Let it run for some "
-                            "swings, and check v0, force and step.")
+                return Said(
+                    "The greatest distance of your trajectory is not that of (h1). Let it run for some "
+                    "swings, and check v0, force and step."
+                )
             return None
     return Said("No trajectory was found; plot y against x, as a curve of many points.")
 
@@ -68,7 +81,8 @@ def _reads(line: Any, wanted: Mapping[float, float], scale: float) -> bool:
     known = np.isfinite(x) & np.isfinite(y)
     x, y = x[known], y[known]
     return bool(len(x)) and all(
-        x[0] <= place <= x[-1] and abs(float(np.interp(place, x, y)) - value) <= NEAR * scale for place, value in wanted.items()
+        x[0] <= place <= x[-1] and abs(float(np.interp(place, x, y)) - value) <= NEAR * scale
+        for place, value in wanted.items()
     )
 
 

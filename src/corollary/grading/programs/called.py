@@ -34,4 +34,8 @@ def pairs(called: Sequence[Called]) -> list[tuple[Called, Called]]:
 def miscounted(called: Called, count: int, what: str) -> str:
     """What to say when not so many numbers came back; "" when they did."""
     many = len(called.returned)
-    return "" if many == count else f"It returns {'one number' if many == 1 else f'{many} numbers'}; return {what}."
+    return (
+        ""
+        if many == count
+        else f"It returns {'one number' if many == 1 else f'{many} numbers'}; return {what}."
+    )

@@ -9,7 +9,17 @@ from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.orbit import EULER, misfit, named, place_standard
 from corollary.grading.programs.remarks import Remark, Said
-from corollary.grading.programs.well import State, Walk, Well, forward_euler, half_a_swing, moved, start_of, stepped, well_of
+from corollary.grading.programs.well import (
+    State,
+    Walk,
+    Well,
+    forward_euler,
+    half_a_swing,
+    moved,
+    start_of,
+    stepped,
+    well_of,
+)
 
 
 def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:
@@ -44,16 +54,26 @@ def ended(inputs: Inputs, dt: float, *, keeps: float = 0.5, pull: float = 1.0, w
     """Where a method leads: at t1 the velocity keeps this share, and the pull on what moves on changes by this factor."""
     well, t1, left = well_of(inputs), inputs["t1"], inputs["T"] - inputs["t1"]
     x, y, u, w = walk(well, start_of(inputs), t1, round(t1 / dt))
-    return walk(Well(pull * well.pull, well.b, well.edge), (x, y, keeps * u, keeps * w), left, round(left / dt))
+    return walk(
+        Well(pull * well.pull, well.b, well.edge), (x, y, keeps * u, keeps * w), left, round(left / dt)
+    )
 
 
 def _wrong(called: Called) -> Said:
     inputs, dt = called.inputs, called.inputs["dt"]
     usual = {
-        "the velocity is not changed by the collision. B was at rest: momentum is shared by both.": ended(inputs, dt, keeps=1.0),
-        "you kept the kinetic energy. The atoms stick: momentum is kept, kinetic energy is not.": ended(inputs, dt, keeps=0.5**0.5),
-        "the mass has doubled, but not the force. The molecule pulls on A and on B.": ended(inputs, dt, pull=0.5),
-        "the force has doubled, but not the mass. The pair has the mass of two atoms.": ended(inputs, dt, pull=2.0),
+        "the velocity is not changed by the collision. B was at rest: momentum is shared by both.": ended(
+            inputs, dt, keeps=1.0
+        ),
+        "you kept the kinetic energy. The atoms stick: momentum is kept, kinetic energy is not.": ended(
+            inputs, dt, keeps=0.5**0.5
+        ),
+        "the mass has doubled, but not the force. The molecule pulls on A and on B.": ended(
+            inputs, dt, pull=0.5
+        ),
+        "the force has doubled, but not the mass. The pair has the mass of two atoms.": ended(
+            inputs, dt, pull=2.0
+        ),
         EULER: ended(inputs, dt, walk=forward_euler),
     }
     return named(called, usual)

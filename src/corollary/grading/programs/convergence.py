@@ -108,5 +108,8 @@ def _sums(both: Sequence[tuple[Called, Called]], standards: Sequence[Standard]) 
     coarse = fine = 0.0
     for (long, short), standard in zip(both, standards, strict=True):
         allowed = standard.allowed(long)[0]
-        coarse, fine = coarse + standard.errors(long.returned)[0] / allowed, fine + standard.errors(short.returned)[0] / allowed
+        coarse, fine = (
+            coarse + standard.errors(long.returned)[0] / allowed,
+            fine + standard.errors(short.returned)[0] / allowed,
+        )
     return coarse, fine

@@ -52,7 +52,9 @@ def bounce_inputs(given: Given, draw: Draw) -> list[Inputs]:
 @lru_cache(maxsize=256)
 def reference(m: float, k: float, R: float, y0: float, v0: float, g: float) -> Bounce:
     """What a program must find, from the energy integral."""
-    seen = run("ball_on_floor", {"m": m, "k": k, "q": 1.5, "R": R, "y0": y0, "v0": v0, "g": g}, tolerance=1e-12).observed
+    seen = run(
+        "ball_on_floor", {"m": m, "k": k, "q": 1.5, "R": R, "y0": y0, "v0": v0, "g": g}, tolerance=1e-12
+    ).observed
     speed, force, duration = seen["rebound_speed"], seen["peak_force"], seen["duration"]
     assert isinstance(speed, float)
     assert isinstance(force, float)
@@ -107,9 +109,14 @@ def _wrong(called: Called) -> Said:
         return Said(sentence, known=True)
     v = returned[0]
     if math.isclose(v, numbers[4], rel_tol=1e-9):
-        return Said("The velocity is still the one at the start: step until the ball has touched the floor and left it again.")
+        return Said(
+            "The velocity is still the one at the start: step until the ball has touched the floor and left it again."
+        )
     if v < 0 and abs(v + truth.velocity) <= NAMED * truth.velocity:
-        return Said("The velocity is negative, as on the way down: step until the ball has left the floor again.", known=True)
+        return Said(
+            "The velocity is negative, as on the way down: step until the ball has left the floor again.",
+            known=True,
+        )
     allowed = _standard(called.inputs).allowed(called)
     off = [error / most for error, most in zip(truth.errors(returned), allowed, strict=True)]
     return Said(OFF[off.index(max(off))])
@@ -129,7 +136,9 @@ def _distance(called: Called, scheme: Scheme) -> float:
     if wrong is None:
         return math.inf
     nearness = (NAMED, NAMED, COUNTED * step / wrong[2])
-    return max(error / near for error, near in zip(Bounce(*wrong).errors(called.returned), nearness, strict=True))
+    return max(
+        error / near for error, near in zip(Bounce(*wrong).errors(called.returned), nearness, strict=True)
+    )
 
 
 BOUNCE = Family(_misfit, _standard, _wrong)

@@ -17,7 +17,9 @@ USUAL: dict[Scheme, str] = {
 
 
 @lru_cache(maxsize=256)
-def wrong_bounce(scheme: Scheme, m: float, k: float, R: float, y0: float, v0: float, g: float, dt: float) -> tuple[float, float, float] | None:
+def wrong_bounce(
+    scheme: Scheme, m: float, k: float, R: float, y0: float, v0: float, g: float, dt: float
+) -> tuple[float, float, float] | None:
     """Velocity, largest force and time of contact of a wrong program, or None when it never ends."""
     y, v, largest, below = y0, v0, 0.0, 0
     pull = 0.0 if scheme == "weightless" else m * g

@@ -15,7 +15,10 @@ from corollary.grading.programs.two_bodies import Force, converged
 
 def ion_force(C: float, *, sign: float = -1.0, power: float = 3.0) -> Force:
     """On A: C over the square of the distance, away from B."""
-    return lambda x, y, u, w: (sign * C * x / math.hypot(x, y) ** power, sign * C * y / math.hypot(x, y) ** power)
+    return lambda x, y, u, w: (
+        sign * C * x / math.hypot(x, y) ** power,
+        sign * C * y / math.hypot(x, y) ** power,
+    )
 
 
 def closest(C: float, mA: float, mB: float, r0: float, v: float) -> float:
@@ -32,7 +35,15 @@ def ion_inputs(given: Given, draw: Draw) -> list[Inputs]:
         energy = mA * mB / (mA + mB) * (v - v_b) ** 2 / 2
         C = round(energy * r0 / draw(1.0, 3.0), 6)
         T = round(4.0 * r0 / (v - v_b), 4)
-        case = {"C": C, "mA": mA, "mB": mB, "rA": (0.0, 0.0), "vA": (v, 0.0), "rB": (r0, round(aside * r0, 4)), "vB": (v_b, 0.0)}
+        case = {
+            "C": C,
+            "mA": mA,
+            "mB": mB,
+            "rA": (0.0, 0.0),
+            "vA": (v, 0.0),
+            "rB": (r0, round(aside * r0, 4)),
+            "vB": (v_b, 0.0),
+        }
         case |= {"T": T, "dt": 0.0}
         cases.append(case | {"dt": T / round(T * STEPS / _turning(case))})
     return halved(cases)
@@ -46,7 +57,9 @@ def judge_ions(given: Given, called: Sequence[Called]) -> Said | Remark | None:
 def _standard(inputs: Inputs) -> Standard:
     """First order: the ions still push each other when the velocities are read."""
     force = ion_force(inputs["C"])
-    return two_bodies.standard(inputs, force, converged(inputs, force, 1e-9), order=1, unit=_turning(inputs), safety=SMOOTH)
+    return two_bodies.standard(
+        inputs, force, converged(inputs, force, 1e-9), order=1, unit=_turning(inputs), safety=SMOOTH
+    )
 
 
 def _turning(inputs: Inputs) -> float:
@@ -58,8 +71,12 @@ def _turning(inputs: Inputs) -> float:
 def _wrong(called: Called) -> Said:
     C = called.inputs["C"]
     usual = {
-        "the ions attract. $\\Delta\\vec r$ leads from A to B, so the force on A needs a minus.": ion_force(C, sign=1.0),
-        "the force falls off as $1/\\Delta r$: a unit vector takes one more division.": ion_force(C, power=2.0),
+        "the ions attract. $\\Delta\\vec r$ leads from A to B, so the force on A needs a minus.": ion_force(
+            C, sign=1.0
+        ),
+        "the force falls off as $1/\\Delta r$: a unit vector takes one more division.": ion_force(
+            C, power=2.0
+        ),
     }
     return two_bodies.wrong(called, usual, ion_force(C), f"With C = {C:g} N m²")
 

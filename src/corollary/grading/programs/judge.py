@@ -23,12 +23,16 @@ from corollary.units.unit import unit
 
 def code_of(solution: Solution, part: Part) -> Code | None:
     """The code entry of a part."""
-    return next((entry for entry in solution.entries if isinstance(entry, Code) and entry.part == part.id), None)
+    return next(
+        (entry for entry in solution.entries if isinstance(entry, Code) and entry.part == part.id), None
+    )
 
 
 def plot_of(solution: Solution, part: Part) -> Plot | None:
     """The plot entry of a part."""
-    return next((entry for entry in solution.entries if isinstance(entry, Plot) and entry.part == part.id), None)
+    return next(
+        (entry for entry in solution.entries if isinstance(entry, Plot) and entry.part == part.id), None
+    )
 
 
 def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[Ask]:
@@ -46,7 +50,9 @@ def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, studen
     ]
 
 
-def inputs_of(code: Code, variant: Variant, part: Part, secret: bytes, student: str) -> Sequence[Mapping[str, object]]:
+def inputs_of(
+    code: Code, variant: Variant, part: Part, secret: bytes, student: str
+) -> Sequence[Mapping[str, object]]:
     """The same inputs each time for one student and part, and different for others."""
     count = iter(range(1 << 30))
 
@@ -57,7 +63,9 @@ def inputs_of(code: Code, variant: Variant, part: Part, secret: bytes, student: 
     return code.inputs(variant.si, draw)
 
 
-def judge_code(solution: Solution, variant: Variant, part: Part, shown: ProgramRun, secret: bytes, student: str) -> Verdict:
+def judge_code(
+    solution: Solution, variant: Variant, part: Part, shown: ProgramRun, secret: bytes, student: str
+) -> Verdict:
     """Every call must have come back; then the solution's judge looks at all of them together."""
     code = code_of(solution, part)
     assert code is not None

@@ -9,7 +9,17 @@ from corollary.grading.programs.bound import NAMED, measured
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.remarks import Remark, Said
-from corollary.grading.programs.well import State, Well, forward_euler, half_a_swing, moved, start_of, stepped, turned, well_of
+from corollary.grading.programs.well import (
+    State,
+    Well,
+    forward_euler,
+    half_a_swing,
+    moved,
+    start_of,
+    stepped,
+    turned,
+    well_of,
+)
 
 EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
 
@@ -63,9 +73,15 @@ def _wrong(called: Called) -> Said:
     steps = round(inputs["T"] / inputs["dt"])
     pull, b, edge = well.pull, well.b, well.edge
     wrong = {
-        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": Well(-pull, b, edge),
-        "the atom is still pulled back beyond b + d. There the potential energy is constant: no force.": Well(pull, b, math.inf),
-        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": Well(pull, 0.0, edge),
+        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": Well(
+            -pull, b, edge
+        ),
+        "the atom is still pulled back beyond b + d. There the potential energy is constant: no force.": Well(
+            pull, b, math.inf
+        ),
+        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": Well(
+            pull, 0.0, edge
+        ),
         "the mass is missing: the acceleration is the force divided by m.": Well(pull * inputs["m"], b, edge),
     }
     usual = {sentence: stepped(other, start, inputs["T"], steps) for sentence, other in wrong.items()}

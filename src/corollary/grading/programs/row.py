@@ -46,9 +46,13 @@ def _misfit(called: Called) -> str:
 
 def _standard(inputs: Inputs) -> Standard:
     balls, m, k, q, v0 = (inputs[name] for name in ("N", "m", "k", "q", "v0"))
-    truth = run("cradle", {"N": balls, "m": m, "k": k, "q": q, "v0": v0}, tolerance=1e-9).observed["velocities"]
+    truth = run("cradle", {"N": balls, "m": m, "k": k, "q": q, "v0": v0}, tolerance=1e-9).observed[
+        "velocities"
+    ]
     assert isinstance(truth, tuple)
-    return Standard(lambda found: (math.dist(found, truth) / v0,), bounds(balls, q), contact_time(m, k, q, v0))
+    return Standard(
+        lambda found: (math.dist(found, truth) / v0,), bounds(balls, q), contact_time(m, k, q, v0)
+    )
 
 
 @lru_cache(maxsize=64)
@@ -61,7 +65,14 @@ def bounds(balls: int, q: float) -> tuple[Bound, ...]:
 
     def errors(steps: float) -> tuple[float, ...]:
         dt = contact / steps
-        path = march(EULER_CROMER, _pushed(q), [0.0] * balls, [1.0] + [0.0] * (balls - 1), dt, math.ceil(1.2 * lasts / dt))
+        path = march(
+            EULER_CROMER,
+            _pushed(q),
+            [0.0] * balls,
+            [1.0] + [0.0] * (balls - 1),
+            dt,
+            math.ceil(1.2 * lasts / dt),
+        )
         return (math.dist(path.velocities[-1], truth),)
 
     return measured(2, errors)
@@ -119,11 +130,13 @@ def judge_contact(given: Given, called: Sequence[Called]) -> Said | None:
     k, q = one.returned
     if not (k > 0 and 1 <= q <= 10):
         return Said("k must be positive, and q between 1 and 10.")
-    velocities = run("cradle", {"N": 3, "m": given["m"], "k": k, "q": q, "v0": given["v0"]}, tolerance=1e-6).observed[
-        "velocities"
-    ]
+    velocities = run(
+        "cradle", {"N": 3, "m": given["m"], "k": k, "q": q, "v0": given["v0"]}, tolerance=1e-6
+    ).observed["velocities"]
     assert isinstance(velocities, tuple)
     left = abs(velocities[1]) / given["v0"]
     if left < 0.02:
         return None
-    return Said(f"With your k and q the middle ball keeps {left:.0%} of v0; the goal is less than 2 %. Which of the two matters?")
+    return Said(
+        f"With your k and q the middle ball keeps {left:.0%} of v0; the goal is less than 2 %. Which of the two matters?"
+    )

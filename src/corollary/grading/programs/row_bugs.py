@@ -16,7 +16,9 @@ USUAL: dict[Scheme, str] = {
 
 
 @lru_cache(maxsize=256)
-def wrong_cradle(scheme: Scheme, balls: int, m: float, k: float, q: float, v0: float, dt: float) -> tuple[float, ...] | None:
+def wrong_cradle(
+    scheme: Scheme, balls: int, m: float, k: float, q: float, v0: float, dt: float
+) -> tuple[float, ...] | None:
     """The velocities that a wrong program ends with, or None when it never ends."""
     v, x = np.zeros(balls), np.zeros(balls)
     v[0] = v0

@@ -13,7 +13,9 @@ from corollary.grading.programs.two_bodies import Force
 from corollary.scenes.catalogue import run
 
 
-def sphere_force(R: float, k: float, eta: float, *, spring: float = -1.0, drag: float = 1.0, q: float = 1.5) -> Force:
+def sphere_force(
+    R: float, k: float, eta: float, *, spring: float = -1.0, drag: float = 1.0, q: float = 1.5
+) -> Force:
     """On A: k overlap^q along the line of centres and eta times the relative velocity, while the spheres overlap."""
 
     def force(x: float, y: float, u: float, w: float) -> tuple[float, float]:
@@ -43,7 +45,9 @@ def sphere_inputs(given: Given, draw: Draw) -> list[Inputs]:
                 "vA": (round(draw(0.6, 1.4), 2), 0.0), "vB": (0.0, round(draw(-0.2, 0.2), 2))}  # fmt: skip
         time = _played(case).observed["duration"]
         assert isinstance(time, float)
-        case["T"] = (0.2 * R + 2 * R * (1 - math.sqrt(1 - (aside / 2) ** 2)) + 0.3 * R) / case["vA"][0] + 1.5 * time
+        case["T"] = (0.2 * R + 2 * R * (1 - math.sqrt(1 - (aside / 2) ** 2)) + 0.3 * R) / case["vA"][
+            0
+        ] + 1.5 * time
         cases.append(case | {"dt": _contact(case) / STEPS})
     return halved(cases)
 

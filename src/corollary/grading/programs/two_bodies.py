@@ -93,7 +93,9 @@ def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -
     ends = {f"{case} {sentence}": stepped(inputs, force) for sentence, force in usual.items()}
     ends[f"{case} this is forward Euler: the position is stepped with the old velocity. Step the velocity first, then the position "
          f"with the new one."] = stepped(inputs, right, euler=True)  # fmt: skip
-    ends[f"{case} only A feels a force. What B does to A, A does to B, the other way."] = stepped(inputs, right, both=False)
+    ends[f"{case} only A feels a force. What B does to A, A does to B, the other way."] = stepped(
+        inputs, right, both=False
+    )
     sentence, end = min(ends.items(), key=lambda item: math.dist(returned, item[1]))
     if math.dist(returned, end) <= NAMED * speed(inputs):
         return Said(sentence, known=True)

@@ -74,7 +74,10 @@ def _runge_kutta(well: Well, state: State, dt: float, inside: bool) -> State:
     two = slope(shifted(one, dt / 2))
     three = slope(shifted(two, dt / 2))
     four = slope(shifted(three, dt))
-    x, y, u, w = (s + dt / 6 * (a + 2 * b + 2 * c + d) for s, a, b, c, d in zip(state, one, two, three, four, strict=True))
+    x, y, u, w = (
+        s + dt / 6 * (a + 2 * b + 2 * c + d)
+        for s, a, b, c, d in zip(state, one, two, three, four, strict=True)
+    )
     return x, y, u, w
 
 

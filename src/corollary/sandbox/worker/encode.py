@@ -32,7 +32,10 @@ _KINDS = {
     "Figure": "is a figure: the plot itself is looked at, no variable is needed",
 }
 _NUMPY_REALS = {"float16", "float32", "float64", "longdouble", "float128"}
-_NUMPY_WHOLES = {f"{sign}{size}" for sign in ("int", "uint") for size in (8, 16, 32, 64)} | {"longlong", "ulonglong"}
+_NUMPY_WHOLES = {f"{sign}{size}" for sign in ("int", "uint") for size in (8, 16, 32, 64)} | {
+    "longlong",
+    "ulonglong",
+}
 _NUMPY_COMPLEX = {"complex64", "complex128", "clongdouble", "complex256"}
 
 
@@ -98,7 +101,9 @@ def _refused(why, shown=""):
 
 def _unfit(value, name):
     shown = repr(value) if type(value) is bool else name
-    return _refused(_KINDS.get(name, f"is an object of the kind {name}, from which no answer can be read"), shown)
+    return _refused(
+        _KINDS.get(name, f"is an object of the kind {name}, from which no answer can be read"), shown
+    )
 
 
 def _exact(numerator, denominator):
@@ -148,7 +153,9 @@ def _numpy(value, name, depth, left):
         return _unfit(value, name)
     shape = [int(length) for length in value.shape]
     if value.size > left[0]:  # before any copy: a broadcast array of a million million items takes no room
-        return _refused(f"is an array of {int(value.size)} numbers, more than {MOST_ITEMS}", f"shape {tuple(shape)}"[:80])
+        return _refused(
+            f"is an array of {int(value.size)} numbers, more than {MOST_ITEMS}", f"shape {tuple(shape)}"[:80]
+        )
     if value.dtype.kind not in "iufcUO":
         return _refused(f"is an array of {value.dtype.kind!r}, not of numbers", str(value.dtype)[:80])
     if not shape:
@@ -172,7 +179,11 @@ def _sympy(value, kind, name, depth, left):
         return _text(_printable(str(value)))
     try:
         return ("real", float(value))
-    except (TypeError, ValueError, OverflowError):  # a number with a unit, or a complex one: let its text be read
+    except (
+        TypeError,
+        ValueError,
+        OverflowError,
+    ):  # a number with a unit, or a complex one: let its text be read
         return _text(_printable(str(value)))
 
 

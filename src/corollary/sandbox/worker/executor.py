@@ -50,7 +50,9 @@ def work(shell, outputs, job):
 
 def rehearse(shell, outputs, sources):
     """Runs cells that are nobody's, and keeps nothing of them."""
-    desk = _desk(shell, outputs, {"names": ["a", "b", "c", "d"], "pictures": False, "limits": {"cell_seconds": 1e3}})
+    desk = _desk(
+        shell, outputs, {"names": ["a", "b", "c", "d"], "pictures": False, "limits": {"cell_seconds": 1e3}}
+    )
     for index, source in enumerate(sources):
         pack(_run_cell(desk, index, source)[0])
     backend.shown.clear()
@@ -80,12 +82,21 @@ def _run_cell(desk, index, source):
         desk.clock.stop()
     except KeyboardInterrupt:
         error = "KeyboardInterrupt"
-    except BaseException as trouble:  # IPython itself was bent by the cell; the cell has failed, the notebook goes on
+    except (
+        BaseException
+    ) as trouble:  # IPython itself was bent by the cell; the cell has failed, the notebook goes on
         error = _one_line(trouble)
     desk.clock.stop()
     status = "timeout" if desk.clock.rang else "error" if error else "ok"
-    rich = {"t": "cell", "index": index, "status": status, "error": error, "outputs": desk.outputs.as_list(),
-            "figures": desk.figures, "values": values}
+    rich = {
+        "t": "cell",
+        "index": index,
+        "status": status,
+        "error": error,
+        "outputs": desk.outputs.as_list(),
+        "figures": desk.figures,
+        "values": values,
+    }
     poorer = {**rich, "outputs": []}
     poorest = {**poorer, "figures": [], "error": "the cell's error cannot be told", "values": {}}
     return rich, (poorer, {**poorer, "figures": []}, poorest)
@@ -126,7 +137,9 @@ def _draw(desk, index, figure, told):
     try:
         picture, changed = draw(figure), describe(figure) != told
         desk.clock.stop()
-    except BaseException:  # its time was up, or the student's own class of figure has ended it: there is no picture then
+    except (
+        BaseException
+    ):  # its time was up, or the student's own class of figure has ended it: there is no picture then
         picture = None
     desk.clock.stop()
     rich = {"t": "picture", "index": index, "png": picture, "changed": changed}
@@ -144,7 +157,9 @@ def _call(desk, index, ask):
     desk.clock.start(seconds)
     try:
         if callable(function):
-            value = encode(function(**{key: tuple(each) if type(each) is list else each for key, each in arguments}))
+            value = encode(
+                function(**{key: tuple(each) if type(each) is list else each for key, each in arguments})
+            )
         else:
             trouble = f"{name} is not a function"
         desk.clock.stop()
@@ -159,7 +174,13 @@ def _call(desk, index, ask):
 
 def _answer(desk, index, value, trouble):
     text = "".join(each["text"] for each in desk.outputs.as_list() if each["output_type"] == "stream")
-    rich = {"t": "call", "index": index, "value": value, "output": text[:_MOST_CALL_OUTPUT], "trouble": trouble}
+    rich = {
+        "t": "call",
+        "index": index,
+        "value": value,
+        "output": text[:_MOST_CALL_OUTPUT],
+        "trouble": trouble,
+    }
     return rich, ({**rich, "value": ("refused", "is too large to be brought back", "")},)
 
 

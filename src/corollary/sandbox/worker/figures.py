@@ -78,7 +78,10 @@ def _cloud(cloud):
 
 def _bars(bars):
     upright = bars.orientation != "horizontal"
-    x = [bar.get_x() + bar.get_width() / 2 if upright else bar.get_y() + bar.get_height() / 2 for bar in bars.patches]
+    x = [
+        bar.get_x() + bar.get_width() / 2 if upright else bar.get_y() + bar.get_height() / 2
+        for bar in bars.patches
+    ]
     y = [bar.get_height() if upright else bar.get_width() for bar in bars.patches]
     return _told(_numbers(x), _numbers(y), bars.get_label(), "bars")
 

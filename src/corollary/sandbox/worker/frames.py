@@ -49,7 +49,12 @@ def say(frame, poorer=()):
     for each in (frame, *poorer):
         try:
             text = pack(each)
-        except (TypeError, ValueError, OverflowError, RecursionError):  # say, a string that is of the student's own class
+        except (
+            TypeError,
+            ValueError,
+            OverflowError,
+            RecursionError,
+        ):  # say, a string that is of the student's own class
             continue
         if len(text) <= MOST_BYTES:
             _send(len(text).to_bytes(4, "big") + text)
@@ -60,4 +65,4 @@ def say(frame, poorer=()):
 def _send(text):
     view = memoryview(text)
     while view:
-        view = view[_write(_RESULTS, view):]
+        view = view[_write(_RESULTS, view) :]

@@ -23,8 +23,18 @@ def prepare(listed, readable, writable):
     scopes = landlockpy.Scope.ABSTRACT_UNIX_SOCKET | landlockpy.Scope.SIGNAL
     ruleset = landlockpy.Ruleset(scoped=scopes)
     # Nothing is ever executed and no device made; where a folder may be changed, its files and links may be.
-    change = (access.READ_FILE | access.READ_DIR | access.WRITE_FILE | access.TRUNCATE | access.REMOVE_FILE
-              | access.REMOVE_DIR | access.MAKE_REG | access.MAKE_DIR | access.MAKE_SYM | access.REFER)
+    change = (
+        access.READ_FILE
+        | access.READ_DIR
+        | access.WRITE_FILE
+        | access.TRUNCATE
+        | access.REMOVE_FILE
+        | access.REMOVE_DIR
+        | access.MAKE_REG
+        | access.MAKE_DIR
+        | access.MAKE_SYM
+        | access.REFER
+    )
     for path in listed:
         ruleset.allow_path(path, access.READ_DIR)
     for path in readable:

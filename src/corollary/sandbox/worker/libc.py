@@ -47,8 +47,14 @@ def mount(source, target, kind, flags, options=""):
 def make_read_only(path):
     """Everything mounted at `path` and below becomes read-only (Linux 5.12)."""
     attributes = (ctypes.c_uint64 * 4)(_MOUNT_ATTR_RDONLY | _MOUNT_ATTR_NOSUID, 0, 0, 0)
-    result = _libc.syscall(_SYS_MOUNT_SETATTR, -100, path.encode(), _AT_RECURSIVE, ctypes.byref(attributes),
-                           ctypes.c_size_t(ctypes.sizeof(attributes)))
+    result = _libc.syscall(
+        _SYS_MOUNT_SETATTR,
+        -100,
+        path.encode(),
+        _AT_RECURSIVE,
+        ctypes.byref(attributes),
+        ctypes.c_size_t(ctypes.sizeof(attributes)),
+    )
     _checked(result, f"make {path} read-only")
 
 

@@ -7,7 +7,7 @@ import resource
 import socket
 import sys
 
-from . import executor, privileges, frames, libc, prefault, ready, namespaces
+from . import executor, frames, libc, namespaces, prefault, privileges, ready
 
 
 def live(parent, shell, outputs, results):
@@ -17,7 +17,9 @@ def live(parent, shell, outputs, results):
         baseline = ready.reading(parent, "VmSize") * 1024
         if parent.namespaces:
             owner = os.geteuid() if parent.user is None else parent.user
-            namespaces.enter_own_namespaces(parent.limits["file_bytes"], owner, owner if parent.user is not None else os.getegid())
+            namespaces.enter_own_namespaces(
+                parent.limits["file_bytes"], owner, owner if parent.user is not None else os.getegid()
+            )
         _confine(parent, results, baseline)
         prefault.copy(parent.written)
         frames.introduce()

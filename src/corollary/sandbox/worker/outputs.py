@@ -80,7 +80,8 @@ class Outputs:
     def as_list(self):
         return [
             {**{key: value for key, value in each.items() if key != "parts"}, "text": "".join(each["parts"])}
-            if each["output_type"] == "stream" else each
+            if each["output_type"] == "stream"
+            else each
             for each in list(self.shown)
         ]
 

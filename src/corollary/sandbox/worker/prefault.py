@@ -27,7 +27,9 @@ def written(maps, machine):
     runs = []
     descriptor = os.open("self/pagemap", os.O_RDONLY, dir_fd=machine)
     for begin, end in _private(maps):
-        entries = numpy.frombuffer(os.pread(descriptor, (end - begin) // _SMALL * 8, begin // _SMALL * 8), numpy.uint64)
+        entries = numpy.frombuffer(
+            os.pread(descriptor, (end - begin) // _SMALL * 8, begin // _SMALL * 8), numpy.uint64
+        )
         own = numpy.flatnonzero((entries & _PRESENT != 0) & (entries & _ALONE != 0))
         for run in numpy.split(own, numpy.flatnonzero(numpy.diff(own) > _GAP) + 1):
             if len(run):

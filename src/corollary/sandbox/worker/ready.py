@@ -9,10 +9,20 @@ import re
 import sys
 import sysconfig
 
-from . import privileges, landlock, libc, seccomp, namespaces
+from . import landlock, libc, namespaces, privileges, seccomp
 
-_SYSTEM = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/etc/fonts", "/etc/localtime",
-           "/usr/share/fonts", "/usr/share/fontconfig", "/usr/share/zoneinfo")
+_SYSTEM = (
+    "/lib",
+    "/lib64",
+    "/usr/lib",
+    "/usr/lib64",
+    "/etc/ld.so.cache",
+    "/etc/fonts",
+    "/etc/localtime",
+    "/usr/share/fonts",
+    "/usr/share/fontconfig",
+    "/usr/share/zoneinfo",
+)
 _DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom", "/dev/random")
 _LEFT_OUT = "left out on request"
 
@@ -44,8 +54,14 @@ def choose_root(parent, opening):
     visible = [*_SYSTEM, *glob.glob(f"{sys.base_prefix}/lib/lib*.so*"), stdlib, *opening["libraries"]]
     root = os.geteuid() == 0
     for own_users in (False, True) if root else (True,):
-        enter = functools.partial(namespaces.enter_new_root, opening["base"], visible, opening["hidden"], own_users)
-        why = _LEFT_OUT if "namespaces" in opening["without"] else _tried(functools.partial(_enter, enter, parent))
+        enter = functools.partial(
+            namespaces.enter_new_root, opening["base"], visible, opening["hidden"], own_users
+        )
+        why = (
+            _LEFT_OUT
+            if "namespaces" in opening["without"]
+            else _tried(functools.partial(_enter, enter, parent))
+        )
         if why is None:
             parent.status, parent.machine = enter()
             parent.namespaces, parent.folder = True, namespaces.FOLDER
@@ -95,8 +111,10 @@ def prepare_walls(parent, opening):
     held_in = (signals_stay or parent.filter) and (parent.namespaces or parent.ruleset)
     if os.geteuid() == 0 and parent.user is None and not held_in:
         # One line of a notebook, os.kill(-1, 9), would end every process of the machine; another would erase its files.
-        raise TooPowerful("As root, and with nothing here to keep its signals and writes in, a notebook could end every process "
-                          "of this machine; run as an ordinary user.")
+        raise TooPowerful(
+            "As root, and with nothing here to keep its signals and writes in, a notebook could end every process "
+            "of this machine; run as an ordinary user."
+        )
 
 
 def import_slow(names):
@@ -150,7 +168,7 @@ def told(deed):
         try:
             said = deed().encode()
             while said:
-                said = said[os.write(ours, said):]
+                said = said[os.write(ours, said) :]
         finally:
             os._exit(0)
     os.close(ours)

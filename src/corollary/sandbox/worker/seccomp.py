@@ -22,7 +22,14 @@ _SIGNALS = "kill tkill tgkill"
 # Library code calls these in passing (shutil.copy, tempfile); they succeed and change nothing.
 _PRETENDED = "chmod fchmod fchmodat fchmodat2 chown fchown lchown fchownat utime utimes utimensat futimesat"
 _UNSUPPORTED = "getxattr lgetxattr fgetxattr listxattr llistxattr flistxattr setxattr lsetxattr fsetxattr"
-_TERMINAL = (0x5401, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)  # TCGETS TIOCGWINSZ FIONREAD FIONBIO FIONCLEX FIOCLEX
+_TERMINAL = (
+    0x5401,
+    0x5413,
+    0x541B,
+    0x5421,
+    0x5450,
+    0x5451,
+)  # TCGETS TIOCGWINSZ FIONREAD FIONBIO FIONCLEX FIOCLEX
 _CLONE_THREAD = 0x00010000
 
 
@@ -38,9 +45,13 @@ def compile_filter(signals):
         raise NoSeccomp("pyseccomp or libseccomp is not installed (the extra `isolation`)") from error
     refused = pyseccomp.ERRNO(errno.EPERM)
     rules = pyseccomp.SyscallFilter(refused)
-    for names, action in ((_ALLOWED, pyseccomp.ALLOW), (_PRETENDED, pyseccomp.ERRNO(0)),
-                          (_UNSUPPORTED, pyseccomp.ERRNO(errno.ENOTSUP)), (_SIGNALS if signals else "", pyseccomp.ALLOW),
-                          ("clone3", pyseccomp.ERRNO(errno.ENOSYS))):  # libc then falls back to clone
+    for names, action in (
+        (_ALLOWED, pyseccomp.ALLOW),
+        (_PRETENDED, pyseccomp.ERRNO(0)),
+        (_UNSUPPORTED, pyseccomp.ERRNO(errno.ENOTSUP)),
+        (_SIGNALS if signals else "", pyseccomp.ALLOW),
+        ("clone3", pyseccomp.ERRNO(errno.ENOSYS)),
+    ):  # libc then falls back to clone
         for name in names.split():
             _add(rules, action, name)
     _add(rules, pyseccomp.ALLOW, "clone", pyseccomp.Arg(0, pyseccomp.MASKED_EQ, _CLONE_THREAD, _CLONE_THREAD))
@@ -49,13 +60,17 @@ def compile_filter(signals):
     return _exported(rules)
 
 
-
 def _add(rules, action, name, *arguments):
     try:
         rules.add_rule(action, name, *arguments)
     except (OSError, ValueError, RuntimeError) as error:
         # A call this architecture does not have needs no rule.
-        if isinstance(error, OSError) and error.errno not in (errno.EFAULT, errno.EINVAL, errno.EDOM, errno.ENOENT):
+        if isinstance(error, OSError) and error.errno not in (
+            errno.EFAULT,
+            errno.EINVAL,
+            errno.EDOM,
+            errno.ENOENT,
+        ):
             raise NoSeccomp(f"libseccomp refused a rule for {name}: {error}") from error
 
 

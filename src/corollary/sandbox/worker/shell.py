@@ -86,12 +86,18 @@ class Shell(InteractiveShell):
         self.outputs.stream("stderr", _NO_COMMANDS)
         return SList([]) if split else LSString("")
 
-    def showtraceback(self, exc_tuple=None, filename=None, tb_offset=None, exception_only=False, running_compiled_code=False):
+    def showtraceback(
+        self, exc_tuple=None, filename=None, tb_offset=None, exception_only=False, running_compiled_code=False
+    ):
         kind, error, trace = self._get_exc_info(exc_tuple)
         while trace is not None and "IPython" in trace.tb_frame.f_code.co_filename:
             trace = trace.tb_next
         alone = exception_only or issubclass(kind, SyntaxError)
-        lines = traceback.format_exception_only(kind, error) if alone else traceback.format_exception(kind, error, trace, limit=-10)
+        lines = (
+            traceback.format_exception_only(kind, error)
+            if alone
+            else traceback.format_exception(kind, error, trace, limit=-10)
+        )
         self._tell(kind, error, lines)
 
     def showsyntaxerror(self, filename=None, running_compiled_code=False):
@@ -101,7 +107,9 @@ class Shell(InteractiveShell):
         self._tell(type(exc), exc, [f"UsageError: {exc}"])
 
     def _tell(self, kind, error, lines):
-        self.outputs.error(kind.__name__, words(error), _CELL.sub(r"Cell In[\1]", "".join(lines)).splitlines())
+        self.outputs.error(
+            kind.__name__, words(error), _CELL.sub(r"Cell In[\1]", "".join(lines)).splitlines()
+        )
 
 
 def words(error):

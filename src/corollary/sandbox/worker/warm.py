@@ -9,7 +9,7 @@ import socket
 import sys
 import tempfile
 
-from . import executor, libc, lifecycle, prefault, ready, namespaces
+from . import executor, libc, lifecycle, namespaces, prefault, ready
 from . import outputs as shown
 from . import shell as shells
 
@@ -59,8 +59,16 @@ def serve(control, opening):
         os.close(parent.machine)
     if libc.on_linux():
         libc.prctl(libc.PR_SET_DUMPABLE, 0)
-    _reply(control, {"missing": parent.missing, "namespaces": parent.namespaces, "user": parent.user,
-                     "threads": ready.reading(parent, "Threads"), "kilobytes": ready.reading(parent, "VmRSS")})
+    _reply(
+        control,
+        {
+            "missing": parent.missing,
+            "namespaces": parent.namespaces,
+            "user": parent.user,
+            "threads": ready.reading(parent, "Threads"),
+            "kilobytes": ready.reading(parent, "VmRSS"),
+        },
+    )
     while True:
         results = _next(control)
         child = namespaces.fork_alone() if parent.namespaces else os.fork()

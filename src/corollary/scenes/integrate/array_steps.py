@@ -35,7 +35,9 @@ def stepped(slope: ArraySlope, start: Array, length: float, steps: int) -> Array
     for i in range(steps):
         slopes[0] = slope(i * h, state)
         for j in range(1, len(slopes)):
-            slopes[j] = slope((i + DOP853.nodes[j]) * h, state + h * (ROWS[j] @ flat[:j]).reshape(start.shape))
+            slopes[j] = slope(
+                (i + DOP853.nodes[j]) * h, state + h * (ROWS[j] @ flat[:j]).reshape(start.shape)
+            )
         state = state + h * (RESULT @ flat).reshape(start.shape)
     return state
 

@@ -22,8 +22,12 @@ def collide(line: Row, tolerance: float = 1e-13) -> RowResult:
     Raises GuardFailed as it does, OverflowError when a number leaves the range of a computer.
     """
     masses, velocities, gaps = np.array(line.masses), np.array(line.velocities), np.array(line.gaps)
-    terms = np.array([(c.k, c.q, power) for c, power in zip(line.contacts, smoothing_powers(line), strict=True)])
-    end, duration, openings, evaluations, gained, shift = compiled_loop.collide(masses, velocities, gaps, terms, tolerance)
+    terms = np.array(
+        [(c.k, c.q, power) for c, power in zip(line.contacts, smoothing_powers(line), strict=True)]
+    )
+    end, duration, openings, evaluations, gained, shift = compiled_loop.collide(
+        masses, velocities, gaps, terms, tolerance
+    )
     if not math.isfinite(gained):
         raise OverflowError("a number of the collision is too large or too small")
     if end == TOO_LONG:

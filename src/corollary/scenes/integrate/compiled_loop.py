@@ -13,7 +13,13 @@ from numba import njit  # pyright: ignore[reportMissingImports]
 
 from corollary.scenes.integrate.compiled_step import STAGES, TIME, slope, step
 from corollary.scenes.integrate.contact_events import CLOSE
-from corollary.scenes.integrate.regularised import CAREFUL, FIRST_STRIDE, LEAST_STRIDE, MOST_GROWTH, MOST_TRIALS
+from corollary.scenes.integrate.regularised import (
+    CAREFUL,
+    FIRST_STRIDE,
+    LEAST_STRIDE,
+    MOST_GROWTH,
+    MOST_TRIALS,
+)
 from corollary.scenes.integrate.step import EVALUATIONS
 
 MOST_STEPS = 600_000
@@ -48,7 +54,9 @@ def _asleep(state, touching, inverse, terms, noise):
     for j in range(len(touching)):
         if touching[j]:
             k, q, faint = terms[j, 0], terms[j, 1], 0.5 * noise**2 / (inverse[j] + inverse[j + 1])
-            if _closing(state, j) > noise or (state[1 + j] > 0.0 and k * state[1 + j] ** (q + 1.0) / (q + 1.0) > faint):
+            if _closing(state, j) > noise or (
+                state[1 + j] > 0.0 and k * state[1 + j] ** (q + 1.0) / (q + 1.0) > faint
+            ):
                 return False
     return True
 
@@ -77,7 +85,11 @@ def _due(state, base, touching, lasting, noise):
     for j in range(count):
         overlap, speed = state[1 + j], base[j]
         ahead = (overlap > 0.0 and speed < -noise) if touching[j] else (overlap < 0.0 and speed > noise)
-        if ahead and -overlap / speed < lasting and abs(overlap * (base[count + j] - base[count + j + 1])) < 0.3 * speed * speed:
+        if (
+            ahead
+            and -overlap / speed < lasting
+            and abs(overlap * (base[count + j] - base[count + j + 1])) < 0.3 * speed * speed
+        ):
             first, lasting = j, -overlap / speed
     return first
 
@@ -111,7 +123,11 @@ def _crossing(clock, state, base, after, touching, terms, noise, tolerance):
         old, new, sign = state[1 + j], after[1 + j], 1.0 if touching[j] else -1.0
         before, then = sign * _closing(state, j), sign * _closing(after, j)
         near = clock == TIME and terms[j, 2] > 1.0 and then < 0.0 and new < CLOSE * old
-        near = near and terms[j, 0] * old ** terms[j, 1] * (after[0] - state[0]) > tolerance and not _turns(state, base, j)
+        near = (
+            near
+            and terms[j, 0] * old ** terms[j, 1] * (after[0] - state[0]) > tolerance
+            and not _turns(state, base, j)
+        )
         ends = (new < 0.0 < old or near) if touching[j] else new > 0.0
         if j != clock and ends and max(abs(before), abs(then)) > noise:
             if old / (old - new) < when:
@@ -133,7 +149,9 @@ def _top(j, clock, power, x, h, y, ends, slopes, touching, inverse, terms):
     for _ in range(16):
         s = 0.5 * (low + high)
         rest = 1.0 - s
-        value = rest * rest * ((1.0 + 2.0 * s) * before + s * rise) + s * s * ((3.0 - 2.0 * s) * after - rest * fall)
+        value = rest * rest * ((1.0 + 2.0 * s) * before + s * rise) + s * s * (
+            (3.0 - 2.0 * s) * after - rest * fall
+        )
         low, high = (s, high) if value > 0.0 else (low, s)
     part = 0.5 * (low + high)
     for _ in range(4):
@@ -155,7 +173,12 @@ def follow(state, inverse, terms, crests, tolerance):
     """Moves the state to the end of the collision; says how it ended, when it began and ended, its openings and evaluations."""
     count, noise = len(crests), max(1e-14, 3.0 * tolerance)
     touching = state[1 : count + 1] >= 0.0
-    y, ends, base, after = np.empty(2 * count + 1), np.empty(2 * count + 1), np.empty(2 * count + 1), state.copy()
+    y, ends, base, after = (
+        np.empty(2 * count + 1),
+        np.empty(2 * count + 1),
+        np.empty(2 * count + 1),
+        state.copy(),
+    )
     slopes = np.empty((STAGES, 2 * count + 1))
     began, ended, openings, evaluations = math.inf, 0.0, 0, 0
     lasted, landing, last_stride, last_clock = FIRST_STRIDE, False, 0.0, TIME
@@ -170,13 +193,19 @@ def follow(state, inverse, terms, crests, tolerance):
                     ended = max(ended, state[0] + (state[1 + j] / opening if opening > noise else 0.0))
                     openings, touching[j], state[1 + j] = openings + 1, False, 0.0
             if not _fly(state, touching, noise):
-                return (RELEASED, began, ended, openings, evaluations) if began <= ended else (MISSED, 0.0, 0.0, 0, evaluations)
+                return (
+                    (RELEASED, began, ended, openings, evaluations)
+                    if began <= ended
+                    else (MISSED, 0.0, 0.0, 0, evaluations)
+                )
             lasted, landing, last_stride, last_clock = FIRST_STRIDE, False, 0.0, TIME
         began = min(began, state[0])
         y[:] = state[1:]
         slope(TIME, state[0], y, base, touching, inverse, terms)
         if landing:  # its speed may have faded or turned on the way
-            heads = abs(base[last_clock]) > noise and (base[last_clock] < 0.0) == (state[1 + last_clock] > 0.0)
+            heads = abs(base[last_clock]) > noise and (base[last_clock] < 0.0) == (
+                state[1 + last_clock] > 0.0
+            )
             landing = heads and not _turns(state, base, last_clock)
         clock = last_clock if landing else _suited(state, base, touching, lasted, terms, noise)
         if clock == TIME:
@@ -289,4 +318,11 @@ def collide(masses, velocities, gaps, terms, tolerance):
         shift, moved = shift + (new - old), moved + abs(old) + abs(new)
     velocities[:] = state[count + 1 :] * speed
     gaps *= size
-    return end, (ended - began) * size / speed, openings, evaluations, gained, shift / moved if moved > 0.0 else 0.0
+    return (
+        end,
+        (ended - began) * size / speed,
+        openings,
+        evaluations,
+        gained,
+        shift / moved if moved > 0.0 else 0.0,
+    )

@@ -68,7 +68,20 @@ def slope(clock, w, y, out, touching, inverse, terms):
 def step(clock, x, h, y, k, after, touching, inverse, terms):
     """Fills in the slopes k[1:] and `after`; gives the size of the error. k[0] is the slope at (x, y)."""
     size = len(y)
-    a, b, c, d, e, f, g, p, q, r, t, u = k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7], k[8], k[9], k[10], k[11]
+    a, b, c, d, e, f, g, p, q, r, t, u = (
+        k[0],
+        k[1],
+        k[2],
+        k[3],
+        k[4],
+        k[5],
+        k[6],
+        k[7],
+        k[8],
+        k[9],
+        k[10],
+        k[11],
+    )
     for s in range(size):
         after[s] = y[s] + h * (A1[0] * a[s])
     slope(clock, x + C[1] * h, after, b, touching, inverse, terms)
@@ -91,11 +104,19 @@ def step(clock, x, h, y, k, after, touching, inverse, terms):
         after[s] = y[s] + h * (A7[0] * a[s] + A7[1] * d[s] + A7[2] * e[s] + A7[3] * f[s] + A7[4] * g[s])
     slope(clock, x + C[7] * h, after, p, touching, inverse, terms)
     for s in range(size):
-        after[s] = y[s] + h * (A8[0] * a[s] + A8[1] * d[s] + A8[2] * e[s] + A8[3] * f[s] + A8[4] * g[s] + A8[5] * p[s])
+        after[s] = y[s] + h * (
+            A8[0] * a[s] + A8[1] * d[s] + A8[2] * e[s] + A8[3] * f[s] + A8[4] * g[s] + A8[5] * p[s]
+        )
     slope(clock, x + C[8] * h, after, q, touching, inverse, terms)
     for s in range(size):
         after[s] = y[s] + h * (
-            A9[0] * a[s] + A9[1] * d[s] + A9[2] * e[s] + A9[3] * f[s] + A9[4] * g[s] + A9[5] * p[s] + A9[6] * q[s]
+            A9[0] * a[s]
+            + A9[1] * d[s]
+            + A9[2] * e[s]
+            + A9[3] * f[s]
+            + A9[4] * g[s]
+            + A9[5] * p[s]
+            + A9[6] * q[s]
         )
     slope(clock, x + C[9] * h, after, r, touching, inverse, terms)
     for s in range(size):
@@ -126,9 +147,34 @@ def step(clock, x, h, y, k, after, touching, inverse, terms):
     fifth = third = 0.0
     for s in range(size):
         after[s] = y[s] + h * (
-            R[0] * a[s] + R[1] * f[s] + R[2] * g[s] + R[3] * p[s] + R[4] * q[s] + R[5] * r[s] + R[6] * t[s] + R[7] * u[s]
+            R[0] * a[s]
+            + R[1] * f[s]
+            + R[2] * g[s]
+            + R[3] * p[s]
+            + R[4] * q[s]
+            + R[5] * r[s]
+            + R[6] * t[s]
+            + R[7] * u[s]
         )
-        v = F[0] * a[s] + F[1] * f[s] + F[2] * g[s] + F[3] * p[s] + F[4] * q[s] + F[5] * r[s] + F[6] * t[s] + F[7] * u[s]
-        w = T[0] * a[s] + T[1] * f[s] + T[2] * g[s] + T[3] * p[s] + T[4] * q[s] + T[5] * r[s] + T[6] * t[s] + T[7] * u[s]
+        v = (
+            F[0] * a[s]
+            + F[1] * f[s]
+            + F[2] * g[s]
+            + F[3] * p[s]
+            + F[4] * q[s]
+            + F[5] * r[s]
+            + F[6] * t[s]
+            + F[7] * u[s]
+        )
+        w = (
+            T[0] * a[s]
+            + T[1] * f[s]
+            + T[2] * g[s]
+            + T[3] * p[s]
+            + T[4] * q[s]
+            + T[5] * r[s]
+            + T[6] * t[s]
+            + T[7] * u[s]
+        )
         fifth, third = fifth + v * v, third + w * w
     return 0.0 if fifth == 0.0 else abs(h) * fifth / math.sqrt((fifth + 0.01 * third) * min(size, AT_WORK))

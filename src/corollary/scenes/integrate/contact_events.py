@@ -15,7 +15,12 @@ CLOSE = 0.3
 
 
 def first_crossing(
-    way: Course, state: list[float], base: Sequence[float], trial: Step, speeds: Sequence[float], touching: Sequence[bool]
+    way: Course,
+    state: list[float],
+    base: Sequence[float],
+    trial: Step,
+    speeds: Sequence[float],
+    touching: Sequence[bool],
 ) -> int | None:
     """The contact that begins or ends first in a step, too slow ones apart: those change nothing that can be seen.
 
@@ -48,7 +53,12 @@ def _rough(way: Course, state: list[float], trial: Step, j: int) -> bool:
 
 
 def grazes(
-    way: Course, state: list[float], base: Sequence[float], trial: Step, speeds: Sequence[float], touching: Sequence[bool]
+    way: Course,
+    state: list[float],
+    base: Sequence[float],
+    trial: Step,
+    speeds: Sequence[float],
+    touching: Sequence[bool],
 ) -> bool:
     """Whether an overlap may pass zero and come back inside a step; judged by a parabola, so it errs on shorter steps."""
     lasted = trial.after[0] - state[0]
@@ -60,14 +70,19 @@ def grazes(
     return False
 
 
-def due(way: Course, state: list[float], base: Sequence[float], lasting: float, touching: Sequence[bool]) -> int | None:
+def due(
+    way: Course, state: list[float], base: Sequence[float], lasting: float, touching: Sequence[bool]
+) -> int | None:
     """The contact that is sure to begin or end next, within so long; none when its speed may turn before."""
     count, first, soonest = len(touching), None, lasting
     for j, on in enumerate(touching):
         overlap, speed = state[1 + j], base[j]
         if (overlap > 0.0 and speed < -way.noise) if on else (overlap < 0.0 and speed > way.noise):
             after = -overlap / speed
-            if after < soonest and abs(overlap * (base[count + j] - base[count + j + 1])) < 0.3 * speed * speed:
+            if (
+                after < soonest
+                and abs(overlap * (base[count + j] - base[count + j + 1])) < 0.3 * speed * speed
+            ):
                 first, soonest = j, after
     return first
 
@@ -75,7 +90,12 @@ def due(way: Course, state: list[float], base: Sequence[float], lasting: float, 
 def nears_zero(way: Course, state: list[float], base: Sequence[float], clock: Clock) -> bool:
     """Whether the overlap that is the clock still moves toward zero; its speed may have faded or turned on the way."""
     j = clock.contact
-    return j is not None and abs(base[j]) > way.noise and (base[j] < 0.0) == (state[1 + j] > 0.0) and not turns(state, base, j)
+    return (
+        j is not None
+        and abs(base[j]) > way.noise
+        and (base[j] < 0.0) == (state[1 + j] > 0.0)
+        and not turns(state, base, j)
+    )
 
 
 def turns(state: list[float], base: Sequence[float], j: int) -> bool:

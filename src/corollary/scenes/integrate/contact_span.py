@@ -25,13 +25,19 @@ def contact_span(scene: Scene, record: Record) -> Span | None:
     Steps end just beyond a beginning or an opening. The moment itself is looked up from there, and steps are added up rather than
     times taken from each other: a short contact after a long flight keeps its digits.
     """
-    touched = [i for i, leg in enumerate(record.legs) if any(_depths(scene, record, i, a, b) for a, b in pairs(scene))]
+    touched = [
+        i
+        for i, leg in enumerate(record.legs)
+        if any(_depths(scene, record, i, a, b) for a, b in pairs(scene))
+    ]
     if not touched:
         return None
     first, last = touched[0], touched[-1]
     began, ended = _beginning(scene, record, first), _ending(scene, record, last)
     steps = math.fsum(leg.h for leg in record.legs[first : last + 1])
-    noise = (last - first + 4) * math.ulp(max(abs(x) for leg in record.legs[first : last + 1] for x in _places(scene, leg.before)))
+    noise = (last - first + 4) * math.ulp(
+        max(abs(x) for leg in record.legs[first : last + 1] for x in _places(scene, leg.before))
+    )
     return Span(max(steps - began.before - ended.left, 0.0), noise * (began.slowness + ended.slowness))
 
 

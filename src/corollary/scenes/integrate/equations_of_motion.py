@@ -26,7 +26,9 @@ State = Sequence[float]
 
 def start_of(scene: Scene) -> list[float]:
     """The state at time zero."""
-    return [x for body in scene.bodies for x in body.place] + [v for body in scene.bodies for v in body.velocity]
+    return [x for body in scene.bodies for x in body.place] + [
+        v for body in scene.bodies for v in body.velocity
+    ]
 
 
 def place(scene: Scene, state: State, i: int) -> State:
@@ -57,7 +59,9 @@ def pairs(scene: Scene) -> Iterator[tuple[int, int]]:
     """Every two bodies that can touch."""
     for a, first in enumerate(scene.bodies):
         for b, second in enumerate(scene.bodies[a + 1 :], start=a + 1):
-            if first.radius + second.radius > 0.0 and not (math.isinf(first.mass) and math.isinf(second.mass)):
+            if first.radius + second.radius > 0.0 and not (
+                math.isinf(first.mass) and math.isinf(second.mass)
+            ):
                 yield a, b
 
 
@@ -81,7 +85,12 @@ def law_of_motion(scene: Scene, since: State) -> Callable[[float, State], list[f
     count, axes = len(scene.bodies), scene.axes
     fixed = [math.isinf(body.mass) for body in scene.bodies]
     wells = [force for force in scene.forces if isinstance(force, Well)]
-    held = [(force, i) for force in wells for i in range(count) if math.hypot(*place(scene, since, i)) < force.edge]
+    held = [
+        (force, i)
+        for force in wells
+        for i in range(count)
+        if math.hypot(*place(scene, since, i)) < force.edge
+    ]
 
     def slope(time: float, state: State) -> list[float]:
         masses = masses_at(scene, time)
@@ -90,7 +99,9 @@ def law_of_motion(scene: Scene, since: State) -> Callable[[float, State], list[f
             _add(force, scene, state, masses, pulls)
         for force, i in held:
             _pull_on(pulls, i, well.pull(force, place(scene, state, i)))
-        gained = [0.0 if still else f / m for pull, m, still in zip(pulls, masses, fixed, strict=True) for f in pull]
+        gained = [
+            0.0 if still else f / m for pull, m, still in zip(pulls, masses, fixed, strict=True) for f in pull
+        ]
         return [*state[count * axes :], *gained]
 
     return slope
@@ -144,7 +155,11 @@ def _push_apart(pulls: list[list[float]], a: int, b: int, on_b: Sequence[float])
 def kinetic(scene: Scene, time: float, state: State) -> float:
     """Kinetic energy (J) of the bodies that are not walls."""
     masses = masses_at(scene, time)
-    return sum(0.5 * m * math.hypot(*velocity(scene, state, i)) ** 2 for i, m in enumerate(masses) if not math.isinf(m))
+    return sum(
+        0.5 * m * math.hypot(*velocity(scene, state, i)) ** 2
+        for i, m in enumerate(masses)
+        if not math.isinf(m)
+    )
 
 
 def potential(scene: Scene, state: State) -> float | None:

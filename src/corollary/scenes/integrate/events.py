@@ -46,7 +46,11 @@ def switches_of(scene: Scene) -> list[Switch]:
 
 def _wall(scene: Scene, wall: HardWall, i: int) -> Switch:
     radius = scene.bodies[i].radius
-    return Switch(lambda y: clearance(wall, place(scene, y, i), radius), i, lambda y: bounced(wall, velocity(scene, y, i)))
+    return Switch(
+        lambda y: clearance(wall, place(scene, y, i), radius),
+        i,
+        lambda y: bounced(wall, velocity(scene, y, i)),
+    )
 
 
 def _core(scene: Scene, well: Well, i: int) -> Switch:
@@ -64,5 +68,7 @@ def _stop(scene: Scene, i: int) -> Switch:
     """Friction ends when the velocity has turned against the one the body set out with."""
     start = scene.bodies[i].velocity
     return Switch(
-        lambda y: sum(a * b for a, b in zip(start, velocity(scene, y, i), strict=True)), i, lambda _: [0.0] * scene.axes
+        lambda y: sum(a * b for a, b in zip(start, velocity(scene, y, i), strict=True)),
+        i,
+        lambda _: [0.0] * scene.axes,
     )

@@ -28,11 +28,17 @@ class Crests:
                 force = push(self.line.contacts[j], state[1 + j], closing_speed(self.line, state, j))
                 self.forces[j] = max(self.forces[j], force)
 
-    def passed(self, state: list[float], trial: Step, touching: Sequence[bool], base: Sequence[float], in_time: Slope) -> None:
+    def passed(
+        self, state: list[float], trial: Step, touching: Sequence[bool], base: Sequence[float], in_time: Slope
+    ) -> None:
         """Look for a crest within a step from a state; `base` is the slope there, `in_time` the law that gave it."""
         after, count = trial.after, len(self.overlaps)
         for j, on in enumerate(touching):
-            if on and base[j] > 0.0 >= after[1 + count + j] - after[2 + count + j] and state[1 + j] >= 0.0 <= after[1 + j]:
+            if (
+                on
+                and base[j] > 0.0 >= after[1 + count + j] - after[2 + count + j]
+                and state[1 + j] >= 0.0 <= after[1 + j]
+            ):
                 overlap, spent = top(trial, j)
                 self.evaluations += spent
                 if overlap > self.overlaps[j]:
@@ -61,7 +67,9 @@ class Crests:
         """How fast the force of a damped contact grows."""
         contact, count = self.line.contacts[j], len(self.overlaps)
         stiffness = contact.k * contact.q * state[1 + j] ** (contact.q - 1.0) if state[1 + j] > 0.0 else 0.0
-        return stiffness * closing_speed(self.line, state, j) + contact.eta * (slope[count + j] - slope[count + j + 1])
+        return stiffness * closing_speed(self.line, state, j) + contact.eta * (
+            slope[count + j] - slope[count + j + 1]
+        )
 
 
 def top(trial: Step, j: int) -> tuple[float, int]:
@@ -80,7 +88,10 @@ def top(trial: Step, j: int) -> tuple[float, int]:
         state = trial.part_way(part)
         speed = state[left + 1] - state[left + 2]
         slopes = trial.slope(trial.x + part * trial.h, on_clock(trial.clock, state))
-        growth, stretch = slopes[left] - slopes[left + 1], 1.0 if trial.clock.contact is None else slopes[trial.clock.contact]
+        growth, stretch = (
+            slopes[left] - slopes[left + 1],
+            1.0 if trial.clock.contact is None else slopes[trial.clock.contact],
+        )
         overlap = state[1 + j] - (0.5 * speed * speed * stretch / growth if growth * stretch < 0.0 else 0.0)
         spent += EVALUATIONS + 1
         if abs(speed) <= least or growth * trial.h >= 0.0:
@@ -95,13 +106,18 @@ def _zero(before: float, after: float, rise: float, fall: float) -> float:
     for _ in range(16):
         s = 0.5 * (low + high)
         rest = 1.0 - s
-        value = rest * rest * ((1.0 + 2.0 * s) * before + s * rise) + s * s * ((3.0 - 2.0 * s) * after - rest * fall)
+        value = rest * rest * ((1.0 + 2.0 * s) * before + s * rise) + s * s * (
+            (3.0 - 2.0 * s) * after - rest * fall
+        )
         low, high = (s, high) if value > 0.0 else (low, s)
     return 0.5 * (low + high)
 
 
 def top_between(
-    before: float, after: float, part_way: Callable[[float], list[float]], growth: Callable[[list[float]], float]
+    before: float,
+    after: float,
+    part_way: Callable[[float], list[float]],
+    growth: Callable[[list[float]], float],
 ) -> tuple[list[float], int]:
     """The state within a step where `growth` falls through zero, and the evaluations spent.
 

@@ -36,7 +36,9 @@ def march(method: Method, acceleration: Acceleration, x: Places, v: Places, dt: 
     rows = [(tuple(x), tuple(v))]
     for places, velocities in islice(_states(method, counted, list(x), list(v), dt), steps):
         rows.append((tuple(places), tuple(velocities)))
-    return Path(tuple(i * dt for i in range(steps + 1)), tuple(x for x, _ in rows), tuple(v for _, v in rows), spent)
+    return Path(
+        tuple(i * dt for i in range(steps + 1)), tuple(x for x, _ in rows), tuple(v for _, v in rows), spent
+    )
 
 
 def _states(

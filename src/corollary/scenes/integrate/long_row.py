@@ -73,7 +73,9 @@ ROWS = [_dense(row) for row in DOP853.rows]
 RESULT, FIFTH, THIRD = (_dense(row) for row in (DOP853.result, *DOP853.doubts))
 
 
-def step(slope: Slope, x: float, h: float, y: Sequence[float], first: Sequence[float]) -> tuple[Sequence[float], float, float]:
+def step(
+    slope: Slope, x: float, h: float, y: Sequence[float], first: Sequence[float]
+) -> tuple[Sequence[float], float, float]:
     """The same as a step written out; the state comes back as a list."""
     start = np.asarray(y)
     slopes = np.empty((len(ROWS), len(start)))

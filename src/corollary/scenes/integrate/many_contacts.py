@@ -90,7 +90,9 @@ def _together(pairs: Pairs, steps: int) -> tuple[Array, Array]:
     speed, spin = np.hypot(u, v), x * v - y * u
     counts = (steps, round(1.4 * steps), 2 * steps)
     with np.errstate(all="ignore"):
-        inward = np.sqrt((pairs.reach * speed - np.abs(spin)) * (pairs.reach * speed + np.abs(spin))) / pairs.reach
+        inward = (
+            np.sqrt((pairs.reach * speed - np.abs(spin)) * (pairs.reach * speed + np.abs(spin))) / pairs.reach
+        )
         depth = _depth(pairs, inward, spin)
         groups = _Groups(
             q=pairs.q,
@@ -100,7 +102,9 @@ def _together(pairs: Pairs, steps: int) -> tuple[Array, Array]:
             across=spin / (pairs.reach * inward),
             thickness=depth / pairs.reach,
         )
-        coarse, middle, fine = (_turned(pairs, groups, inward, spin, speed, _through(groups, n)) for n in counts)
+        coarse, middle, fine = (
+            _turned(pairs, groups, inward, spin, speed, _through(groups, n)) for n in counts
+        )
         errors = _error(np.hypot(*(fine - coarse).T) / speed, np.hypot(*(fine - middle).T) / speed, counts)
     return fine, np.where(depth > DEEP * pairs.reach, np.nan, errors)
 
@@ -137,7 +141,9 @@ def _depth(pairs: Pairs, inward: Array, spin: Array) -> Array:
     x = np.minimum((inward**2 / stiff) ** (1.0 / p), inward**2 / turning)
     for _ in range(12):  # from above on a convex curve: every step stays above the root
         x = x - (stiff * x**p + turning * x - inward**2) / (stiff * p * x ** (p - 1.0) + turning)
-    return np.where(pairs.eta > 0.0, np.minimum(x, pairs.mass * inward / np.where(pairs.eta > 0.0, pairs.eta, 1.0)), x)
+    return np.where(
+        pairs.eta > 0.0, np.minimum(x, pairs.mass * inward / np.where(pairs.eta > 0.0, pairs.eta, 1.0)), x
+    )
 
 
 def _through(groups: _Groups, steps: int) -> Array:
@@ -153,14 +159,22 @@ def _through(groups: _Groups, steps: int) -> Array:
         pace, spring = s * power(w, s - 1), power(w, whole) if smooth else w ** (s * groups.q)
         near = 1.0 - groups.thickness * power(w, s)
         across = groups.across * share / near
-        push = pace * (groups.spring * spring + groups.drag * rate + groups.thickness * across * across / near)
+        push = pace * (
+            groups.spring * spring + groups.drag * rate + groups.thickness * across * across / near
+        )
         ahead = rate * cosine + push * sine
         # Where the phase stands still the pair sticks, or nearly.
         per = np.where(ahead > 0.0, rho, np.nan) / ahead
         paced = pace * per
-        return (rate * sine - push * cosine) * per, -groups.drag * share * paced, turning * share / near**2 * paced
+        return (
+            (rate * sine - push * cosine) * per,
+            -groups.drag * share * paced,
+            turning * share / near**2 * paced,
+        )
 
-    return stepped(slope, np.stack([np.ones_like(groups.spring)] * 2 + [np.zeros_like(groups.spring)]), math.pi, steps)
+    return stepped(
+        slope, np.stack([np.ones_like(groups.spring)] * 2 + [np.zeros_like(groups.spring)]), math.pi, steps
+    )
 
 
 def _turned(pairs: Pairs, groups: _Groups, inward: Array, spin: Array, speed: Array, passed: Array) -> Array:
@@ -179,12 +193,16 @@ def _one(pairs: Pairs, i: int) -> tuple[tuple[float, float], float] | None:
     """A pair followed alone, twice for the error; none when the spheres pass through each other."""
     (x, y), (u, v) = pairs.apart[i].tolist(), pairs.relative[i].tolist()
     m = 2.0 * float(pairs.mass[i])
-    pair = Pair(m, m, (x, y), (u, v), float(pairs.reach[i]), Contact(float(pairs.k[i]), pairs.q, float(pairs.eta[i])))
+    pair = Pair(
+        m, m, (x, y), (u, v), float(pairs.reach[i]), Contact(float(pairs.k[i]), pairs.q, float(pairs.eta[i]))
+    )
     met = meet(pair)
     if met is None:
         return (u, v), 0.0
     try:
-        coarse, fine = (after_parting(pair, met, follow(pair, met, tolerance)) for tolerance in (1e-11, 1e-12))
+        coarse, fine = (
+            after_parting(pair, met, follow(pair, met, tolerance)) for tolerance in (1e-11, 1e-12)
+        )
     except BadSetting:
         return None
     return fine, math.dist(coarse, fine) / math.hypot(u, v) + ROUNDING

@@ -76,7 +76,9 @@ def integrate(scene: Scene, tolerance: float) -> Record:
     """
     switches = switches_of(scene)
     if scene.until is None and not (scene.has_only(Contact) and len(scene.bodies) > 1):
-        raise BadSetting(f"{scene.name}: forces other than contacts never end; say until when to watch, until=…")
+        raise BadSetting(
+            f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
+        )
     record = Record(state=start_of(scene))
     scale = _scales(scene, record.state)
     # What touches is to be resolved as finely as at the start, however far it has come by then.
@@ -117,8 +119,14 @@ def integrate(scene: Scene, tolerance: float) -> Record:
         scale = scale if touching else _grown(scale, after)
         if switch is not None and switch.turn is not None and _turn(scene, switch, record, fastest):
             return record
-        h = leg.h * (min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0) if switch is None else max(leg.h, 0.1 * h)
-    raise GuardFailed(f"{scene.name}: the end was not reached within {MOST_STEPS} steps. Watch for a shorter time.")
+        h = (
+            leg.h * (min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0)
+            if switch is None
+            else max(leg.h, 0.1 * h)
+        )
+    raise GuardFailed(
+        f"{scene.name}: the end was not reached within {MOST_STEPS} steps. Watch for a shorter time."
+    )
 
 
 def _scales(scene: Scene, state: Sequence[float]) -> list[float]:
@@ -177,7 +185,11 @@ def _grazes(scene: Scene, leg: Leg, after: Sequence[float]) -> bool:
         (depth, growing), left = overlap(scene, leg.before, a, b), overlap(scene, after, a, b)[0]
         if depth == 0.0 and growing > 0.0 > left:  # the whole contact would be leapt over
             return True
-        if depth < 0.0 and left < 0.0 and (_will_meet(scene, leg.before, a, b, leg.h) or _will_meet(scene, after, a, b, -leg.h)):
+        if (
+            depth < 0.0
+            and left < 0.0
+            and (_will_meet(scene, leg.before, a, b, leg.h) or _will_meet(scene, after, a, b, -leg.h))
+        ):
             return True
     return False
 
@@ -195,7 +207,9 @@ def _keep_apart(scene: Scene, before: Sequence[float], after: Sequence[float]) -
             hold_apart(reach if met else depth, reach)
 
 
-def _first_switch(switches: list[Switch], leg: Leg, after: list[float], record: Record) -> tuple[float, Switch | None]:
+def _first_switch(
+    switches: list[Switch], leg: Leg, after: list[float], record: Record
+) -> tuple[float, Switch | None]:
     """The part of the step at which the first switch goes over, by false position, and which it is.
 
     A step ends just beyond a switch, so that the next one begins under the new law; but just before a wall, on the right side.
@@ -238,7 +252,11 @@ def _turn(scene: Scene, switch: Switch, record: Record, fastest: float) -> bool:
 
 def _energy(scene: Scene, record: Record) -> float | None:
     stored = potential(scene, record.state)
-    return None if stored is None or not scene.walls_at_rest else kinetic(scene, record.time, record.state) + stored
+    return (
+        None
+        if stored is None or not scene.walls_at_rest
+        else kinetic(scene, record.time, record.state) + stored
+    )
 
 
 def _guard(scene: Scene, before: float | None, record: Record, tolerance: float) -> None:
@@ -249,4 +267,6 @@ def _guard(scene: Scene, before: float | None, record: Record, tolerance: float)
     allowed = 1e4 * tolerance + 1e-15 * record.evaluations
     if abs(after - before) > allowed * size:
         changed = (after - before) / size
-        raise GuardFailed(f"{scene.name}: the energy changed by {changed:.1e} of itself; {allowed:.1e} is allowed.")
+        raise GuardFailed(
+            f"{scene.name}: the energy changed by {changed:.1e} of itself; {allowed:.1e} is allowed."
+        )

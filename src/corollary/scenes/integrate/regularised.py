@@ -14,7 +14,14 @@ from corollary.scenes.integrate.contact_events import due, first_crossing, graze
 from corollary.scenes.integrate.extrema import Crests
 from corollary.scenes.integrate.row_motion import closing_speed, closing_speeds, overlaps, velocities
 from corollary.scenes.integrate.step import EVALUATIONS, Step, attempt
-from corollary.scenes.integrate.time_variable import TIME, Clock, landing_clock, reading, stride_for, suited_clock
+from corollary.scenes.integrate.time_variable import (
+    TIME,
+    Clock,
+    landing_clock,
+    reading,
+    stride_for,
+    suited_clock,
+)
 from corollary.scenes.integrate.trajectory import LONG, Course, course
 from corollary.scenes.models.flight import asleep, first_touch, flown
 from corollary.scenes.models.sticking import common_velocities, resting_overlaps, stays
@@ -79,7 +86,9 @@ def _follow(way: Course) -> RowResult:
         if motion.began is None:
             motion.began = motion.state[0]
         _advance(way, motion, crests)
-    raise GuardFailed(f"The collision did not end within {most} steps. Make the masses less unequal or the balls fewer.")
+    raise GuardFailed(
+        f"The collision did not end within {most} steps. Make the masses less unequal or the balls fewer."
+    )
 
 
 def _settle(line: Row, motion: Motion) -> None:
@@ -97,14 +106,25 @@ def _let_go(line: Row, motion: Motion, noise: float) -> None:
         overlap, opening = motion.state[1 + j], -closing_speed(line, motion.state, j)
         if on and overlap > 0.0:
             motion.openings += 1
-            motion.ended = max(motion.ended, motion.state[0] + (overlap / opening if opening > noise else 0.0))
+            motion.ended = max(
+                motion.ended, motion.state[0] + (overlap / opening if opening > noise else 0.0)
+            )
             motion.touching[j], motion.state[1 + j] = False, 0.0
 
 
 def _arrived(way: Course, motion: Motion, crests: Crests, outcome: Outcome) -> RowResult:
     line, lost = way.line, 1e3 * way.tolerance + 1e-15 * motion.evaluations
-    guard(line, energy(line, overlaps(line, motion.state), velocities(line, motion.state)), velocities(line, motion.state), lost)
-    speeds, duration, deepest = tuple(velocities(line, motion.state)), motion.ended - (motion.began or 0.0), crests.overlaps
+    guard(
+        line,
+        energy(line, overlaps(line, motion.state), velocities(line, motion.state)),
+        velocities(line, motion.state),
+        lost,
+    )
+    speeds, duration, deepest = (
+        tuple(velocities(line, motion.state)),
+        motion.ended - (motion.began or 0.0),
+        crests.overlaps,
+    )
     if outcome == "sticks":
         speeds, duration = common_velocities(line, motion.state, motion.touching), math.inf
         deepest = [max(pair) for pair in zip(deepest, resting_overlaps(line, motion.touching), strict=True)]
@@ -141,7 +161,9 @@ def _accepted(way: Course, motion: Motion, base: Sequence[float]) -> tuple[Step,
     """The first trial that is exact enough and crosses no beginning or end of a contact; and whether it is on its way to one."""
     state, touching = motion.state, motion.touching
     landing = motion.landing and nears_zero(way, state, base, motion.clock)
-    clock = motion.clock if landing else suited_clock(way.powers, state, base, touching, motion.lasted, way.noise)
+    clock = (
+        motion.clock if landing else suited_clock(way.powers, state, base, touching, motion.lasted, way.noise)
+    )
     if clock is TIME:
         next_touch = due(way, state, base, motion.lasted, touching)
         if next_touch is not None:
@@ -162,7 +184,9 @@ def _accepted(way: Course, motion: Motion, base: Sequence[float]) -> tuple[Step,
             continue
         speeds = closing_speeds(way.line, trial.after)
         own = trial.clock.contact
-        if own is not None and speeds[own] * base[own] < 0.0:  # its clock stood still on the way: beyond, time would run back
+        if (
+            own is not None and speeds[own] * base[own] < 0.0
+        ):  # its clock stood still on the way: beyond, time would run back
             stride = 0.2 * trial.h
             continue
         crossing = first_crossing(way, state, base, trial, speeds, touching)

@@ -102,7 +102,9 @@ def law_text(form: Form) -> str:
         lines.append(f"        s = {_stretch(clock)} / r{clock.contact}")
         rates = [f"s * ({rate})" for rate in rates]
         rates[clock.contact] = "s"
-    return "\n".join(["def fill_in(k, e, i, g):", *lines, f"        return ({', '.join(rates)})", "    return slope"])
+    return "\n".join(
+        ["def fill_in(k, e, i, g):", *lines, f"        return ({', '.join(rates)})", "    return slope"]
+    )
 
 
 def _push(form: Form, j: int) -> str:
@@ -110,7 +112,11 @@ def _push(form: Form, j: int) -> str:
         spring = f"k{j} * {power_text('w', form.exponents[j] * form.clock.power)}" if form.pushes else "0.0"
         return spring + (f" + e{j} * r{j}" if form.damped else "")
     spring = f"k{j} * {power_text(f'd{j}', form.exponents[j])}"
-    return f"{spring} + e{j} * r{j} if d{j} >= 0.0 else 0.0" if form.damped else f"{spring} if d{j} > 0.0 else 0.0"
+    return (
+        f"{spring} + e{j} * r{j} if d{j} >= 0.0 else 0.0"
+        if form.damped
+        else f"{spring} if d{j} > 0.0 else 0.0"
+    )
 
 
 def _stretch(clock: Clock) -> str:

@@ -34,7 +34,9 @@ class Tableau:
 
 def weighted(row: Coefficients, slopes: Sequence[Sequence[float]]) -> list[float]:
     """The sum the row stands for, component by component."""
-    return [sum(map(mul, row.weights, column)) for column in zip(*[slopes[i] for i in row.stages], strict=True)]
+    return [
+        sum(map(mul, row.weights, column)) for column in zip(*[slopes[i] for i in row.stages], strict=True)
+    ]
 
 
 def step(
@@ -53,7 +55,9 @@ def doubt(table: Tableau, slopes: Sequence[Sequence[float]], h: float, scale: Se
     With two doubts they are combined as Hairer, Norsett and Wanner do (II.10): the smaller one leads as long as the
     larger agrees that the step is in the asymptotic range.
     """
-    sums = [sum((d / s) ** 2 for d, s in zip(weighted(row, slopes), scale, strict=True)) for row in table.doubts]
+    sums = [
+        sum((d / s) ** 2 for d, s in zip(weighted(row, slopes), scale, strict=True)) for row in table.doubts
+    ]
     if sums[0] == 0.0:
         return 0.0
     combined = sums[0] / (sums[0] + 0.01 * sums[1]) ** 0.5 if len(sums) == 2 else sums[0] ** 0.5

@@ -43,7 +43,13 @@ class Groups:
         near = 1.0 - self.thickness * x
         spring = self.spring * x**self.q if x > 0.0 else 0.0
         push = spring + self.drag * rate + self.across**2 * self.thickness * share**2 / near**3
-        return [rate, -pace * push, -pace * self.drag * share, pace, pace * self.across * self.thickness * share / near**2]
+        return [
+            rate,
+            -pace * push,
+            -pace * self.drag * share,
+            pace,
+            pace * self.across * self.thickness * share / near**2,
+        ]
 
     def force(self, y: Sequence[float]) -> float:
         """The size of the force, its drag across the line of centres included."""
@@ -61,7 +67,9 @@ class Groups:
         gained = -push - self.across**2 * self.thickness * y[SPIN] ** 2 / near**3
         stiffness = self.spring * self.q * x ** (self.q - 1.0) if x > 0.0 else 0.0
         side = self._drag_across(y, x)
-        return push * (stiffness * rate + self.drag * gained) + side**2 * (self.thickness * rate / near - self.drag)
+        return push * (stiffness * rate + self.drag * gained) + side**2 * (
+            self.thickness * rate / near - self.drag
+        )
 
     def sticks(self, y: Sequence[float]) -> bool:
         """Whether the contact will never end: the argument for two bodies on a line, the turning counted as a spring.
@@ -184,6 +192,8 @@ def _tried(slope: Slope, x: float, state: list[float], h: float, tolerance: floa
     try:
         first = slope(x, state)
         after, slopes = step(DOP853, slope, x, state, h, first)
-        return Trial(slope, x, state, first, h, after, doubt(DOP853, slopes, h, [tolerance] * len(state)), lands)
+        return Trial(
+            slope, x, state, first, h, after, doubt(DOP853, slopes, h, [tolerance] * len(state)), lands
+        )
     except (OverflowError, ZeroDivisionError):
         return Trial(slope, x, state, state, h, list(state), math.inf, lands)

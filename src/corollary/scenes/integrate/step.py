@@ -41,7 +41,13 @@ class Step:
 
 
 def attempt(
-    step: StepFunction, clock: Clock, slope: Slope, state: list[float], base: Sequence[float], stride: float, tolerance: float
+    step: StepFunction,
+    clock: Clock,
+    slope: Slope,
+    state: list[float],
+    base: Sequence[float],
+    stride: float,
+    tolerance: float,
 ) -> Step:
     """Try a step of about `stride`; a step toward zero ends there at most. A step out of all range has an infinite size.
 
@@ -60,7 +66,9 @@ def attempt(
         size = error_size(fifth, third, h, len(before)) / tolerance
     except ArithmeticError:
         return Step(clock, step, slope, x, h, before, [], lands, state, math.inf)
-    return Step(clock, step, slope, x, h, before, first, lands, in_time(clock, 0.0 if lands else x + h, y), size)
+    return Step(
+        clock, step, slope, x, h, before, first, lands, in_time(clock, 0.0 if lands else x + h, y), size
+    )
 
 
 def error_size(fifth: float, third: float, h: float, count: int) -> float:

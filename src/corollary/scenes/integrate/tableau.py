@@ -52,7 +52,12 @@ YOSHIDA_8 = composed(
 RK4 = Tableau(
     order=4,
     nodes=(0.0, 0.5, 0.5, 1.0),
-    rows=(Coefficients((), ()), Coefficients((0,), (0.5,)), Coefficients((1,), (0.5,)), Coefficients((2,), (1.0,))),
+    rows=(
+        Coefficients((), ()),
+        Coefficients((0,), (0.5,)),
+        Coefficients((1,), (0.5,)),
+        Coefficients((2,), (1.0,)),
+    ),
     result=Coefficients((0, 1, 2, 3), (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0)),
 )
 

@@ -53,7 +53,12 @@ def smoothing_powers(line: Row) -> tuple[int, ...]:
 
 
 def suited_clock(
-    powers: Sequence[int], state: Sequence[float], base: Sequence[float], touching: Sequence[bool], lasting: float, noise: float
+    powers: Sequence[int],
+    state: Sequence[float],
+    base: Sequence[float],
+    touching: Sequence[bool],
+    lasting: float,
+    noise: float,
 ) -> Clock:
     """The overlap that is nearest in time to its beginning or end, if its speed will not turn soon; else the time.
 
@@ -67,7 +72,9 @@ def suited_clock(
         overlap, speed = state[1 + j], base[j]
         if overlap < 0.0 or not (speed > noise or speed < -noise):
             continue
-        if overlap * abs(base[count + j] - base[count + j + 1]) < 0.3 * speed * speed and overlap < nearest * abs(speed):
+        if overlap * abs(
+            base[count + j] - base[count + j + 1]
+        ) < 0.3 * speed * speed and overlap < nearest * abs(speed):
             best, nearest = clock_of(j, power), overlap / abs(speed)
     return best
 

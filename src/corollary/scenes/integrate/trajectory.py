@@ -42,7 +42,9 @@ def course(line: Row, tolerance: float) -> Course:
     if len(line.masses) < LONG:
         step, law = written_out(DOP853, 2 * len(line.masses) - 1), row_motion.law_of_motion
     else:
-        from corollary.scenes.integrate import long_row  # here, since it brings numpy, which short rows never need
+        from corollary.scenes.integrate import (
+            long_row,
+        )  # here, since it brings numpy, which short rows never need
 
         step, law = long_row.step, long_row.law_of_motion
     return Course(

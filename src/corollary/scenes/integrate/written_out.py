@@ -12,7 +12,9 @@ from typing import Any
 from corollary.scenes.integrate.runge_kutta import Coefficients, Tableau
 
 Slope = Callable[[float, Sequence[float]], Sequence[float]]
-StepFunction = Callable[[Slope, float, float, Sequence[float], Sequence[float]], tuple[Sequence[float], float, float]]
+StepFunction = Callable[
+    [Slope, float, float, Sequence[float], Sequence[float]], tuple[Sequence[float], float, float]
+]
 """(slope, x, h, y, first) to the state after the step and the sums of squares of both doubts; `first` is the slope at (x, y)."""
 
 
@@ -32,7 +34,11 @@ def from_text(text: str, name: str, known: dict[str, Any]) -> Any:
 def step_text(table: Tableau, count: int) -> str:
     """The step as Python: one line for every slope."""
     places = range(count)
-    lines = ["def step(slope, x, h, y, first):", f"    {_names('y', places)} = y", f"    {_names('a', places)} = first"]
+    lines = [
+        "def step(slope, x, h, y, first):",
+        f"    {_names('y', places)} = y",
+        f"    {_names('a', places)} = first",
+    ]
     for stage, (node, row) in enumerate(zip(table.nodes, table.rows, strict=True)):
         if stage:
             state = "".join(f"y{i} + h * ({_sum(row, i)}), " for i in places)
@@ -46,7 +52,9 @@ def step_text(table: Tableau, count: int) -> str:
 def _doubt(table: Tableau, row: Coefficients, place: int) -> str:
     """A doubt; as its difference from the result where that has fewer terms."""
     weights = dict(zip(row.stages, row.weights, strict=True))
-    apart = {s: b - weights.get(s, 0.0) for s, b in zip(table.result.stages, table.result.weights, strict=True)}
+    apart = {
+        s: b - weights.get(s, 0.0) for s, b in zip(table.result.stages, table.result.weights, strict=True)
+    }
     apart = {s: weight for s, weight in apart.items() if abs(weight) > 1e-15}
     if len(apart) < len(row.stages) and weights.keys() <= set(table.result.stages):
         return f"z{place} - ({_sum(Coefficients(tuple(apart), tuple(apart.values())), place)})"
@@ -62,4 +70,6 @@ def _names(letter: str, places: range) -> str:
 
 
 def _sum(row: Coefficients, place: int) -> str:
-    return " + ".join(f"{weight!r} * {_letter(stage)}{place}" for stage, weight in zip(row.stages, row.weights, strict=True))
+    return " + ".join(
+        f"{weight!r} * {_letter(stage)}{place}" for stage, weight in zip(row.stages, row.weights, strict=True)
+    )

@@ -18,7 +18,13 @@ SETTINGS = (
     Setting("b", "distance of the bottom of the well", "m", 1.0, above=0.0),
     Setting("d", "half width of the well", "m", 0.4, above=0.0),
     Setting("r0", "position at the start: a distance, or (x, y)", "m", 1.0, many=True),
-    Setting("v0", "velocity at the start: along the line, across the radius in a plane, or (x, y)", "m/s", 3.0, many=True),
+    Setting(
+        "v0",
+        "velocity at the start: along the line, across the radius in a plane, or (x, y)",
+        "m/s",
+        3.0,
+        many=True,
+    ),
     Setting("dimension", "1 for a line, 2 for a plane", "1", 2.0, least=1.0, most=2.0, whole=True),
 )
 
@@ -35,7 +41,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     (x, y), (u, v) = _start(settings, plane)
     r = math.hypot(x, y) if plane else x
     if r < well.wall:
-        raise BadSetting(f"atom: r0 = {r:g} m is inside the core; start at b - d = {well.wall:g} m or beyond.")
+        raise BadSetting(
+            f"atom: r0 = {r:g} m is inside the core; start at b - d = {well.wall:g} m or beyond."
+        )
     along, across = (x * u + y * v) / r, (x * v - y * u) / r
     if r > well.edge:
         return _from_outside(well, m, r, along, across, math.atan2(y, x), plane)
@@ -52,7 +60,9 @@ def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, 
     if len(place) != 2 or len(velocity) != 2:
         raise BadSetting("atom: r0 and v0 are one number each, or two components.")
     if not plane and (place[1] or velocity[1]):
-        raise BadSetting("atom: on a line the second components of r0 and v0 are zero; set dimension to 2 for a plane.")
+        raise BadSetting(
+            "atom: on a line the second components of r0 and v0 are zero; set dimension to 2 for a plane."
+        )
     if place == (0.0, 0.0) or (not plane and place[0] < 0.0):
         raise BadSetting("atom: the molecule is at the origin; start at a positive distance from it.")
     return (place[0], place[1]), (velocity[0], velocity[1])
@@ -64,7 +74,11 @@ def _bound(motion: Radial, plane: bool) -> Played:
     else:
         half, half_angle, doubt, spent = swept(motion, 0.0, math.pi)
         period, angle = 2.0 * half, 2.0 * half_angle
-    observed: dict[str, Observed] = {"period": period, "turning_points": (motion.low, motion.high), "escapes": 0.0}
+    observed: dict[str, Observed] = {
+        "period": period,
+        "turning_points": (motion.low, motion.high),
+        "escapes": 0.0,
+    }
     if plane:
         observed["angle"] = angle
     errors = dict.fromkeys(observed, max(4.0 * doubt, CLOSED))
@@ -75,7 +89,9 @@ def _bound(motion: Radial, plane: bool) -> Played:
     return Played(observed, errors, "quadrature", why, spent, "bound")
 
 
-def _leaves(well: Well, motion: Radial, r: float, along: float, angle: float, plane: bool, before: float) -> Played:
+def _leaves(
+    well: Well, motion: Radial, r: float, along: float, angle: float, plane: bool, before: float
+) -> Played:
     """In to the core or the turning point if it moves inward, then out over the edge; nothing acts beyond."""
     nearest = max(motion.low, well.wall)
     begin, core, edge = motion.phase(r), motion.phase(nearest), motion.phase(well.edge)
@@ -93,10 +109,14 @@ def _leaves(well: Well, motion: Radial, r: float, along: float, angle: float, pl
         "escapes": 1.0,
     }
     why = "it has the energy to leave: integrals of the energy give when and where, a straight line the rest"
-    return Played(observed, dict.fromkeys(observed, max(8.0 * doubt, CLOSED)), "quadrature", why, spent, "escaped")
+    return Played(
+        observed, dict.fromkeys(observed, max(8.0 * doubt, CLOSED)), "quadrature", why, spent, "escaped"
+    )
 
 
-def _from_outside(well: Well, m: float, r: float, along: float, across: float, angle: float, plane: bool) -> Played:
+def _from_outside(
+    well: Well, m: float, r: float, along: float, across: float, angle: float, plane: bool
+) -> Played:
     """A straight line until the edge of the well, if it is met at all."""
     speed = math.hypot(along, across)
     room = (well.edge * speed - r * abs(across)) * (well.edge * speed + r * abs(across))
@@ -104,7 +124,14 @@ def _from_outside(well: Well, m: float, r: float, along: float, across: float, a
         c, s = math.cos(angle), math.sin(angle)
         velocities = (along * c - across * s, along * s + across * c) if plane else (along,)
         observed: dict[str, Observed] = {"velocities": velocities, "turning_points": (), "escapes": 1.0}
-        return Played(observed, dict.fromkeys(observed, CLOSED), "conservation", "it passes outside the well", 0, "missed")
+        return Played(
+            observed,
+            dict.fromkeys(observed, CLOSED),
+            "conservation",
+            "it passes outside the well",
+            0,
+            "missed",
+        )
     inward, way = math.sqrt(room) / well.edge, (r - well.edge) * (r + well.edge)
     after = way / (-r * along + math.sqrt(room))
     entered = angle + math.atan2(across * after, r + along * after)
@@ -112,4 +139,6 @@ def _from_outside(well: Well, m: float, r: float, along: float, across: float, a
     return _leaves(well, motion, well.edge, -inward, entered, plane, after)
 
 
-ATOM = SceneDefinition("atom", "an atom in a truncated harmonic well, on a line or in a plane", SETTINGS, play)
+ATOM = SceneDefinition(
+    "atom", "an atom in a truncated harmonic well, on a line or in a plane", SETTINGS, play
+)

@@ -33,14 +33,27 @@ HONEY = 1e5
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     """Rebound speed and impulse of the floor when the ball leaves y = R; peak force of the floor; duration of the contact."""
-    m, k, q, r, y0, v0, g, eta = (one(settings, name) for name in ("m", "k", "q", "R", "y0", "v0", "g", "eta"))
+    m, k, q, r, y0, v0, g, eta = (
+        one(settings, name) for name in ("m", "k", "q", "R", "y0", "v0", "g", "eta")
+    )
     if y0 < r:
-        raise BadSetting(f"ball_on_floor: y0 = {y0:g} m is inside the floor; the centre must start at R = {r:g} m or higher.")
+        raise BadSetting(
+            f"ball_on_floor: y0 = {y0:g} m is inside the floor; the centre must start at R = {r:g} m or higher."
+        )
     square = v0 * v0 + 2.0 * g * (y0 - r)
     if (v0 >= 0.0 and g == 0.0) or square == 0.0:
-        nothing: dict[str, Observed] = dict.fromkeys(("duration", "peak_force", "impulse", "largest_overlap"), 0.0)
+        nothing: dict[str, Observed] = dict.fromkeys(
+            ("duration", "peak_force", "impulse", "largest_overlap"), 0.0
+        )
         nothing["velocities"] = (v0,)
-        return Played(nothing, dict.fromkeys(nothing, 0.0), "conservation", "the ball never meets the floor", 0, "missed")
+        return Played(
+            nothing,
+            dict.fromkeys(nothing, 0.0),
+            "conservation",
+            "the ball never meets the floor",
+            0,
+            "missed",
+        )
     speed = math.sqrt(square)
     if eta > 0.0:
         return _damped(m, Contact(k, q, eta), speed, g, tolerance)
@@ -79,7 +92,10 @@ def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float
         "energy_ratio": (rebound / speed) ** 2,
     }
     of = {"duration": "duration", "peak_force": "forces", "largest_overlap": "overlaps"}
-    sizes = {name: errors[of.get(name, "velocities")] * (2.0 if name == "energy_ratio" else 1.0) for name in observed}
+    sizes = {
+        name: errors[of.get(name, "velocities")] * (2.0 if name == "energy_ratio" else 1.0)
+        for name in observed
+    }
     return Played(observed, sizes, found.model, found.why, found.spent, passage.outcome)
 
 
@@ -107,4 +123,6 @@ def _in_honey(m: float, contact: Contact, speed: float, g: float, change: float)
     return Played(observed, errors, "conservation", why, 0, "sticks")
 
 
-BALL_ON_FLOOR = SceneDefinition("ball_on_floor", "a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play)
+BALL_ON_FLOOR = SceneDefinition(
+    "ball_on_floor", "a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play
+)

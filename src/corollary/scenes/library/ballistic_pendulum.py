@@ -35,10 +35,17 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     both = bullet + block
     common = bullet / both * v
     if common**2 / (2.0 * g) > length:
-        raise BadSetting(f"ballistic_pendulum: the block would rise {common**2 / (2.0 * g):g} m, above the rope's fixing; lower v.")
+        raise BadSetting(
+            f"ballistic_pendulum: the block would rise {common**2 / (2.0 * g):g} m, above the rope's fixing; lower v."
+        )
     if dt > 0.1 * math.sqrt(length / g):
-        raise BadSetting(f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt.")
-    rough, finer = _held_fast(settings, max(tolerance, 1e-13)), _held_fast(settings, max(tolerance / 30.0, 1e-14))
+        raise BadSetting(
+            f"ballistic_pendulum: in dt = {dt:g} s the block swings up before the bullet is stuck; shorten dt."
+        )
+    rough, finer = (
+        _held_fast(settings, max(tolerance, 1e-13)),
+        _held_fast(settings, max(tolerance / 30.0, 1e-14)),
+    )
     (way, speed, spent), error = finer, abs(rough[1] - finer[1])
     angle = way / length
     risen = 2.0 * length * math.sin(0.5 * angle) ** 2
@@ -93,7 +100,11 @@ def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[fl
             if now >= dt:
                 return state, spent
         h *= min(5.0, max(0.2, 0.9 * size**-0.125)) if size > 0.0 else 5.0
-    raise GuardFailed(f"ballistic_pendulum: the bullet was not followed to its stop within {MOST_STEPS} steps. Choose milder settings.")
+    raise GuardFailed(
+        f"ballistic_pendulum: the bullet was not followed to its stop within {MOST_STEPS} steps. Choose milder settings."
+    )
 
 
-BALLISTIC_PENDULUM = SceneDefinition("ballistic_pendulum", "a bullet gets stuck in a hanging block", SETTINGS, play)
+BALLISTIC_PENDULUM = SceneDefinition(
+    "ballistic_pendulum", "a bullet gets stuck in a hanging block", SETTINGS, play
+)

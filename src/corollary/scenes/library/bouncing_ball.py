@@ -41,4 +41,6 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     return Played(observed, errors, "piecewise exact", why, 0, "sticks" if r == 0.0 else "released")
 
 
-BOUNCING_BALL = SceneDefinition("bouncing_ball", "a ball bounces on a floor with a coefficient of restitution", SETTINGS, play)
+BOUNCING_BALL = SceneDefinition(
+    "bouncing_ball", "a ball bounces on a floor with a coefficient of restitution", SETTINGS, play
+)

@@ -44,4 +44,6 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     return Played(observed, errors, "piecewise exact", why, 0, "sticks")
 
 
-BULLET_BLOCK = SceneDefinition("bullet_block", "a bullet gets stuck in a block that slides to rest", SETTINGS, play)
+BULLET_BLOCK = SceneDefinition(
+    "bullet_block", "a bullet gets stuck in a block that slides to rest", SETTINGS, play
+)

@@ -63,4 +63,6 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     )
 
 
-CRADLE = SceneDefinition("cradle", "Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play)
+CRADLE = SceneDefinition(
+    "cradle", "Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play
+)

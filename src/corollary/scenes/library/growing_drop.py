@@ -30,7 +30,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     Each moment the vapour, slower by v - u, pulls with R (v - u): that is what bringing it to the drop's velocity takes.
     """
     m, v, rate, u, g, t = (one(settings, name) for name in ("m", "v", "R", "u", "g", "t"))
-    drop = Scene((Body(m, (0.0,), (-v,)),), (Weight(g), Absorption(0, (-u,), rate)), until=t, name="growing_drop")
+    drop = Scene(
+        (Body(m, (0.0,), (-v,)),), (Weight(g), Absorption(0, (-u,), rate)), until=t, name="growing_drop"
+    )
     why = "a force that depends on velocity and time, a mass that grows: Newton's second law, step by step"
     run = measured(drop, {Observable.VELOCITIES, Observable.TRAJECTORY}, tolerance, why, times=(t,))
     fall, place = run.observed["velocities"], run.observed["trajectory"]

@@ -16,7 +16,15 @@ SETTINGS = (
     Setting("v0", "velocity before the push", "m/s", 0.0),
     Setting("F", "time-averaged force", "N", 86.0),
     Setting("dt", "time of contact", "s", 0.1, above=0.0),
-    Setting("pulse", "shape: F(t) goes as sin(pi t/dt)^pulse, 0 for a constant force", "1", 1.0, least=0.0, most=8.0, whole=True),
+    Setting(
+        "pulse",
+        "shape: F(t) goes as sin(pi t/dt)^pulse, 0 for a constant force",
+        "1",
+        1.0,
+        least=0.0,
+        most=8.0,
+        whole=True,
+    ),
 )
 
 
@@ -30,7 +38,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         return peak * math.sin(math.pi * part) ** pulse
 
     impulse, doubt, first = integral(push, 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
-    arm, doubt_of_arm, second = integral(lambda part: push(part) * (1.0 - part), 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
+    arm, doubt_of_arm, second = (
+        integral(lambda part: push(part) * (1.0 - part), 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
+    )
     observed: dict[str, Observed] = {
         "velocities": (v0 + impulse * dt / m,),
         "impulse": impulse * dt,

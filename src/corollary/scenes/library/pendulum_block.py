@@ -47,4 +47,6 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     return Played(observed, errors, found.model, found.why, spent + found.spent, "released")
 
 
-PENDULUM_BLOCK = SceneDefinition("pendulum_block", "a pendulum hits a block at the bottom of its path", SETTINGS, play)
+PENDULUM_BLOCK = SceneDefinition(
+    "pendulum_block", "a pendulum hits a block at the bottom of its path", SETTINGS, play
+)

@@ -33,7 +33,11 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "energy_lost": impulse * v - gained,
     }
     why = "every shovel is a perfectly inelastic collision with a car that is held at its speed"
-    return Played(observed, dict.fromkeys(observed, CLOSED * math.sqrt(count)), "conservation", why, count, "sticks")
+    return Played(
+        observed, dict.fromkeys(observed, CLOSED * math.sqrt(count)), "conservation", why, count, "sticks"
+    )
 
 
-RAILWAY_CAR = SceneDefinition("railway_car", "sand falls into a car that is pulled at constant speed", SETTINGS, play)
+RAILWAY_CAR = SceneDefinition(
+    "railway_car", "sand falls into a car that is pulled at constant speed", SETTINGS, play
+)

@@ -16,7 +16,14 @@ SETTINGS = (
     Setting("Ms", "your son's mass", "kg", 20.0, above=0.0),
     Setting("m", "mass of the snowball", "kg", 2.0, above=0.0),
     Setting("v", "speed of the snowball over the ice", "m/s", 20.0, above=0.0),
-    Setting("theta", "angle of the throw above the horizontal", "rad", math.pi / 6.0, least=0.0, below=0.5 * math.pi),
+    Setting(
+        "theta",
+        "angle of the throw above the horizontal",
+        "rad",
+        math.pi / 6.0,
+        least=0.0,
+        below=0.5 * math.pi,
+    ),
     Setting("dt", "time the throw takes, and the catch at most", "s", 0.1, above=0.0),
 )
 
@@ -30,7 +37,10 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     you, son, ball, v, theta, dt = (one(settings, name) for name in ("M", "Ms", "m", "v", "theta", "dt"))
     level, up = v * math.cos(theta), v * math.sin(theta)
     force = ball * level / dt
-    thrown, yours = under_force(Mover(0.0, 0.0), ball, force, dt), under_force(Mover(0.0, 0.0), you, -force, dt)
+    thrown, yours = (
+        under_force(Mover(0.0, 0.0), ball, force, dt),
+        under_force(Mover(0.0, 0.0), you, -force, dt),
+    )
     grip = faded_time(ball, son, 1.0) / dt
     caught, sons = under_dashpot(Mover(0.0, thrown.v), Mover(0.0, 0.0), ball, son, grip, dt)
     observed: dict[str, Observed] = {

@@ -45,13 +45,18 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
             "velocities": (*va, *vb), "duration": 0.0, "largest_overlap": 0.0, "peak_force": 0.0, "impulse": (0.0, 0.0),
             "energy_ratio": 1.0,
         }  # fmt: skip
-        return Played(nothing, dict.fromkeys(nothing, 0.0), "conservation", "the spheres pass each other", 0, "missed")
+        return Played(
+            nothing, dict.fromkeys(nothing, 0.0), "conservation", "the spheres pass each other", 0, "missed"
+        )
     if contact.eta == 0.0 and met.overlap == 0.0:
         parted, error, spent = _sure(glance(pair, met))
         model, why = "quadrature", "no damping: energy and angular momentum of the pair leave two integrals"
     else:
         parted, error, spent = _twice(pair, met, tolerance)
-        model, why = "integration", "damping, or a start inside the contact: one contact followed in its own time"
+        model, why = (
+            "integration",
+            "damping, or a start inside the contact: one contact followed in its own time",
+        )
     left = after_parting(pair, met, parted)
     total = ma + mb
     change = (left[0] - relative[0], left[1] - relative[1])
@@ -66,10 +71,14 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "impulse": (pair.mass * change[0], pair.mass * change[1]),
         "energy_ratio": _energy_ratio(ma, mb, va, vb, change),
     }
-    return Played(observed, dict.fromkeys(observed, error), model, why, spent, "sticks" if parted.sticks else "released")
+    return Played(
+        observed, dict.fromkeys(observed, error), model, why, spent, "sticks" if parted.sticks else "released"
+    )
 
 
-def _energy_ratio(ma: float, mb: float, va: tuple[float, ...], vb: tuple[float, ...], change: tuple[float, float]) -> float:
+def _energy_ratio(
+    ma: float, mb: float, va: tuple[float, ...], vb: tuple[float, ...], change: tuple[float, float]
+) -> float:
     a = [v - mb / (ma + mb) * c for v, c in zip(va, change, strict=True)]
     b = [v + ma / (ma + mb) * c for v, c in zip(vb, change, strict=True)]
     before = ma * math.hypot(*va) ** 2 + mb * math.hypot(*vb) ** 2
@@ -95,4 +104,6 @@ def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float,
     return fine, max(*seen, 2e-15), coarse.evaluations + fine.evaluations
 
 
-SPHERES = SceneDefinition("spheres", "two spheres collide in a plane, with or without damping", SETTINGS, play)
+SPHERES = SceneDefinition(
+    "spheres", "two spheres collide in a plane, with or without damping", SETTINGS, play
+)

@@ -25,7 +25,15 @@ SETTINGS = (
     Setting("k", "contact constant of floor and balls", "N/m^q", 1e12, above=0.0),
     Setting("q", "exponent of the contact force", "1", 1.5, least=1.0, most=10.0),
     Setting("gap", "gap between the balls as they fall", "m", 0.001, least=0.0),
-    Setting("weighed", "1: their weight acts during the contacts, too; 0: it does not", "1", 0.0, least=0.0, most=1.0, whole=True),
+    Setting(
+        "weighed",
+        "1: their weight acts during the contacts, too; 0: it does not",
+        "1",
+        0.0,
+        least=0.0,
+        most=1.0,
+        whole=True,
+    ),
 )
 # Longer than the collisions take without weight; it hastens or delays them by far less.
 AFTER_ALL = 1.05
@@ -54,7 +62,10 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     # Weight takes g times the time of contact from every speed: that is what leaving it out neglects.
     neglected = g * found.passage.duration / speed
     errors = dict.fromkeys(observed, found.errors["velocities"] + neglected)
-    errors["duration"], errors["peak_force"] = found.errors["duration"] + neglected, found.errors["forces"] + 2.0 * neglected
+    errors["duration"], errors["peak_force"] = (
+        found.errors["duration"] + neglected,
+        found.errors["forces"] + 2.0 * neglected,
+    )
     return Played(observed, errors, found.model, found.why, found.spent, found.passage.outcome)
 
 
@@ -65,25 +76,41 @@ def _weighed(line: Row, free: RowResult, g: float, gap: float, tolerance: float)
     """
     lift, speed = max(free.overlaps), -line.velocities[1]
     if 2.0 * g * lift >= speed**2:
-        raise BadSetting("super_ball: the balls are so soft that they sink in as deep as they fell; raise k, or drop them from higher.")
+        raise BadSetting(
+            "super_ball: the balls are so soft that they sink in as deep as they fell; raise k, or drop them from higher."
+        )
     # As small as they may be without reaching through each other: places far larger than the overlaps would cost digits.
     radius = 4.0 * (lift + gap)
     at_touch = 0.0, radius, 3.0 * radius + gap
     # They are let go where they can be seen to touch: a little above the floor, and that much slower.
-    early, begin = -math.sqrt(speed**2 - 2.0 * g * lift), (at_touch[0], at_touch[1] + lift, at_touch[2] + lift)
+    early, begin = (
+        -math.sqrt(speed**2 - 2.0 * g * lift),
+        (at_touch[0], at_touch[1] + lift, at_touch[2] + lift),
+    )
     bodies = tuple(
-        Body(m, (y,), (early if y else 0.0,), radius if y else 0.0) for m, y in zip(line.masses, begin, strict=True)
+        Body(m, (y,), (early if y else 0.0,), radius if y else 0.0)
+        for m, y in zip(line.masses, begin, strict=True)
     )
     end = AFTER_ALL * free.duration + 2.0 * lift / speed
     balls = Scene(bodies, (line.contacts[0], Weight(g)), until=end, name="super_ball")
     seen = {Observable.VELOCITIES, Observable.DURATION, Observable.TRAJECTORY}
-    run = measured(balls, seen, tolerance, "weight and both contacts at once: Newton's second law, step by step", times=(end,))
+    run = measured(
+        balls,
+        seen,
+        tolerance,
+        "weight and both contacts at once: Newton's second law, step by step",
+        times=(end,),
+    )
     velocities, places = run.observed.pop("velocities"), run.observed.pop("trajectory")
     assert isinstance(velocities, tuple)
     assert isinstance(places, tuple)
     if places[1] < radius or places[2] - places[1] < 2.0 * radius:
-        raise GuardFailed("super_ball: with their weight the balls still touch when all should be over. Raise k, or change the gap.")
-    heights = tuple(y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True))
+        raise GuardFailed(
+            "super_ball: with their weight the balls still touch when all should be over. Raise k, or change the gap."
+        )
+    heights = tuple(
+        y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True)
+    )
     observed: dict[str, Observed] = run.observed | {"velocities": velocities[1:], "heights": heights[1:]}
     error = run.errors.pop("trajectory")
     errors = run.errors | {"heights": 2.0 * run.errors["velocities"] + error * max(places) / max(heights[1:])}

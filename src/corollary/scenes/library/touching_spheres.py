@@ -49,7 +49,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     if apart == (0.0, 0.0):
         raise BadSetting("touching_spheres: dx = dy = 0 puts one centre on the other; start them apart.")
     if contact.eta * t * (1.0 / ma + 1.0 / mb) > MOST_FADING:
-        raise BadSetting("touching_spheres: the drag has stopped the spheres long before the time t; lower eta, or t.")
+        raise BadSetting(
+            "touching_spheres: the drag has stopped the spheres long before the time t; lower eta, or t."
+        )
     bodies = Body(ma, (0.0, 0.0), va, 0.5 * reach, "A"), Body(mb, apart, vb, 0.5 * reach, "B")
     forces = (contact, Weight(g)) if g else (contact,)
     seen = {Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO}
@@ -60,7 +62,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     assert isinstance(overlap, float)
     hold_apart(overlap, reach)
     observed, errors = dict(run.observed), dict(run.errors)
-    on_a, on_b = ((m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:])))
+    on_a, on_b = (
+        (m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:]))
+    )
     # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
     doubt = errors["velocities"] * max(map(abs, after)) * max(ma, mb)
     observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
@@ -71,7 +75,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     if g:
         observed["momentum_change"] = on_a[0] + on_b[0], on_a[1] + on_b[1]
         errors["momentum_change"] = _share(2.0 * doubt, observed["momentum_change"])
-    return Played(observed, errors, run.model, run.why, run.evaluations, "released" if overlap > 0.0 else "missed")
+    return Played(
+        observed, errors, run.model, run.why, run.evaluations, "released" if overlap > 0.0 else "missed"
+    )
 
 
 def _share(doubt: float, of: tuple[float, ...]) -> float:
@@ -79,4 +85,6 @@ def _share(doubt: float, of: tuple[float, ...]) -> float:
     return doubt / size if size > 0.0 else doubt
 
 
-TOUCHING_SPHERES = SceneDefinition("touching_spheres", "two spheres push each other while both fall", SETTINGS, play)
+TOUCHING_SPHERES = SceneDefinition(
+    "touching_spheres", "two spheres push each other while both fall", SETTINGS, play
+)

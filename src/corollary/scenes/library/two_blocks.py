@@ -50,4 +50,6 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     return Played(observed, errors, found.model, found.why, found.spent, passage.outcome)
 
 
-TWO_BLOCKS = SceneDefinition("two_blocks", "two bodies on a line with a coefficient of restitution", SETTINGS, play)
+TWO_BLOCKS = SceneDefinition(
+    "two_blocks", "two bodies on a line with a coefficient of restitution", SETTINGS, play
+)

@@ -14,7 +14,14 @@ from corollary.scenes.setting import Setting, one
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.2, above=0.0),
     Setting("v0", "speed of the ball", "m/s", 8.0, above=0.0),
-    Setting("theta", "angle between the velocity and the wall's surface", "rad", math.pi / 6.0, above=0.0, most=0.5 * math.pi),
+    Setting(
+        "theta",
+        "angle between the velocity and the wall's surface",
+        "rad",
+        math.pi / 6.0,
+        above=0.0,
+        most=0.5 * math.pi,
+    ),
     Setting("dt", "time of contact", "s", 0.01, above=0.0),
 )
 

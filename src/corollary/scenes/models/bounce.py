@@ -27,10 +27,15 @@ def deepest(contact: Contact, mass: float, speed: float, weight: float) -> float
         return largest_overlap(mass, contact.k, contact.q, speed)
     # In units of the answer without weight: x^(q+1) = 1 + g x, increasing and convex beyond its root, so Newton falls onto it.
     p, x = contact.q + 1.0, 2.0
-    unit = max(largest_overlap(mass, contact.k, contact.q, speed), (p * mass * weight / contact.k) ** (1.0 / contact.q))
+    unit = max(
+        largest_overlap(mass, contact.k, contact.q, speed),
+        (p * mass * weight / contact.k) ** (1.0 / contact.q),
+    )
     stiff = 2.0 * contact.k * unit**p / (p * mass)
     for _ in range(200):
-        step = (stiff * x**p - 2.0 * weight * unit * x - speed**2) / (stiff * p * x ** (p - 1.0) - 2.0 * weight * unit)
+        step = (stiff * x**p - 2.0 * weight * unit * x - speed**2) / (
+            stiff * p * x ** (p - 1.0) - 2.0 * weight * unit
+        )
         x -= step
         if abs(step) <= 2e-16 * x:
             break

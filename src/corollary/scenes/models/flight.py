@@ -51,7 +51,11 @@ def first_touch(line: Row, state: Sequence[float], noise: float, bounced: bool) 
     count = len(line.masses)
     best = None
     for j in range(count - 1):
-        gap, closing, fall = max(-state[1 + j], 0.0), state[count + j] - state[count + j + 1], fall_of(line, j)
+        gap, closing, fall = (
+            max(-state[1 + j], 0.0),
+            state[count + j] - state[count + j + 1],
+            fall_of(line, j),
+        )
         if closing <= noise and (bounced or fall <= 0.0):
             continue
         discriminant = closing**2 + 2.0 * fall * gap
@@ -69,7 +73,14 @@ def flown(line: Row, state: Sequence[float], meeting: Meeting) -> list[float]:
     """The state at the meeting."""
     count, t = len(line.masses), meeting.after
     speeds = state[count:]
-    gaps = [state[1 + j] + (speeds[j] - speeds[j + 1]) * t + 0.5 * fall_of(line, j) * t * t for j in range(count - 1)]
+    gaps = [
+        state[1 + j] + (speeds[j] - speeds[j + 1]) * t + 0.5 * fall_of(line, j) * t * t
+        for j in range(count - 1)
+    ]
     gaps[meeting.contact] = 0.0
     falls = [0.0 if math.isinf(m) else line.weight for m in line.masses]
-    return [state[0] + t, *(min(gap, 0.0) for gap in gaps), *(v - g * t for v, g in zip(speeds, falls, strict=True))]
+    return [
+        state[0] + t,
+        *(min(gap, 0.0) for gap in gaps),
+        *(v - g * t for v, g in zip(speeds, falls, strict=True)),
+    ]

@@ -13,7 +13,9 @@ def nodes(n: int) -> tuple[tuple[float, float], ...]:
     found = []
     for i in range(n):
         x = math.cos(math.pi * (i + 0.75) / (n + 0.5))
-        for _ in range(6):  # the guess has three digits at least, so the fifth step is already at the last one
+        for _ in range(
+            6
+        ):  # the guess has three digits at least, so the fifth step is already at the last one
             height, slope = _legendre(n, x)
             x -= height / slope
         _, slope = _legendre(n, x)
@@ -29,7 +31,9 @@ def _legendre(n: int, x: float) -> tuple[float, float]:
     return here, n * (x * here - before) / (x * x - 1.0)
 
 
-def integral(function: Callable[[float], float], low: float, high: float, tolerance: float = 1e-14) -> tuple[float, float, int]:
+def integral(
+    function: Callable[[float], float], low: float, high: float, tolerance: float = 1e-14
+) -> tuple[float, float, int]:
     """The integral, the difference between the last two orders relative to it, and how often the function was evaluated."""
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     last, spent, doubt = math.inf, 0, math.inf

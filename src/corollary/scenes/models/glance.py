@@ -27,7 +27,9 @@ def glance(pair: Pair, met: Touching) -> Parting:
         log = 0.5 * s * math.log1p(-cosine * cosine) if sine > 0.5 else s * math.log(sine)
         lacking = -math.expm1(log)
         r = nearest + depth * lacking
-        square = -stiff * math.expm1(p * log) + turning * depth * lacking * (r + nearest) / (nearest * nearest * r * r)
+        square = -stiff * math.expm1(p * log) + turning * depth * lacking * (r + nearest) / (
+            nearest * nearest * r * r
+        )
         return depth * s * sine ** (s - 1) * cosine / math.sqrt(square), r
 
     def turning_rate(angle: float) -> float:
@@ -35,7 +37,11 @@ def glance(pair: Pair, met: Touching) -> Parting:
         return pace * met.spin / (r * r)
 
     half, doubt, spent = integral(lambda angle: at(angle)[0], 0.0, 0.5 * math.pi)
-    turned, doubt_of_turn, spent_too = integral(turning_rate, 0.0, 0.5 * math.pi) if met.spin else (0.0, 0.0, 0)
+    turned, doubt_of_turn, spent_too = (
+        integral(turning_rate, 0.0, 0.5 * math.pi) if met.spin else (0.0, 0.0, 0)
+    )
     force = pair.contact.k * depth**q
     doubt = max(doubt, doubt_of_turn, 2e-15)
-    return Parting(2.0 * turned, met.inward, met.spin, 2.0 * half, depth, force, False, spent + spent_too, doubt)
+    return Parting(
+        2.0 * turned, met.inward, met.spin, 2.0 * half, depth, force, False, spent + spent_too, doubt
+    )

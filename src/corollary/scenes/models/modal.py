@@ -43,7 +43,10 @@ class Swing:
     def at(self, times: Array) -> tuple[Array, Array]:
         """Overlaps and their rates at some times, each (contacts, times)."""
         w = self.frequencies[:, None]
-        cosine, swung = np.cos(w * times), np.where(w > 0.0, np.sin(w * times) / np.where(w > 0.0, w, 1.0), times)
+        cosine, swung = (
+            np.cos(w * times),
+            np.where(w > 0.0, np.sin(w * times) / np.where(w > 0.0, w, 1.0), times),
+        )
         place = self.start[:, None] * cosine + self.speed[:, None] * swung
         rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * swung
         return self.shapes @ place + self.apart[:, None], self.shapes @ rate
@@ -62,7 +65,9 @@ class Alone:
     modes: tuple[tuple[float, float, float], ...]
 
     def overlap(self, time: float) -> float:
-        return sum(a * math.cos(w * time) + (b * math.sin(w * time) / w if w else b * time) for w, a, b in self.modes)
+        return sum(
+            a * math.cos(w * time) + (b * math.sin(w * time) / w if w else b * time) for w, a, b in self.modes
+        )
 
     def rate(self, time: float) -> float:
         return sum(b * math.cos(w * time) - a * w * math.sin(w * time) for w, a, b in self.modes)
@@ -111,7 +116,9 @@ def _follow(line: Row) -> RowResult:
     for _ in range(MOST_PHASES):
         awake = touching & ((overlaps > NOISE) | (rates > NOISE))
         if not awake.any():
-            closing = np.where(rates > NOISE, np.maximum(-overlaps, 0.0) / np.where(rates > NOISE, rates, 1.0), np.inf)
+            closing = np.where(
+                rates > NOISE, np.maximum(-overlaps, 0.0) / np.where(rates > NOISE, rates, 1.0), np.inf
+            )
             j = int(np.argmin(closing))
             if math.isinf(closing[j]):
                 return _arrived(line, overlaps, rates, largest, ended - began, openings)
@@ -128,7 +135,9 @@ def _follow(line: Row) -> RowResult:
         openings += int(touching[j])
         ended = time if touching[j] else ended
         touching = touching ^ (np.arange(len(rates)) == j)
-    raise GuardFailed(f"The springs opened and closed {MOST_PHASES} times without an end. Make the masses less unequal.")
+    raise GuardFailed(
+        f"The springs opened and closed {MOST_PHASES} times without an end. Make the masses less unequal."
+    )
 
 
 def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
@@ -141,17 +150,28 @@ def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
         overlaps, rates = motion.at(times)
         # Turned so that every contact, open or closed, changes when its value falls through zero.
         values, slopes = sign * overlaps, sign * rates
-        falls = (values[:, 1:] < -NOISE) | ((values[:, 1:] > -NOISE) & _dips(motion, times, values, slopes, sign))
+        falls = (values[:, 1:] < -NOISE) | (
+            (values[:, 1:] > -NOISE) & _dips(motion, times, values, slopes, sign)
+        )
         found = [(int(np.argmax(row)), j) for j, row in enumerate(falls) if row.any()]
         stop = min(i for i, _ in found) + 1 if found else CELLS
-        for j, i in zip(*np.nonzero(touching[:, None] & (rates[:, :stop] > 0.0) & (rates[:, 1 : stop + 1] <= 0.0)), strict=True):
+        for j, i in zip(
+            *np.nonzero(touching[:, None] & (rates[:, :stop] > 0.0) & (rates[:, 1 : stop + 1] <= 0.0)),
+            strict=True,
+        ):
             alone = motion.of(int(j))
             crests[j] = max(crests[j], alone.overlap(_zero(alone.rate, float(times[i]), float(times[i + 1]))))
         if found:
             left, right = float(times[stop - 1]), float(times[stop])
-            moment, j = min((_falling_zero(motion.of(j), float(sign[j, 0]), left, right), j) for i, j in found if i == stop - 1)
+            moment, j = min(
+                (_falling_zero(motion.of(j), float(sign[j, 0]), left, right), j)
+                for i, j in found
+                if i == stop - 1
+            )
             return j, moment, crests
-    raise GuardFailed("Springs that touch never part: the bodies are as good as at rest. Make the masses less unequal.")
+    raise GuardFailed(
+        "Springs that touch never part: the bodies are as good as at rest. Make the masses less unequal."
+    )
 
 
 def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array) -> Flags:
@@ -160,7 +180,9 @@ def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array
     near = values[:, 1:] < CELL**2 * np.abs(values).max(axis=1, initial=NOISE)[:, None]
     for j, i in zip(*np.nonzero((slopes[:, :-1] < 0.0) & (slopes[:, 1:] > 0.0) & near), strict=True):
         alone, turn = motion.of(int(j)), float(sign[j, 0])
-        low = _zero(lambda t, alone=alone, turn=turn: -turn * alone.rate(t), float(times[i]), float(times[i + 1]))
+        low = _zero(
+            lambda t, alone=alone, turn=turn: -turn * alone.rate(t), float(times[i]), float(times[i + 1])
+        )
         dips[j, i] = turn * alone.overlap(low) < -NOISE
     return dips
 
@@ -198,7 +220,9 @@ def _zero(value: Callable[[float], float], left: float, right: float) -> float:
     return 0.5 * (left + right)
 
 
-def _arrived(line: Row, overlaps: Array, rates: Array, largest: Array, duration: float, openings: int) -> RowResult:
+def _arrived(
+    line: Row, overlaps: Array, rates: Array, largest: Array, duration: float, openings: int
+) -> RowResult:
     """Velocities from the differences to that of the heaviest body (or the wall), which momentum (or the wall) gives."""
     behind = -np.concatenate([[0.0], np.cumsum(rates)])
     heaviest = max(range(len(line.masses)), key=line.masses.__getitem__)

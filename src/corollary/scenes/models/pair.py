@@ -103,7 +103,9 @@ def after_parting(pair: Pair, met: Touching, parted: Parting) -> Vector:
 def hold_apart(overlap: float, reach: float) -> None:
     """Raises BadSetting when two spheres are so soft that their centres all but meet."""
     if overlap > (1.0 - NEAREST) * reach:
-        raise BadSetting("The spheres are so soft that they pass through each other; raise k, or lower the speed.")
+        raise BadSetting(
+            "The spheres are so soft that they pass through each other; raise k, or lower the speed."
+        )
 
 
 def deepest(pair: Pair, met: Touching) -> float:

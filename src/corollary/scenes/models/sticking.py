@@ -57,7 +57,9 @@ def resting_overlaps(line: Row, touching: Sequence[bool]) -> list[float]:
     rests = []
     for j, on in enumerate(touching):
         mass = reduced_mass(line.masses[j], line.masses[j + 1])
-        rests.append((mass * fall_of(line, j) / line.contacts[j].k) ** (1.0 / line.contacts[j].q) if on else 0.0)
+        rests.append(
+            (mass * fall_of(line, j) / line.contacts[j].k) ** (1.0 / line.contacts[j].q) if on else 0.0
+        )
     return rests
 
 
@@ -72,7 +74,11 @@ def common_velocities(line: Row, state: Sequence[float], touching: Sequence[bool
             stop += 1
         masses = line.masses[start:stop]
         walls = [v for m, v in zip(masses, speeds[start:stop], strict=True) if math.isinf(m)]
-        together = walls[0] if walls else sum(m * v for m, v in zip(masses, speeds[start:stop], strict=True)) / sum(masses)
+        together = (
+            walls[0]
+            if walls
+            else sum(m * v for m, v in zip(masses, speeds[start:stop], strict=True)) / sum(masses)
+        )
         speeds[start:stop] = [together] * (stop - start)
         start = stop
     return tuple(speeds)

@@ -58,7 +58,11 @@ def radial(well: Well, m: float, r: float, along: float, across: float) -> Radia
         reach = math.sqrt(double) / w
         return Radial(well, w, 0.0, double, well.b - reach, well.b + reach)
     square = Radial(well, w, spin, double, r, r).square_of_speed
-    top, near, far = _circle(well.b, abs(spin) / w), abs(spin) / math.sqrt(double), well.b + math.sqrt(double) / w
+    top, near, far = (
+        _circle(well.b, abs(spin) / w),
+        abs(spin) / math.sqrt(double),
+        well.b + math.sqrt(double) / w,
+    )
     if along == 0.0:
         # The start is one turning point; taken out of the square, what is left falls through zero once, at the other.
         def left(x: float) -> float:
@@ -66,7 +70,9 @@ def radial(well: Well, m: float, r: float, along: float, across: float) -> Radia
 
         other = _root(left, far, top) if r <= top else _root(lambda x: -left(x), min(near, top), top)
         return Radial(well, w, spin, double, min(r, other), max(r, other))
-    return Radial(well, w, spin, double, _root(square, min(near, top), top), _root(square, max(far, top), top))
+    return Radial(
+        well, w, spin, double, _root(square, min(near, top), top), _root(square, max(far, top), top)
+    )
 
 
 def _circle(b: float, area: float) -> float:

@@ -23,7 +23,9 @@ def _from_integrals(_: float) -> Answer:
     assert isinstance(rebound, float)
     assert isinstance(duration, float)
     free = UNTIL - (rebound + SPEED) / WEIGHT - duration
-    return Answer((RADIUS + rebound * free - 0.5 * WEIGHT * free**2, rebound - WEIGHT * free), found.evaluations)
+    return Answer(
+        (RADIUS + rebound * free - 0.5 * WEIGHT * free**2, rebound - WEIGHT * free), found.evaluations
+    )
 
 
 def cases() -> tuple[Case, ...]:

@@ -46,9 +46,15 @@ def chapters(aside: float, eta: float) -> Pair:
     return Pair(0.1, 0.1, (0.08, 0.04 * aside), (-1.0, 0.0), 0.04, Contact(2e4, 1.5, eta))
 
 
-def least_order(method: str, asides: Sequence[float] = ASIDE, dampings: Sequence[float] = DAMPINGS) -> tuple[Order, float, float]:
+def least_order(
+    method: str, asides: Sequence[float] = ASIDE, dampings: Sequence[float] = DAMPINGS
+) -> tuple[Order, float, float]:
     """The lowest order of a method on these contacts, and the impact parameter and damping it was found with."""
-    found = [(order_on(chapters(aside, eta), SAMPLINGS[method]), aside, eta) for aside in asides for eta in dampings]
+    found = [
+        (order_on(chapters(aside, eta), SAMPLINGS[method]), aside, eta)
+        for aside in asides
+        for eta in dampings
+    ]
     return min(found, key=lambda each: each[0].value)
 
 
@@ -71,6 +77,8 @@ def order_on(pair: Pair, sampling: Sampling) -> Order:
         else:
             points.clear()
     if len(points) < 4:
-        raise ValueError(f"Only {len(points)} of these counts of steps are neither coarse nor at the end of a double's digits.")
+        raise ValueError(
+            f"Only {len(points)} of these counts of steps are neither coarse nor at the end of a double's digits."
+        )
     kept = max(4, math.ceil(sampling.part * len(points)))
     return at_the_fine_end(points[-kept:])

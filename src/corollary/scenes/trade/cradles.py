@@ -45,9 +45,15 @@ def program(count: int, q: float, until: float) -> Program:
 
 def case(count: int, q: float, reference: Reference) -> Case:
     row = line(count, q)
-    own = {"regularised": Route("tolerance", TOLERANCES, lambda tolerance: _answer(regularised.collide(row, tolerance)))}
+    own = {
+        "regularised": Route(
+            "tolerance", TOLERANCES, lambda tolerance: _answer(regularised.collide(row, tolerance))
+        )
+    }
     if importlib.util.find_spec("numba") is not None:
-        own["regularised_compiled"] = Route("tolerance", TOLERANCES, lambda tolerance: _compiled(row, tolerance))
+        own["regularised_compiled"] = Route(
+            "tolerance", TOLERANCES, lambda tolerance: _compiled(row, tolerance)
+        )
     if q == 1.0:
         own = {"exact_flow": Route("tolerance", ONCE, lambda _: _exact(row)), **own}
     # All balls are apart well before this: the wave has passed every contact.

@@ -82,7 +82,9 @@ def _timed(case: Case, route: Route, setting: float, most: int) -> tuple[float, 
     """Error, evaluations, and the least time of a few runs; a run whose numbers leave all range has an infinite error."""
     seconds, error, evaluations = math.inf, math.inf, 0
     for _ in range(most):
-        begin = time.thread_time()  # and not the time of day: what else the machine does is none of our business
+        begin = (
+            time.thread_time()
+        )  # and not the time of day: what else the machine does is none of our business
         try:
             answer = route.run(setting)
             error, evaluations = error_of(case, answer), answer.evaluations

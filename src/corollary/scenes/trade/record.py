@@ -19,11 +19,17 @@ def record(raced: WorkPrecision) -> dict[str, Any]:
         "ready": case.ready,
         "settings": dict(case.settings),
         "observable": case.observable,
-        "reference": {"value": list(case.reference.values), "digits": case.reference.digits, "source": case.reference.source},
+        "reference": {
+            "value": list(case.reference.values),
+            "digits": case.reference.digits,
+            "source": case.reference.source,
+        },
         "contact_time": case.contact_time,
         "runs": [lap_record(lap) for lap in raced.laps],
         "order": {method: round(order.value, 3) for method, order in measured.items()},
-        "order_bounds": {method: [round(order.low, 3), round(order.high, 3)] for method, order in measured.items()},
+        "order_bounds": {
+            method: [round(order.low, 3), round(order.high, 3)] for method, order in measured.items()
+        },
         "cheapest": {wanted: lap.method if lap else None for wanted, lap in best.items()},
         "cheapest_runs": {wanted: lap_record(lap) if lap else None for wanted, lap in best.items()},
         "frontier": [lap_record(lap) for lap in frontier(raced)],

@@ -47,7 +47,9 @@ def _straight(program: Program, method: Literal["DOP853", "LSODA"], tolerance: f
 
     start, count = [*program.x, *program.v], len(program.x)
     sizes = _sizes(program, tolerance)
-    found = solve_ivp(_law(program), (0.0, program.until), start, method, rtol=max(tolerance, 3e-14), atol=sizes)
+    found = solve_ivp(
+        _law(program), (0.0, program.until), start, method, rtol=max(tolerance, 3e-14), atol=sizes
+    )
     last = found.y[:, -1].tolist()
     return Answer(program.read(last[:count], last[count:]), found.nfev)
 
@@ -59,7 +61,9 @@ def _from_event_to_event(program: Program, tolerance: float) -> Answer:
     law, count, sizes = _law(program), len(program.x), _sizes(program, tolerance)
     time, state, spent = 0.0, [*program.x, *program.v], 0
     ahead = [y + 1e-9 * program.until * rate for y, rate in zip(state, [*program.v, *program.v], strict=True)]
-    on = [switch(state) > 0.0 or (switch(state) == 0.0 and switch(ahead) >= 0.0) for switch in program.switches]
+    on = [
+        switch(state) > 0.0 or (switch(state) == 0.0 and switch(ahead) >= 0.0) for switch in program.switches
+    ]
     for _ in range(MOST_EVENTS):
         watched = [_watched(switch, on[i]) for i, switch in enumerate(program.switches)]
         found = solve_ivp(

@@ -43,7 +43,9 @@ def program(eta: float, until: float) -> Program:
         fy = (push * dy - eta * (v[3] - v[1])) / MASS
         return [-fx, -fy, fx, fy]
 
-    return Program((0.0, 0.0, *START), (1.0, 0.0, 0.0, 0.0), acceleration, until, (overlap,), lambda x, v: tuple(v))
+    return Program(
+        (0.0, 0.0, *START), (1.0, 0.0, 0.0, 0.0), acceleration, until, (overlap,), lambda x, v: tuple(v)
+    )
 
 
 def case(eta: float, reference: Reference) -> Case:
@@ -51,7 +53,9 @@ def case(eta: float, reference: Reference) -> Case:
     met = meet(both)
     assert met is not None
     own = {
-        "regularised": Route("tolerance", TOLERANCES, lambda tolerance: _answer(both, met, follow(both, met, tolerance))),
+        "regularised": Route(
+            "tolerance", TOLERANCES, lambda tolerance: _answer(both, met, follow(both, met, tolerance))
+        ),
         "regularised_rk4": Route("step", _parts(4, 400), partial(_phased, both, met, RK4)),
         "regularised_dop853": Route("step", _parts(4, 48), partial(_phased, both, met, DOP853)),
     }

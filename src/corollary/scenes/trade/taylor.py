@@ -36,7 +36,9 @@ def route(case: Case) -> Route:
     elif case.ready == "atom":
         raise NoSeries("not written out for heyoka: its integrals are closed up to a quadrature")
     else:
-        raise NoSeries("a force with a broken power of the overlap has no Taylor series where the contact begins")
+        raise NoSeries(
+            "a force with a broken power of the overlap has no Taylor series where the contact begins"
+        )
     return Route("tolerance", ONCE, lambda _: run())
 
 
@@ -87,14 +89,18 @@ def _spheres(hy: Any, eta: float) -> Callable[[], Answer]:
         (w, rate), (rate, -2.0 * w * push), (spin, -2.0 * drag * w * spin), (time, 2.0 * w), (turn, 2.0 * w * spin / r**2),
     ]  # fmt: skip
     start = [0.0, met.inward, met.spin, 0.0, 0.0]
-    follow = hy.taylor_adaptive(system, state=start, t_events=[hy.t_event(w, direction=hy.event_direction.negative)])
+    follow = hy.taylor_adaptive(
+        system, state=start, t_events=[hy.t_event(w, direction=hy.event_direction.negative)]
+    )
 
     def run() -> Answer:
         follow.reset_cooldowns()
         follow.time, follow.state[:] = 0.0, start
         _, _, _, steps, *_ = follow.propagate_until(10.0, max_steps=MOST_STEPS)
         _, outward, left, lasted, turned = map(float, follow.state)
-        u, v = after_parting(both, met, Parting(turned, -outward, left, lasted, math.nan, math.nan, False, steps))
+        u, v = after_parting(
+            both, met, Parting(turned, -outward, left, lasted, math.nan, math.nan, False, steps)
+        )
         return Answer((0.5 - 0.5 * u, -0.5 * v, 0.5 + 0.5 * u, 0.5 * v), steps * follow.order)
 
     return run

@@ -1,0 +1,63 @@
+"""Message catalogues: what a student reads, in the reader's language; English stands in the code and is the fallback.
+
+Every room, and every package of somebody else's, brings its own catalogue: `_ = catalogue(__name__)` in `corollary.answers.…`
+looks in `corollary/answers/locale/<language>/LC_MESSAGES/corollary.answers.mo`.
+"""
+
+from __future__ import annotations
+
+import gettext
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+_LANGUAGE: ContextVar[str] = ContextVar("language", default="en")
+
+
+@dataclass(frozen=True, slots=True)
+class Catalogue:
+    """The texts of one room. `domain` is the dotted name of its package, where `locale/` lies."""
+
+    domain: str
+
+    def __call__(self, message: str, /, **values: object) -> str:
+        """The message in the reader's language, its `{holes}` filled with `values`. Raises KeyError for a hole without one."""
+        text = _translations(self.domain, _LANGUAGE.get()).gettext(message)
+        return text.format(**values) if values else text
+
+    def plural(self, one: str, many: str, count: int, /, **values: object) -> str:
+        """`one` or `many`, whichever the reader's language uses for `count`; `{count}` is filled as the other holes are."""
+        return (
+            _translations(self.domain, _LANGUAGE.get())
+            .ngettext(one, many, count)
+            .format(count=count, **values)
+        )
+
+
+def catalogue(module: str) -> Catalogue:
+    """The catalogue of the room that a module (its `__name__`) belongs to; a package of somebody else's has one for all."""
+    return Catalogue(".".join(module.split(".")[: 2 if module.startswith("corollary.") else 1]))
+
+
+@contextmanager
+def language(code: str) -> Iterator[None]:
+    """What is said inside the block is said in this language ("en", "de", "nb") where its catalogue has the text."""
+    token = _LANGUAGE.set(code)
+    try:
+        yield
+    finally:
+        _LANGUAGE.reset(token)
+
+
+@cache
+def _translations(domain: str, code: str) -> gettext.NullTranslations:
+    if code == "en":
+        return gettext.NullTranslations()
+    spec = find_spec(domain)
+    places = list(spec.submodule_search_locations or ()) if spec is not None else []
+    folder = Path(places[0], "locale") if places else None
+    return gettext.translation(domain, folder, [code], fallback=True)
