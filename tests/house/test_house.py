@@ -61,7 +61,7 @@ def test_no_circles(modules):
 @pytest.mark.parametrize(
     ("library", "rooms"),
     [
-        ("sympy", ("laws", "derive", "formula.to_sympy", "formula.from_sympy", "sandbox.worker")),
+        ("sympy", ("author", "laws", "derive", "formula.to_sympy", "formula.from_sympy", "sandbox.worker")),
         ("matplotlib", ("figure", "sandbox.worker")),
         ("nbgrader", ("nbgrader",)),
         ("nbformat", ("notebook.", "sandbox.", "nbgrader")),
