@@ -1,1 +1,1 @@
-"""The outside world: nbgrader, pages, paper."""
+"""A course from beginning to end: problem sets made, given out, and marked."""

@@ -1,0 +1,1 @@
+"""What a person looks at: pages, paper, the terminal; one file a target."""
