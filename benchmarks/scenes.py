@@ -1,4 +1,4 @@
-"""Scenes raced in one run: the planned route against the chapter's loop, scipy and heyoka at equal error; a whole course at once.
+"""Scenes raced in one run: the planned route against the chapter's loop, scipy and heyoka at equal error.
 
 python benchmarks/scenes.py [--error 1e-9] [--json]
 
@@ -23,16 +23,15 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 from rich.table import Table
+from trade import cradles, solvers, spheres, taylor
+from trade.case import Answer, Case, Program, Reference, error_of
+from trade.race import PLANNED
+from trade.references import SPHERES, SPHERES_DAMPED
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.collision import collide
-from corollary.scenes.integrate.many_contacts import Pairs, collide_many
-from corollary.scenes.trade import cradles, solvers, spheres, taylor
-from corollary.scenes.trade.case import Answer, Case, Program, Reference, error_of
-from corollary.scenes.trade.race import PLANNED
-from corollary.scenes.trade.references import SPHERES, SPHERES_DAMPED
 
-REFERENCES = Path(__file__).resolve().parent.parent / "tests" / "scene" / "references.json"
+REFERENCES = Path(__file__).resolve().parent.parent / "tests" / "scenes" / "references.json"
 LONGEST = 60_000
 TARGETS = {
     "steps": {"book loop": 50.0, "book arrays": 50.0, "DOP853, events": 1.0},
@@ -51,7 +50,6 @@ def main() -> None:
     result = {
         "error": asked.error,
         "scenes": rows,
-        "course": [course(steps) for steps in (10, 12)],
         "momentum": momentum(),
     }
     if asked.json:
@@ -63,7 +61,7 @@ def main() -> None:
 def cases() -> list[Case]:
     known = json.loads(REFERENCES.read_text(encoding="utf-8"))
     rows = [
-        cradles.case(count, q, Reference(tuple(known[f"{count} {q:g}"]), 18, "tests/scene/references.json"))
+        cradles.case(count, q, Reference(tuple(known[f"{count} {q:g}"]), 18, "tests/scenes/references.json"))
         for count in (3, 5)
         for q in (1.0, 1.5, 3.0)
     ]
@@ -215,21 +213,6 @@ def series(case: Case) -> tuple[dict[str, Any] | None, str]:
     }, "terminal events"
 
 
-def course(steps: int) -> dict[str, Any]:
-    """Ten thousand variants of the two spheres: random impact parameter, stiffness and damping."""
-    random, n = np.random.default_rng(12), 10_000
-    b, k, eta = random.uniform(-0.034, 0.034, n), random.uniform(1e4, 4e4, n), random.uniform(0.0, 2.0, n)
-    apart, relative = np.stack([np.full(n, 0.08), b], axis=1), np.tile([-1.0, 0.0], (n, 1))
-    pairs = Pairs(np.full(n, 0.05), np.full(n, 0.04), k, eta, apart, relative)
-    true = collide_many(pairs, 40).relative
-    found = collide_many(pairs, steps)
-    worst = float(np.abs(found.relative - true).max())
-    return {
-        "steps": 2 * steps, "seconds": timed(lambda: collide_many(pairs, steps), 1.0), "worst_error": worst,
-        "stated": float(found.errors.max()), "alone": int(found.alone.sum()),
-    }  # fmt: skip
-
-
 def momentum() -> float:
     """The largest relative change of momentum over cradles of every size and exponent, and the spheres."""
     lost = []
@@ -302,19 +285,6 @@ def show(result: dict[str, Any]) -> None:
             console.print(
                 f"{way}: at least {least:g} times as fast as {target}: {met} of {len(faster)} scenes"
             )
-    table = Table(title="10 000 variants of the two spheres, once warm (target: 1e-7 in 0.2 s)")
-    for heading in ("steps", "seconds", "worst error", "stated", "followed alone"):
-        table.add_column(heading, justify="right")
-    for row in result["course"]:
-        cells = (
-            str(row["steps"]),
-            f"{row['seconds']:.3f}",
-            f"{row['worst_error']:.1e}",
-            f"{row['stated']:.1e}",
-            str(row["alone"]),
-        )
-        table.add_row(*cells)
-    console.print(table)
     console.print(f"momentum kept to {result['momentum']:.1e} of itself")
 
 

@@ -2,7 +2,6 @@
 
 import json
 import math
-import time
 from itertools import pairwise
 
 import pytest
@@ -50,7 +49,6 @@ MAY_BE_INFINITE = ("duration", "impulse", "rests_after", "energy_ratio")
 @pytest.mark.parametrize("scene", SCENES)
 def test_every_setting_pushed_to_its_ends(scene):
     """Each number setting in turn, very small and very large: whatever comes out is finite, or its infinity has a name."""
-    begin = time.perf_counter()
     for setting in SCENES[scene].settings:
         if setting.whole or not isinstance(setting.value, float):
             continue
@@ -63,7 +61,6 @@ def test_every_setting_pushed_to_its_ends(scene):
                 for x in numbers(seen):
                     assert not math.isnan(x), (setting.name, value, name)
                     assert math.isfinite(x) or name in MAY_BE_INFINITE, (setting.name, value, name)
-    assert time.perf_counter() - begin < 60.0
 
 
 @pytest.mark.parametrize("mass", [1e-6, 1e-4, 1e-2, 1e-3, 1e2, 1e6, 1e9])
@@ -76,11 +73,9 @@ def test_a_middle_ball_of_any_mass(mass):
         assert a == pytest.approx(-1.0, abs=3.0 / mass + 1e-8)
 
 
-def test_a_middle_ball_lighter_than_dust_ends_with_a_sentence_in_bounded_time():
-    begin = time.perf_counter()
-    with pytest.raises(GuardFailed, match="did not end"):
+def test_a_middle_ball_lighter_than_dust_ends_with_a_sentence_after_a_bounded_number_of_steps():
+    with pytest.raises(GuardFailed, match="did not end within 50000 steps"):
         collide(Row((1.0, 1e-9, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12)
-    assert time.perf_counter() - begin < 60.0
 
 
 @pytest.mark.parametrize("near", [1e-3, 1e-6, 1e-8, 1e-10])

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from corollary.scenes.trade.measures import WANTED, cheapest, frontier, lies_beyond, orders
-from corollary.scenes.trade.race import Timing, WorkPrecision
+from .measures import WANTED, cheapest, frontier, lies_beyond, orders
+from .race import Timing, WorkPrecision
 
 
 def record(raced: WorkPrecision) -> dict[str, Any]:

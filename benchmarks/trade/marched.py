@@ -6,7 +6,8 @@ import math
 
 from corollary.scenes.integrate.fixed_step import march
 from corollary.scenes.integrate.tableau import METHODS, Method
-from corollary.scenes.trade.case import Answer, Case, Route
+
+from .case import Answer, Case, Route
 
 RATIO = math.sqrt(2.0)
 

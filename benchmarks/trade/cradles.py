@@ -8,9 +8,9 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.models.beta import contact_time
 from corollary.scenes.row import Row, RowResult
-from corollary.scenes.trade.case import Answer, Case, Program, Reference, Route, State
-from corollary.scenes.trade.references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
-from corollary.scenes.trade.settings import ONCE, TOLERANCES
+
+from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
+from .references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
 
 MASS, STIFFNESS, SPEED = 0.1, 1e4, 1.0
 

@@ -7,8 +7,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, Literal
 
-from corollary.scenes.trade.case import Answer, Case, Program, Route
-from corollary.scenes.trade.settings import TOLERANCES
+from .case import TOLERANCES, Answer, Case, Program, Route
 
 MOST_EVENTS = 100
 WANTING = "scipy is not installed (pip install scipy)"

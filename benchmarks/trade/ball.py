@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.models.beta import contact_time
-from corollary.scenes.trade.case import Answer, Case, Program, Route, State
-from corollary.scenes.trade.references import BALL
-from corollary.scenes.trade.settings import ONCE
+
+from .case import ONCE, Answer, Case, Program, Route, State
+from .references import BALL
 
 MASS, STIFFNESS, RADIUS, WEIGHT = 0.1, 1e6, 0.02, 9.8
 HEIGHT, SPEED, UNTIL = 0.021, -2.8, 5.5e-3

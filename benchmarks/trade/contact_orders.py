@@ -12,8 +12,9 @@ from corollary.scenes.integrate.runge_kutta import Tableau
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.integrate.tableau import RK4
 from corollary.scenes.models.pair import Pair, after_parting, meet
-from corollary.scenes.trade.measures import Order, at_the_fine_end
-from corollary.scenes.trade.phases import through
+
+from .measures import Order, at_the_fine_end
+from .phases import through
 
 # Where the power law holds: coarser steps do not follow it yet, and finer ones show rounding and the reference's own error.
 COARSE, FINE = 1e-4, 3e-14

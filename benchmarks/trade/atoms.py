@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from corollary.scenes.catalogue import run
-from corollary.scenes.trade.case import Answer, Case, Program, Route, State
-from corollary.scenes.trade.references import ATOM_BOUND, ATOM_ESCAPING
-from corollary.scenes.trade.settings import ONCE
+
+from .case import ONCE, Answer, Case, Program, Route, State
+from .references import ATOM_BOUND, ATOM_ESCAPING
 
 PULL, BOTTOM, EDGE = 50.0, 1.0, 1.4
 SLOW, FAST = 3.0, 5.0

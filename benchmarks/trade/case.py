@@ -11,6 +11,12 @@ from corollary.scenes.run import Observed
 State = Sequence[float]
 Knob = Literal["step", "tolerance"]
 
+TOLERANCES = tuple(10.0 ** (-0.75 * i) for i in range(3, 20))
+"""From 6e-3 to 6e-15, three quarters of a power of ten apart."""
+
+ONCE = (1e-15,)
+"""A model that has no setting is run once."""
+
 
 @dataclass(frozen=True, slots=True)
 class Reference:

@@ -1,8 +1,8 @@
 """Reference answers of the trade's scenes in 40 digits, by methods that share nothing with the package.
 
 Integrals of the energy by tanh-sinh quadrature between turning points, and the damped contact by Taylor series of order 50 in
-the root of the overlap. Run as a script it prints the table that `scene/trade/references.py` holds. The cradles come from
-`tests/scene/cradle_in_30_digits.py`.
+the root of the overlap. Run as a script it prints the table that `benchmarks/trade/references.py` holds. The cradles come from
+`tests/scenes/cradle_in_30_digits.py`.
 """
 
 import mpmath as mp

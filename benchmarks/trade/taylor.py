@@ -13,9 +13,9 @@ from typing import Any
 
 from corollary.scenes.models.pair import Parting, after_parting, meet
 from corollary.scenes.setting import one
-from corollary.scenes.trade import cradles, spheres
-from corollary.scenes.trade.case import Answer, Case, Route
-from corollary.scenes.trade.settings import ONCE
+
+from . import cradles, spheres
+from .case import ONCE, Answer, Case, Route
 
 MOST_EVENTS, MOST_STEPS = 100, 10_000
 

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.run import GuardFailed
-from corollary.scenes.trade import atoms, ball, cradles, marched, solvers, spheres, taylor
-from corollary.scenes.trade.case import Case, Knob, Route, error_of
+
+from . import atoms, ball, cradles, marched, solvers, spheres, taylor
+from .case import Case, Knob, Route, error_of
 
 MOST, MOST_QUICK = 8_000, 700
 # Beyond this nothing can be learned from doubles.

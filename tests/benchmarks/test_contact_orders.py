@@ -3,8 +3,7 @@
 import math
 
 import pytest
-
-from corollary.scenes.trade.contact_orders import (
+from trade.contact_orders import (
     ASIDE,
     DAMPINGS,
     SAMPLINGS,
@@ -13,7 +12,7 @@ from corollary.scenes.trade.contact_orders import (
     least_order,
     order_on,
 )
-from corollary.scenes.trade.measures import at_the_fine_end, fitted
+from trade.measures import at_the_fine_end, fitted
 
 
 def test_the_classical_method_has_order_four_on_every_contact():

@@ -13,10 +13,10 @@ from corollary.scenes.integrate.tableau import RK4
 from corollary.scenes.models.beta import contact_time
 from corollary.scenes.models.glance import glance
 from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet
-from corollary.scenes.trade.case import Answer, Case, Program, Reference, Route, State
-from corollary.scenes.trade.phases import through
-from corollary.scenes.trade.references import SPHERES, SPHERES_DAMPED
-from corollary.scenes.trade.settings import ONCE, TOLERANCES
+
+from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
+from .phases import through
+from .references import SPHERES, SPHERES_DAMPED
 
 MASS, REACH, STIFFNESS = 0.1, 0.04, 2e4
 START = (0.08, 0.018)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.trade.race import Timing, WorkPrecision
+from .race import Timing, WorkPrecision
 
 WANTED = (1e-3, 1e-6, 1e-9, 1e-12)
 # Errors above are not yet in the range where a power law holds, errors below are rounding.

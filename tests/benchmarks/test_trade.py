@@ -8,6 +8,12 @@ import runpy
 from pathlib import Path
 
 import pytest
+from trade import references, solvers, spheres, taylor
+from trade.case import Answer, error_of
+from trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching
+from trade.phases import through
+from trade.race import Timing, WorkPrecision, cases, race
+from trade.record import record
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
@@ -15,12 +21,6 @@ from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.integrate.tableau import RK4
 from corollary.scenes.models.beta import contact_time, suggested_step
 from corollary.scenes.models.pair import meet
-from corollary.scenes.trade import references, solvers, spheres, taylor
-from corollary.scenes.trade.case import Answer, error_of
-from corollary.scenes.trade.measures import Order, cheapest, fitted, frontier, lies_beyond, orders, reaching
-from corollary.scenes.trade.phases import through
-from corollary.scenes.trade.race import Timing, WorkPrecision, cases, race
-from corollary.scenes.trade.record import record
 
 HERE = Path(__file__).parent
 TABLE = {
@@ -44,7 +44,7 @@ def test_references_are_found_again(name):
 
 
 def test_references_of_cradles_are_those_of_the_other_program():
-    known = json.loads((HERE.parent / "scene" / "references.json").read_text(encoding="utf-8"))
+    known = json.loads((HERE.parent / "scenes" / "references.json").read_text(encoding="utf-8"))
     assert tuple(known["3 1"]) == references.CRADLE_3_SPRINGS.values
     assert tuple(known["3 1.5"]) == references.CRADLE_3_HERTZ.values
     assert tuple(known["3 3"]) == references.CRADLE_3_CUBIC.values

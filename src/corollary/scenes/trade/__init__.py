@@ -1,1 +1,0 @@
-"""The trade between speed and accuracy, measured: every method on every scene."""
