@@ -1,34 +1,68 @@
-# Two commands do everything: `make demo` and `make test`. Both build the virtual environment first when it is missing or stale.
+# Two commands do everything: `make demo` and `make test`. Each first builds or extends the virtual environment as far as it needs.
+
+SHELL := bash
+.SHELLFLAGS := -euo pipefail -c
 
 VENV ?= .venv
-EXTRAS ?= nbgrader,isolation,dask,dev
+EXTRAS ?= # further extras of pyproject.toml for the tests, such as fast
+JOBS ?= 2
 BIN := $(VENV)/bin
-STAMP := $(VENV)/.ready
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && { echo $$p; break; }; done)
-PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+MADE_FROM := pyproject.toml .ci/constraints.txt
+LATER := not whole and not browser and not client and not term
+comma := ,
+FOR_DEMO := nbgrader,isolation
+FOR_TEST := $(FOR_DEMO),dask,test$(if $(strip $(EXTRAS)),$(comma)$(strip $(EXTRAS)))
 
-.PHONY: setup demo test lint clean
+# One stamp for each group of packages; each group is put on top of the one before it.
+DEMO := $(VENV)/.has-demo
+TEST := $(VENV)/.has-test
+LINT := $(VENV)/.has-lint
 
-setup: $(STAMP)
+# pip's own lines, one for each package found and one for each downloaded; what is already there is not worth a line.
+define install
+	@echo "== $(1)"
+	@$(BIN)/python -m pip --disable-pip-version-check install --progress-bar off --constraint .ci/constraints.txt $(2) \
+		| { grep --line-buffered --invert-match -e 'already satisfied' -e '\.metadata' -e '^Looking in' || true; }
+endef
 
-$(STAMP): pyproject.toml .ci/constraints.txt
+.PHONY: setup demo test test-all lint messages clean
+
+setup: $(DEMO)
+
+$(BIN)/python:
 	@test -n "$(PYTHON)" || { echo "Corollary needs Python 3.11 or newer; none was found (apt install python3 python3-venv)"; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { echo "$(PYTHON) cannot make virtual environments; apt install python3-venv"; exit 1; }
-	@echo "setting up $(VENV) with $$($(PYTHON) --version); the first time this takes a minute or two"
+	@echo "== a virtual environment in $(VENV), with $$($(PYTHON) --version)"
 	@$(PYTHON) -m venv $(VENV)
-	@$(PIP) install --constraint .ci/constraints.txt hatchling editables
-	@$(PIP) install --constraint .ci/constraints.txt --no-build-isolation --editable ".[$(EXTRAS)]"
-	@touch $(STAMP)
 
-demo: $(STAMP)
+$(DEMO): $(MADE_FROM) | $(BIN)/python
+	$(call install,what builds the package,hatchling editables)
+	$(call install,Corollary with nbgrader and isolation (about 130 packages$(comma) 150 MB),--no-build-isolation --editable '.[$(FOR_DEMO)]')
+	@touch $@
+
+$(TEST): $(DEMO)
+	$(call install,what the tests need,--no-build-isolation --editable '.[$(FOR_TEST)]')
+	@touch $@
+
+$(LINT): $(TEST)
+	$(call install,the linters,--no-build-isolation --editable '.[lint]')
+	@touch $@
+
+demo: $(DEMO)
 	@$(BIN)/corollary demo demo
 
-test: $(STAMP)
-	@$(BIN)/python -m pytest -n 2 --dist loadfile
+# The tests a change is tried with, in under ten minutes on two cores; `make test-all` adds the long ones and those with a browser or a client.
+test: $(TEST)
+	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "$(LATER)"
 
-lint: $(STAMP)
+test-all: $(TEST)
+	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile
+
+lint: $(LINT)
 	@$(BIN)/ruff check src tests solutions benchmarks
+	@$(BIN)/ruff format --check src tests solutions benchmarks
 	@$(BIN)/pyright --pythonpath $(BIN)/python
 
 clean:

@@ -1,4 +1,4 @@
-"""What holds for all tests: none is timed, so none fails on a busy machine; and none touches what a user keeps."""
+"""What holds for all tests: none is timed, so none fails on a busy machine; none draws examples by luck; none touches what a user keeps."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ import tempfile
 
 from hypothesis import settings
 
-settings.register_profile("untimed", deadline=None)
-settings.load_profile("untimed")
+# The same examples in every run; `HYPOTHESIS_PROFILE=searching make test` draws others, and more of them.
+settings.register_profile("repeatable", deadline=None, derandomize=True)
+settings.register_profile("searching", deadline=None, max_examples=1000)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
 
 
 def pytest_configure(config) -> None:
