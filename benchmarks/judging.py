@@ -41,7 +41,7 @@ from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter, size
 from corollary.units.unit import canonical
 
-PAIRS = Path(__file__).resolve().parent.parent / "tests" / "kind" / "pairs.py"
+PAIRS = Path(__file__).resolve().parent.parent / "tests" / "answers" / "pairs.py"
 TARGETS = {"symbolic": 2.0, "unit": 0.2, "number": 0.05}
 REPEATS = 30
 

@@ -37,7 +37,7 @@ def said(taken: ExecutionResult) -> str:
         "/home",
         "/tmp",
         "/var/lib",
-        str(Path(corollary.__file__).parent / "quantity" / "plain.py"),
+        str(Path(corollary.__file__).parent / "formula" / "value.py"),
         str(Path(corollary.__file__).parents[2] / "solutions"),
         str(Path(__file__)),
     ],

@@ -19,7 +19,7 @@ from corollary.records.report import as_json, handed_in, report, rows, summary, 
 from corollary.records.report_model import HandedIn, Row
 from corollary.render.verdict_look import LOOKS
 
-SAMPLE = runpy.run_path(str(Path(__file__).with_name("sample.py")))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
 
 
 @pytest.fixture

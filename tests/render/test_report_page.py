@@ -11,7 +11,7 @@ import pytest
 from corollary.records.report import summary
 from corollary.render.report_page import report_page
 
-SAMPLE = runpy.run_path(str(Path(__file__).with_name("sample.py")))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
 Page = SAMPLE["Page"]
 
 
