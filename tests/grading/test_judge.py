@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from corollary.grading.from_json import plainly
+from corollary.grading.judge import judge
 from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
 
 SINGLE = [
@@ -133,9 +135,6 @@ def test_an_answer_alone(verdicts, code, part, answer, wanted, told):
 
 
 def test_an_ambiguous_number_waits_for_a_person_where_one_reading_is_right(key):
-    from corollary.grading.from_json import plainly
-    from corollary.grading.judge import judge
-
     own = key("X12.5", m="0.0617", v="20")  # 1.234 kg m/s
     ((verdict,), _) = judge(own, {"a": plainly("1,234 kg m/s")})["a"]
     assert isinstance(verdict, Unmarked)
@@ -237,15 +236,44 @@ def test_rounding_an_earlier_right_value_is_no_fault(verdicts):
 
 def test_the_sign_of_a_small_component_counts(key):
     """At 83 degrees from the wall the force along it is nought; in the throw at 89 degrees p_x is 1.7 % of p and has a sign."""
-    from corollary.grading.from_json import plainly
-    from corollary.grading.judge import judge
-
     own = key("X12.8", theta="179/2", v="20")
     x, y = own.truths["a"].values
     assert 0 < x < 0.01 * y
     ((right,), _), ((turned,), _) = (judge(own, {"a": plainly([sign * x, y])})["a"] for sign in (1, -1))
     assert isinstance(right, Right)
     assert not isinstance(turned, Right)
+
+
+@pytest.mark.parametrize(
+    ("theta", "answer", "wanted"),
+    [  # the momentum is 40 kg m/s at theta
+        ("30", "40 kg m/s at 30 deg", "right"),
+        ("30.4", "40 kg m/s at 30 deg", "coarse"),  # 0.7 % off: as far as the two figures of the angle go
+        ("30.4", "40.0 kg m/s at 30.0 deg", "wrong"),
+        ("30.4", "40.0 kg m/s at 30 deg", "coarse"),
+        ("30.6", "40 kg m/s at 30 deg", "wrong"),
+        ("30", "40 kg m/s at 30.45 deg", "wrong"),  # a coarse length says nothing of the direction
+        ("30", "40.4 kg m/s at 30 deg", "wrong"),
+        ("8.4", "40.0 kg m/s at 8 deg", "slip"),  # one figure is too few to tell
+        ("30.4", "40 kg m/s at 0.5236 rad", "wrong"),
+    ],
+)
+def test_an_angle_s_own_figures_bound_the_direction(key, theta, answer, wanted):
+    own = key("X12.8", theta=theta)
+    ((verdict,), _) = judge(own, {"a": plainly(answer)})["a"]
+    assert ("coarse" if "coarse" in str(verdict) else word(verdict)) == wanted, verdict
+
+
+def test_a_length_s_own_figures_bound_the_length(key):
+    own = key("X12.8", m="242/100")  # 48.4 kg m/s at 30°
+    for answer, wanted in (
+        ("48 kg m/s at 30 deg", "coarse"),
+        ("48.0 kg m/s at 30 deg", "wrong"),
+        ("48 kg m/s at 30.45 deg", "wrong"),
+        ("50 kg m/s at 30 deg", "wrong"),
+    ):
+        ((verdict,), _) = judge(own, {"a": plainly(answer)})["a"]
+        assert ("coarse" if "coarse" in str(verdict) else word(verdict)) == wanted, (answer, verdict)
 
 
 def test_formulas_of_numbers_are_carried_too(verdicts):

@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 
 from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
@@ -142,6 +142,7 @@ def test_a_consistent_student_always_gets_the_later_points(solution, index, rati
 
 @QUICK
 @given(index=indices, turn=st.floats(0, 2 * math.pi))
+@example(index=0, turn=0.0078125)  # 4.8 kg m/s at 12.4476°: a length of two figures, and half a degree off
 def test_a_vector_by_its_length_and_direction_is_the_same_vector(solution, index, turn):
     solved = solution("X12.8")
     key = make_key(solved, variant_of(solved, index))

@@ -14,6 +14,7 @@ class Numbers:
     `unitless` tells that a unit was needed and none was written; the values then take the part's unit. `misfit` is a
     sentence when the unit measures something else than was asked for. `in_words`: the sign comes from a direction in words.
     `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none).
+    `polar` are the length and the angle of a vector that was written so: its components have no figures of their own.
     """
 
     values: tuple[float, ...]
@@ -23,6 +24,7 @@ class Numbers:
     misfit: str = ""
     in_words: bool = False
     sizes: tuple[float, ...] = ()
+    polar: tuple[Numbers, Numbers] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -238,7 +238,10 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
         value = math.inf if ratio > 0 else -math.inf
     size = (float(found.unit.factor) * math.pi**found.unit.pi,) if found.unit is not None else ()
     why = found.why if found.fit == "wrong dimension" else ""
-    return Numbers((value,), (sure(found.least, found.figures),), found.shown, unitless, why, sizes=size)
+    polar = (_reading(found.polar[0], unit), _reading(found.polar[1], unit)) if found.polar else None
+    return Numbers(
+        (value,), (sure(found.least, found.figures),), found.shown, unitless, why, sizes=size, polar=polar
+    )
 
 
 def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
@@ -257,9 +260,8 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
         unitless = any(each.unitless and each.values[0] != 0 for each in numbers)
         sizes = tuple(size for each in numbers for size in each.sizes)
         misfit = next((each.misfit for each in numbers if each.misfit), "")
-        return Numbers(
-            values, figures, shown, unitless, misfit, sizes=sizes if len(sizes) == len(values) else ()
-        )
+        sizes = sizes if len(sizes) == len(values) else ()
+        return Numbers(values, figures, shown, unitless, misfit, sizes=sizes, polar=numbers[0].polar)
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
 
@@ -31,6 +31,7 @@ class Reading:
 
     `si` is the value in SI as a ratio times a power of pi, a bare number taken in the expected unit; `fit` compares it with
     what was expected, and `why` says what is amiss ("" when it fits); `shown` is what the student sees: `8.6 N s`.
+    `polar` are the length and the angle that this is a component of, where the vector was written so.
     """
 
     text: str
@@ -42,6 +43,7 @@ class Reading:
     fit: Literal["fits", "wrong dimension", "unit missing"]
     why: str
     shown: str
+    polar: tuple[Reading, Reading] | None = None
 
 
 def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
@@ -265,5 +267,5 @@ def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Read
         part = _reading(its_length, number, length.unit, expected)
         if isinstance(part, ParseError):
             return part
-        found.append(part)
+        found.append(replace(part, polar=(length, angle)))
     return tuple(found)

@@ -23,20 +23,18 @@ def coarse(
     figures: Sequence[int],
     target: Sequence[float],
     sizes: Sequence[float],
-    near: float = 0.0,
+    near: Sequence[float],
 ) -> int:
     """The fewest figures written, when the target rounded to the figures written gives just these values; else 0.
 
     `sizes` are the SI values of the units in which the numbers were written, for figures are counted there. A component that
     is `near` the target (in SI) has figures enough.
     """
-    if not all(figures):
-        return 0
     few = []
-    for value, count, wanted, size in zip(values, figures, target, sizes, strict=True):
-        if abs(value - wanted) <= near:
+    for value, count, wanted, size, enough in zip(values, figures, target, sizes, near, strict=True):
+        if abs(value - wanted) <= enough:
             continue
-        if value == 0:
+        if value == 0 or not count:
             return 0
         unit = 10.0 ** (math.floor(math.log10(abs(value / size)) + 1e-12) - count + 1) * size
         if abs(value - wanted) > 0.5 * unit * (1 + 1e-9):

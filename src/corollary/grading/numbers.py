@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.answer import Numbers
@@ -105,9 +105,31 @@ def _met(answer: Numbers, truth: Truth, target: Values) -> bool:
 
 
 def _coarse(part: Part, answer: Numbers, truth: Truth, target: Values) -> int:
-    near = NEAR * truth.tolerance * size(target, truth) if len(target) > 1 else 0.0
     own = (float(part.unit.factor) * math.pi**part.unit.pi,) * len(target)
-    return coarse(answer.values, answer.figures, target, answer.sizes or own, near)
+    near = NEAR * truth.tolerance
+    if answer.polar is not None:
+        return _coarse_polar(answer.values, answer.polar, target, answer.sizes or own, near)
+    if not all(answer.figures):
+        return 0
+    enough = near * size(target, truth) if len(target) > 1 else 0.0
+    return coarse(answer.values, answer.figures, target, answer.sizes or own, (enough,) * len(target))
+
+
+def _coarse_polar(
+    values: Values, polar: tuple[Numbers, Numbers], target: Values, sizes: Sequence[float], near: float
+) -> int:
+    """A length's figures bound the length, and an angle's own the direction: `4.8 N at 12.45°` is coarse in its length only."""
+    (x, y), (u, v) = values, target
+    length, angle = polar
+    turned = math.atan2(x * v - y * u, x * u + y * v)  # from the answer to the target
+    wanted = math.hypot(u, v), angle.values[0] + turned
+    return coarse(
+        (math.hypot(x, y), angle.values[0]),
+        (*length.figures, *angle.figures),
+        wanted,
+        (sizes[0], *angle.sizes),
+        (near * wanted[0], near),
+    )
 
 
 def _also_a_mistake(key: Key, part: Part, truth: Truth, bases: list[Carried], answer: Numbers) -> bool:

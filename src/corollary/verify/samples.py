@@ -80,7 +80,7 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
             ratio, pi = read.si
             unit = read.unit or part.unit
             size = float(unit.factor) * math.pi**unit.pi
-            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,)) or (
+            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,), (0.0,)) or (
                 ratio == 0 and value == 0
             )
             tally.expect(bool(met), "printed values", lambda where=where, printed=printed, value=value, entry=entry: (
