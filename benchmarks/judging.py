@@ -24,7 +24,7 @@ from students import FIXED, SORTS, Tallies, simulate, wild
 
 from corollary.answers.equality import Different, Equal, Undecided, compare
 from corollary.answers.registry import KINDS
-from corollary.derive.errors import NotDerivable
+from corollary.derive.load import NotDerivable
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula, parse

@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, neglected, step, supposed, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, neglected, simulate, step, supposed, unknowns
 from corollary.laws import after_elastic, in_the_limit, law, seen_from
 
 

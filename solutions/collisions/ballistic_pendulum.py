@@ -2,8 +2,17 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, neglected, printed, route, step, supposed, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    derivation,
+    mistake,
+    neglected,
+    printed,
+    route,
+    simulate,
+    step,
+    supposed,
+    unknowns,
+)
 from corollary.laws import change_of_kinetic_energy, falling, law, rope_height, sticking
 
 

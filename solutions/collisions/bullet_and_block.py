@@ -1,7 +1,6 @@
 """Bullet and a block: work and energy on the rough table, momentum in the hit."""
 
-from corollary.author import derivation, mistake, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import change_of_kinetic_energy, law, level_floor, sliding_to_rest, sticking
 
 

@@ -4,8 +4,18 @@ import math
 
 import sympy
 
-from corollary.author import choice, code, derivation, explain, mistake, plot, step, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    choice,
+    code,
+    derivation,
+    explain,
+    mistake,
+    plot,
+    simulate,
+    step,
+    unknowns,
+    vector,
+)
 from corollary.grading.programs.spheres import judge_spheres, sphere_inputs
 from corollary.grading.programs.spheres_plot import judge_spheres_plot
 from corollary.laws import distance, overlap, sphere_contact, within

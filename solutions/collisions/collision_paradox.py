@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import choice, derivation, explain, mistake, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import choice, derivation, explain, mistake, route, simulate, step, unknowns
 from corollary.laws import change_of_kinetic_energy, law, sticking
 
 

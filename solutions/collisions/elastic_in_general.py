@@ -1,7 +1,6 @@
 """General elastic collision: momentum and energy, with both blocks moving."""
 
-from corollary.author import derivation, mistake, reject, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, reject, route, simulate, step, unknowns
 from corollary.laws import conservation_of_momentum, elastic, law, restitution
 
 

@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, reject, route, step, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, reject, route, simulate, step, unknowns, vector
 from corollary.laws import (
     after_elastic,
     conservation_of_momentum,

@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import choice, derivation, example, explain, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import choice, derivation, example, explain, mistake, simulate, step, unknowns
 from corollary.laws import law, momentum, sticking
 
 

@@ -4,8 +4,7 @@ import math
 
 import sympy
 
-from corollary.author import derivation, explain, mistake, neglected, reject, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, explain, mistake, neglected, reject, simulate, step, unknowns
 from corollary.laws import after_elastic, conservation_of_momentum, elastic, in_the_limit, law, restitution
 
 

@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, proof, reject, step, unknown, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, proof, reject, simulate, step, unknown, unknowns, vector
 from corollary.laws import (
     Law,
     angle_between,

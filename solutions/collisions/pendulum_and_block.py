@@ -2,8 +2,17 @@
 
 import math
 
-from corollary.author import derivation, mistake, neglected, reject, step, supposed, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    derivation,
+    mistake,
+    neglected,
+    reject,
+    simulate,
+    step,
+    supposed,
+    unknowns,
+    vector,
+)
 from corollary.laws import conservation_of_momentum, elastic, falling, law
 
 

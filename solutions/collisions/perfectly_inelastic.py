@@ -1,7 +1,6 @@
 """Perfectly inelastic collision: momentum alone, and what it costs in kinetic energy."""
 
-from corollary.author import derivation, mistake, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import change_of_kinetic_energy, law, sticking
 
 

@@ -1,7 +1,6 @@
 """Coefficient of restitution from data: from velocities, from heights, and from the force itself."""
 
-from corollary.author import derivation, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import damped_frequency, damped_rebound, damping_rate, law, restitution
 
 

@@ -4,8 +4,18 @@ import math
 
 import sympy
 
-from corollary.author import choice, derivation, mistake, neglected, route, step, supposed, unknown, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    choice,
+    derivation,
+    mistake,
+    neglected,
+    route,
+    simulate,
+    step,
+    supposed,
+    unknown,
+    unknowns,
+)
 from corollary.laws import change_of_kinetic_energy, falling, law, restitution
 
 

@@ -2,8 +2,17 @@
 
 import sympy
 
-from corollary.author import choice, derivation, explain, mistake, neglected, step, supposed, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    choice,
+    derivation,
+    explain,
+    mistake,
+    neglected,
+    simulate,
+    step,
+    supposed,
+    unknowns,
+)
 from corollary.laws import conservation_of_momentum, law, restitution
 
 

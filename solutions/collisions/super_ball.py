@@ -4,8 +4,18 @@ import math
 
 import sympy
 
-from corollary.author import derivation, mistake, neglected, reject, route, step, supposed, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    derivation,
+    mistake,
+    neglected,
+    reject,
+    route,
+    simulate,
+    step,
+    supposed,
+    unknowns,
+    vector,
+)
 from corollary.laws import (
     after_elastic,
     conservation_of_momentum,

@@ -1,7 +1,17 @@
 """Toppling a book: a ball that comes back has changed its momentum more than one that stays."""
 
-from corollary.author import choice, derivation, explain, mistake, neglected, reject, step, supposed, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import (
+    choice,
+    derivation,
+    explain,
+    mistake,
+    neglected,
+    reject,
+    simulate,
+    step,
+    supposed,
+    unknowns,
+)
 from corollary.laws import (
     conservation_of_momentum,
     elastic,

@@ -2,8 +2,7 @@
 
 import math
 
-from corollary.author import derivation, mistake, optimum, proof, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, optimum, proof, route, simulate, step, unknowns
 from corollary.laws import change_of_kinetic_energy, conservation_of_momentum, law, restitution
 
 

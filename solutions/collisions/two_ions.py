@@ -1,7 +1,6 @@
 """Two ions: a collision without touching, ruled by energy, angular momentum and the reduced mass."""
 
-from corollary.author import code, derivation, mistake, step, unknown, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import code, derivation, mistake, simulate, step, unknown, unknowns, vector
 from corollary.grading.programs.ions import ion_inputs, judge_ions
 from corollary.laws import distance, ionic, law, reduced_mass
 

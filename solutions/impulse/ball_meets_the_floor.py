@@ -1,7 +1,6 @@
 """Ball colliding with the floor: energy gives the velocity after it, momentum the mean force."""
 
-from corollary.author import derivation, mistake, reject, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, reject, simulate, step, unknowns
 from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
 
 

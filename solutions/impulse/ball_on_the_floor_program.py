@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import code, derivation, mistake, plot, reject, simulated, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import code, derivation, mistake, plot, reject, simulate, simulated, step, unknowns
 from corollary.grading.programs.floor import bounce_inputs, judge_bounce
 from corollary.grading.programs.floor_plot import judge_bounce_plot
 from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force

@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import HALF_PI, derivation, mistake, optimum, step, unknown, vector
-from corollary.derive.simulation import simulate
+from corollary.author import HALF_PI, derivation, mistake, optimum, simulate, step, unknown, vector
 from corollary.laws import change_of_momentum, law, mean_force, third_law
 
 

@@ -4,8 +4,7 @@ import math
 
 import sympy
 
-from corollary.author import derivation, mistake, neglected, printed, step, unknowns, vector
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, neglected, printed, simulate, step, unknowns, vector
 from corollary.laws import (
     change_of_momentum,
     direction,

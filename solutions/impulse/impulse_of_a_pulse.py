@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, step, unknown, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknown, unknowns
 from corollary.laws import impulse_of, law, mean_force
 
 

@@ -1,7 +1,6 @@
 """Jump from a window: the fall fixes the change of momentum, the landing only shares it out over time or way."""
 
-from corollary.author import derivation, explain, mistake, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, explain, mistake, route, simulate, step, unknowns
 from corollary.laws import change_of_momentum, falling, force_on_standing, law, mean_force, work_of_net_force
 
 

@@ -1,7 +1,6 @@
 """Kicking a ball: an impulse is a change of momentum, and a force is how fast it comes."""
 
-from corollary.author import derivation, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import change_of_momentum, impulse_momentum, law, mean_force
 
 

@@ -1,7 +1,6 @@
 """Stopping a car: the same change of velocity, and a seatbelt that takes its time."""
 
-from corollary.author import derivation, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import change_of_momentum, law, mean_force
 
 

@@ -2,8 +2,7 @@
 
 import math
 
-from corollary.author import choice, derivation, explain, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import choice, derivation, explain, mistake, simulate, step, unknowns
 from corollary.laws import external_impulse, impulse_of_constant_force, law, total_momentum
 
 

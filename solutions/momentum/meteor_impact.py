@@ -2,8 +2,7 @@
 
 import math
 
-from corollary.author import derivation, explain, mistake, route, step, unknown, vector
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, explain, mistake, route, simulate, step, unknown, vector
 from corollary.laws import change_of_kinetic_energy_in_plane, law, sticking
 
 

@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, step, unknown, vector
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknown, vector
 from corollary.laws import conservation_of_momentum, law, momentum, same, sticking
 
 

@@ -11,13 +11,13 @@ from corollary.author import (
     explain,
     mistake,
     plot,
+    simulate,
     simulated,
     step,
     unknown,
     unknowns,
     vector,
 )
-from corollary.derive.simulation import simulate
 from corollary.grading.programs.atom_plot import judge_orbit_plot, judge_potential_plot
 from corollary.grading.programs.catch import catch_inputs, judge_catch
 from corollary.grading.programs.orbit import judge_orbit, orbit_inputs

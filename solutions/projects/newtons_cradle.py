@@ -8,13 +8,13 @@ from corollary.author import (
     mistake,
     neglected,
     plot,
+    simulate,
     simulated,
     step,
     supposed,
     unknowns,
     vector,
 )
-from corollary.derive.simulation import simulate
 from corollary.grading.programs.row import cradle_inputs, judge_contact, judge_cradle
 from corollary.grading.programs.row_plot import judge_velocity_plot
 from corollary.laws import (

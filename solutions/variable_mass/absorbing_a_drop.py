@@ -1,7 +1,6 @@
 """Absorbing a drop, and thrust: the momentum of everything that will be one body in the end."""
 
-from corollary.author import derivation, mistake, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import (
     change_in_absorption,
     change_of_momentum,

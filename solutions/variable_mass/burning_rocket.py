@@ -1,7 +1,6 @@
 """A rocket burns its fuel: the last kilogram gives more speed than the first."""
 
-from corollary.author import derivation, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import burnt, law
 
 

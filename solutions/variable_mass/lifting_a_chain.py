@@ -2,8 +2,7 @@
 
 import sympy
 
-from corollary.author import derivation, mistake, proof, route, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, proof, route, simulate, step, unknowns
 from corollary.laws import law, rocket_equation
 
 

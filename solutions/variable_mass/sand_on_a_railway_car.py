@@ -1,7 +1,6 @@
 """Sand on a railway car: a force is needed to keep a velocity, when there is ever more to move."""
 
-from corollary.author import derivation, mistake, step, unknowns
-from corollary.derive.simulation import simulate
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, rocket_equation
 
 

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from types import FrameType
+from typing import Any
 
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.simulation import Seen, Simulation
 from corollary.derive.statements import (
+    SOLUTION,
     Choice,
     Code,
     Derivation,
     Entry,
     Example,
+    Exchange,
     Explain,
+    Fault,
     Mistake,
     Neglected,
     Optimum,
@@ -21,13 +29,14 @@ from corollary.derive.statements import (
     Printed,
     Proof,
     Rejected,
+    Remark,
     Route,
     Simulated,
+    Statement,
     Step,
     Supposed,
 )
-from corollary.laws.law import Law
-from corollary.laws.substitute import as_expression
+from corollary.laws.law import Law, as_expression
 
 Finds = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
@@ -54,34 +63,40 @@ def vector(name: str, components: str = "x y") -> tuple[sympy.Symbol, ...]:
 
 
 def step(
-    finds: Finds, because: str, *laws: Law, answers: str = "", also: Sequence[sympy.Symbol] = (), where: Boolean | bool = True,
-    reject: Sequence[Rejected] = (), mistakes: Sequence[Mistake] = (), routes: Sequence[Route] = (), check: str = "",
+    finds: Finds,
+    because: str,
+    *laws: Law,
+    answers: str = "",
+    also: Sequence[sympy.Symbol] = (),
+    where: Boolean | bool = True,
+    reject: Sequence[Rejected] = (),
+    mistakes: Sequence[Mistake[Exchange]] = (),
+    routes: Sequence[Route[Law]] = (),
+    check: str = "",
     scale: sympy.Expr | None = None,
-) -> Step:  # fmt: skip
+) -> Step:
     """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
     return Step(
+        Statement(answers, because, _line(), check),
         _tuple(finds),
-        because,
         laws,
-        answers,
         tuple(also),
         where,
         tuple(reject),
         tuple(mistakes),
         tuple(routes),
-        check,
         scale,
     )
 
 
-def mistake(text: str, *laws: Law, instead: str = "") -> Mistake:
+def mistake(text: str, *laws: Law, instead: str = "") -> Mistake[Exchange]:
     """What a student is told who put these laws in the place of one law of the step."""
-    return Mistake(text, laws, instead)
+    return Mistake(text, Exchange(laws, instead), _line())
 
 
-def route(because: str, *laws: Law) -> Route:
-    """Another way to the same find."""
-    return Route(because, laws)
+def route(because: str, *laws: Law) -> Route[Law]:
+    """Another way to the same unknown."""
+    return Route(because, laws, _line())
 
 
 def reject(reason: str, **roots: object) -> Rejected:
@@ -90,88 +105,150 @@ def reject(reason: str, **roots: object) -> Rejected:
 
 
 def optimum(
-    finds: Finds, because: str, *, of: sympy.Expr, over: sympy.Symbol, between: tuple, largest: bool = True, answers: str = "",
-    mistakes: Sequence[Mistake] = (), check: str = "",
-) -> Optimum:  # fmt: skip
+    finds: Finds,
+    because: str,
+    *,
+    of: sympy.Expr,
+    over: sympy.Symbol,
+    between: tuple[object, object],
+    largest: bool = True,
+    answers: str = "",
+    mistakes: Sequence[Mistake[Exchange]] = (),
+    check: str = "",
+) -> Optimum:
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
-    low, high = between
-    return Optimum(
-        _tuple(finds),
-        because,
-        of,
-        over,
-        (as_expression(low), as_expression(high)),
-        largest,
-        answers,
-        tuple(mistakes),
-        check,
-    )
+    low, high = map(as_expression, between)
+    words = Statement(answers, because, _line(), check)
+    return Optimum(words, _tuple(finds), of, over, (low, high), largest, tuple(mistakes))
 
 
 def simulated(
-    finds: Finds, because: str, *, scene: str, settings: Mapping[str, object], observe: str, answers: str = "",
-    mistakes: Sequence[Mistake] = (), check: str = "",
-) -> Simulated:  # fmt: skip
-    """Finds that are measured in a run of a ready-made scene."""
+    finds: Finds,
+    because: str,
+    *,
+    scene: str,
+    settings: Mapping[str, object],
+    observe: str,
+    answers: str = "",
+    mistakes: Sequence[Mistake[Exchange]] = (),
+    check: str = "",
+) -> Simulated:
+    """Unknowns that are measured in a run of a ready-made scene."""
     formulas = {name: as_expression(value) for name, value in settings.items()}
-    return Simulated(_tuple(finds), because, scene, formulas, observe, answers, tuple(mistakes), check)
+    words = Statement(answers, because, _line(), check)
+    return Simulated(words, _tuple(finds), scene, formulas, observe, tuple(mistakes))
 
 
 def choice(
     part: str, because: str, *, mistakes: Mapping[str, str] | None = None, **options: Boolean | bool
-) -> Choice:
+) -> Choice[Boolean | bool]:
     """Each option with the condition under which it is the right one; exactly one may hold."""
-    return Choice(part, because, options, mistakes or {})
+    return Choice(Statement(part, because, _line()), options, mistakes or {})
 
 
 def example(
-    part: str, finds: Finds, because: str, *laws: Law, apart: Sequence[tuple[tuple, str]] = (), free: int = 1, scale: object = 1,
-) -> Example:  # fmt: skip
+    part: str,
+    finds: Finds,
+    because: str,
+    *laws: Law,
+    apart: Sequence[tuple[tuple[object, ...], str]] = (),
+    free: int = 1,
+    scale: object = 1,
+) -> Example[sympy.Symbol, sympy.Expr, Law]:
     """Any numbers that satisfy the laws and are none of the `apart` ones; `free` unknowns must stay free, which is checked."""
-    away = tuple((tuple(as_expression(value) for value in values), why) for values, why in apart)
-    return Example(part, _tuple(finds), because, laws, away, free, as_expression(scale))
+    away = tuple((tuple(map(as_expression, values)), why) for values, why in apart)
+    words = Statement(part, because, _line())
+    return Example(words, _tuple(finds), laws, away, free, as_expression(scale))
 
 
-def code(part: str, because: str, *, inputs: Callable, judge: Callable, example: str) -> Code:
+def code(
+    part: str,
+    because: str,
+    *,
+    inputs: Callable[..., Sequence[Mapping[str, Any]]],
+    judge: Callable[..., Fault | Remark | None],
+    example: str,
+) -> Code:
     """A code part: `inputs(given, draw)` lists keyword arguments, `judge(given, called)` says what is wrong with the calls, or None."""
-    return Code(part, because, inputs, judge, example)
+    return Code(Statement(part, because, _line()), inputs, judge, example)
 
 
-def plot(part: str, because: str, *, judge: Callable, example: str) -> Plot:
+def plot(part: str, because: str, *, judge: Callable[..., Fault | None], example: str) -> Plot:
     """A plot part: `judge(given, axes)` says what is missing, or None."""
-    return Plot(part, because, judge, example)
+    return Plot(Statement(part, because, _line()), judge, example)
+
+
+def file(name: str) -> str:
+    """The text of a program that lies beside the solution: `example=file("cradle.py")`."""
+    return Path(_frame().f_code.co_filename).with_name(name).read_text(encoding="utf-8")
 
 
 def proof(
-    part: str, because: str, *laws: Law, target: Law, lines: Sequence[str], mistakes: Sequence[Mistake] = ()
-) -> Proof:
+    part: str,
+    because: str,
+    *laws: Law,
+    target: Law,
+    lines: Sequence[str],
+    mistakes: Sequence[Mistake[Exchange]] = (),
+) -> Proof[Law]:
     """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line."""
-    return Proof(part, because, laws, target, tuple(lines), tuple(mistakes))
+    wrong = tuple(Mistake(each.text, each.rule.laws, each.line) for each in mistakes)
+    return Proof(Statement(part, because, _line()), laws, target, tuple(lines), wrong)
 
 
 def neglected(
-    part: str, what: str, bound: sympy.Symbol, because: str, *laws: Law, also: Sequence[sympy.Symbol] = (), supposing: Sequence[Supposed] = (),
+    part: str,
+    what: str,
+    bound: sympy.Symbol,
+    because: str,
+    *laws: Law,
+    also: Sequence[sympy.Symbol] = (),
+    supposing: Sequence[Supposed] = (),
     asked: bool = False,
-) -> Neglected:  # fmt: skip
-    """What the answer of a part leaves out: `bound` is the most by which it can change the answer, found from laws like any find."""
+) -> Neglected[Step, Supposed]:
+    """What the answer of a part leaves out: `bound` is the most by which it can change the answer, found from laws like any unknown."""
     return Neglected(what, step(bound, because, *laws, answers=part, also=also), tuple(supposing), asked)
 
 
 def supposed(name: str, text: str, why: str) -> tuple[sympy.Symbol, Supposed]:
     """A positive value that is not given, for what is neglected: `tau, touch = supposed("tau", "1 ms", "hard things touch no longer")`."""
-    symbol = sympy.Symbol(name, positive=True)
-    return symbol, Supposed(symbol, text, why)
+    return sympy.Symbol(name, positive=True), Supposed(name, text, why)
 
 
 def explain(part: str, *rubric: str, answer: str) -> Explain:
     """A part for a person to mark: what earns credit, and what a full answer says."""
-    return Explain(part, rubric, answer)
+    return Explain(Statement(part, "", _line()), rubric, answer)
 
 
 def printed(part: str, text: str, where: str) -> Printed:
     """What the chapter prints: `printed("a", "2.28 kg m/s", "(12.31)")`; several components are parted by semicolons."""
-    return Printed(part, text, where)
+    return Printed(Statement(part, "", _line()), text, where)
+
+
+def simulate(
+    scene: str, settings: Mapping[str, object], *, neglected: float = 0.0, **expect: Seen
+) -> Simulation:
+    """In a solution's scene function: run this ready-made scene, and find these values."""
+    return Simulation(scene, settings, expect, neglected, _line())
 
 
 def _tuple(finds: Finds) -> tuple[sympy.Symbol, ...]:
     return finds if isinstance(finds, tuple) else (finds,)
+
+
+def _line() -> int:
+    """The line of the author's own word in the solution."""
+    return _frame().f_lineno
+
+
+def _frame() -> FrameType:
+    """The innermost frame of a solution's file, even where a word is spoken by a function of another file; else the caller's."""
+    caller: FrameType | None = sys._getframe()
+    while caller is not None and caller.f_globals.get("__name__") == __name__:
+        caller = caller.f_back
+    frame = caller
+    while frame is not None and not str(frame.f_globals.get("__name__", "")).startswith(SOLUTION):
+        frame = frame.f_back
+    found = frame or caller
+    assert found is not None  # a word is always spoken by somebody
+    return found

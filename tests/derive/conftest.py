@@ -8,7 +8,7 @@ from textwrap import dedent, indent
 
 import pytest
 
-from corollary.derive.errors import NotDerivable
+from corollary.derive.load import NotDerivable
 from corollary.derive.solution import Solution
 from corollary.derive.solve import solve
 from corollary.problem.bank import Bank

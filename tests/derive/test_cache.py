@@ -15,8 +15,8 @@ import pytest
 
 from corollary.derive import cache, solve
 from corollary.derive.cache import solution_of
-from corollary.derive.errors import NotDerivable
-from corollary.derive.serialize import NotPlain, noun, plain
+from corollary.derive.load import NotDerivable
+from corollary.derive.serialize import NotSerializable, from_data, to_data
 from corollary.formula.syntax import author_formula
 from corollary.problem.bank import Bank, chapter_bank, find
 from corollary.problem.reader import read_problem
@@ -113,10 +113,10 @@ def test_a_forged_noun_is_no_program(make, folder, solvings):
         {"table": [[[], {"table": 3}]]},
     ):
         with pytest.raises((ValueError, TypeError, KeyError, ArithmeticError)):
-            noun(data)
+            from_data(data)
     for value in (len, {1: print}, object(), ("a", [test_each_change_is_seen])):
-        with pytest.raises(NotPlain):
-            plain(value)
+        with pytest.raises(NotSerializable):
+            to_data(value)
 
 
 def test_programs_come_from_the_file(make, folder, solvings):
@@ -164,7 +164,7 @@ def test_many_at_once(make, folder):
 
 
 def _texts(bank: Bank) -> str:
-    return json.dumps(plain([solution_of(bank, problem_of(bank)).finds for _ in range(3)]))
+    return json.dumps(to_data([solution_of(bank, problem_of(bank)).finds for _ in range(3)]))
 
 
 @pytest.mark.parametrize("code", ["X12.2", "X12.13", "X12.11", "E12.3.1"])

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.derive.errors import NotDerivable
-from corollary.derive.load import load, source
+from corollary.derive.load import NotDerivable, load, source
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.bank import load as load_problems
 from corollary.problem.reader import read_problem

@@ -227,9 +227,10 @@ def test_routes_and_mistakes_are_rules_of_their_own(solved):
     ).answer("a")
     assert found is not None
     (way,), (wrong,) = found.routes, found.mistakes
-    assert isinstance(way, ClosedForms)
+    assert way.stated.because == "At once."
+    assert isinstance(way.rule, ClosedForms)
     assert isinstance(wrong.rule, ClosedForms)
-    assert [text(tree) for tree in (*way.trees, *wrong.rule.trees)] == ["m*v/t", "p*t"]
+    assert [text(tree) for tree in (*way.rule.trees, *wrong.rule.trees)] == ["m*v/t", "p*t"]
 
 
 def test_a_mistake_may_have_a_root_that_where_excludes(solved):
@@ -281,3 +282,34 @@ def test_an_optimum_that_moves_with_the_givens(refused):
     )
     assert line == 8
     assert "moves from" in sentence
+
+
+def test_an_error_names_the_line_of_the_step_at_fault(refused):
+    """Even where the same words stand above, and where what is wrong is one mistake or one route of the step."""
+    body = """
+        twice = step(p, "The same words.", momentum(p, m, v))
+        return derivation(
+            twice,
+            step(q, "The same words.",
+                 momentum(q, m, {law}),
+                 answers="a",
+                 mistakes=[
+                     mistake("Half of it.", momentum(q, m, {mistake})),
+                 ],
+                 routes=[
+                     route("At once.", momentum(q, m, {route})),
+                 ]))
+        """
+    right = {"law": "v", "mistake": "v/2", "route": "v"}
+    for place, line in (("law", 11), ("mistake", 15), ("route", 18)):
+        at, sentence = refused(body.format(**(right | {place: "F"})))
+        assert sentence == "part a: Momentum: F is neither given nor found before"
+        assert at == line
+
+
+def test_a_word_spoken_by_a_function_stands_where_the_function_speaks_it(refused):
+    line, _ = refused("""
+        def found(symbol):
+            return step(symbol, "Here.", momentum(symbol, m, F), answers="a")
+        return derivation(found(p))""")
+    assert line == 9

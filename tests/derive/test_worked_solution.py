@@ -7,7 +7,7 @@ import re
 import pytest
 
 from corollary.derive.solve import solve
-from corollary.derive.worked_solution import story
+from corollary.derive.worked_solution import worked_solution
 from corollary.grading.key import make_key
 from corollary.grading.neglect import neglects
 from corollary.problem.bank import chapter_bank, find
@@ -21,7 +21,7 @@ def told(code: str, index: int | None = None) -> str:
     solution = solve(BANK, problem)
     variant = chapter(problem) if index is None else at(problem, index)
     key = make_key(solution, variant)
-    return story(
+    return worked_solution(
         solution, variant, key.values, key.choices, [(each.most, each.share) for each in neglects(key)]
     )
 

@@ -32,8 +32,8 @@ How large?
 """
 OPENING = '''\
 """A cart."""
+
 from corollary.author import *
-from corollary.derive.simulation import simulate
 from corollary.laws import *
 
 def derive(m, v, t):

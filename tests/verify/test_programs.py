@@ -30,17 +30,17 @@ Program it, and draw it.
 SOLUTION = '''\
 """A cart."""
 from corollary.author import *
-from corollary.grading.programs.remarks import Said
+from corollary.derive.statements import Fault
 
 
 def right(given, called):
     for each in called:
         if abs(each.returned[0] - each.inputs["v"] * 2) > 1e-9:
-            return Said("No.")
+            return Fault("No.")
 
 
 def drawn(given, axes):
-    return None if any(line.x for each in axes for line in each.lines) else Said("There is no line.")
+    return None if any(line.x for each in axes for line in each.lines) else Fault("There is no line.")
 
 
 def derive():

@@ -44,19 +44,19 @@ def test_a_sound_problem(verified):
 
 
 def test_a_simulation_that_disagrees(verified):
-    met(verified(more=SCENE % "2*v"), "where the algebra says", 16)
+    met(verified(more=SCENE % "2*v"), "where the algebra says", 17)
 
 
 def test_a_scene_that_does_not_observe_it(verified):
     more = 'def scene(m, v, t, answer):\n    return [simulate("kick", {"m": m}, period=1.0)]\n'
-    met(verified(more="\n" + more), "does not observe period; it observes", 15)
+    met(verified(more="\n" + more), "does not observe period; it observes", 16)
 
 
 @pytest.mark.parametrize(
     ("result", "line", "words"),
     [
-        ("[simulate('pool', {}, x=1.0)]", 16, "There is no scene 'pool'"),
-        ("[simulate('kick', {'mass': m}, x=1.0)]", 16, "'mass' is not among its settings"),
+        ("[simulate('pool', {}, x=1.0)]", 17, "There is no scene 'pool'"),
+        ("[simulate('kick', {'mass': m}, x=1.0)]", 17, "'mass' is not among its settings"),
         ("answer['z']", 17, "scene fails: KeyError"),
         ("None", 16, "scene fails: TypeError"),
         ("[1]", 16, "scene must return a list of simulate(…)"),

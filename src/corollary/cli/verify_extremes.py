@@ -8,7 +8,7 @@ from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
-from corollary.derive.errors import NotDerivable
+from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.grading.from_json import finite
 from corollary.problem.bank import Bank

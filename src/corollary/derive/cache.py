@@ -1,4 +1,4 @@
-"""Solved derivations, kept between commands: what has been solved from the same two files is not solved again."""
+"""A cache of solved derivations: what has been solved from the same two files by the same programs is not solved again."""
 
 from __future__ import annotations
 
@@ -17,12 +17,20 @@ from typing import Any
 import corollary
 from corollary.derive.load import load, source
 from corollary.derive.parts import unsolved
-from corollary.derive.serialize import NotPlain, noun, plain
+from corollary.derive.serialize import NotSerializable, from_data, to_data
 from corollary.derive.solution import Solution
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 
-FLOORS = ("quantity", "problem", "law", "derive")  # what has a say in how a derivation is solved
+ROOMS = (
+    "formula",
+    "units",
+    "answers",
+    "laws",
+    "problem",
+    "derive",
+    "author.py",
+)  # what decides how a derivation is solved
 ALGEBRA = ("sympy", "mpmath")
 LARGEST = 8_000_000
 
@@ -30,31 +38,29 @@ LARGEST = 8_000_000
 def solution_of(bank: Bank, problem: Problem) -> Solution:
     """The derivation solved, or as it was solved before from the same files by the same programs. Raises NotDerivable.
 
-    What is kept lies in the user's cache folder, readable to the user alone since it holds answers. It can be deleted at any
+    The file lies in the user's cache folder, readable to the user alone since it holds answers. It can be deleted at any
     time; what is stale, damaged, or not the user's own is solved anew and written over.
     """
     if not bank.solution(problem).is_file():
         return _solved(bank, problem)
     origin = _origin(bank, problem)
     place = _place(bank, problem)
-    found = None if place is None else _recalled(place, origin, bank, problem)
+    found = None if place is None else _read(place, origin, bank, problem)
     if found is None:
         found = _solved(bank, problem)
         if place is not None:
-            _keep(place, origin, found)
+            _write(place, origin, found)
     return found
 
 
 def _solved(bank: Bank, problem: Problem) -> Solution:
-    from corollary.derive.solve import (
-        solve,
-    )  # only here: the algebra takes longer to load than what is kept to read
+    from corollary.derive.solve import solve  # only here: the algebra takes half a second to load
 
     return solve(bank, problem)
 
 
-def _recalled(place: Path, origin: str, bank: Bank, problem: Problem) -> Solution | None:
-    """What is kept, if it is what would be solved now."""
+def _read(place: Path, origin: str, bank: Bank, problem: Problem) -> Solution | None:
+    """What the cache holds, if it is what would be solved now."""
     with suppress(OSError, ValueError, TypeError, KeyError, ArithmeticError, RecursionError):
         with place.open("rb") as file:
             if os.fstat(file.fileno()).st_uid != os.getuid():
@@ -62,26 +68,28 @@ def _recalled(place: Path, origin: str, bank: Bank, problem: Problem) -> Solutio
             made_from, checked, text = file.read(LARGEST).split(b"\n", 2)
         if (made_from.decode(), checked.decode()) != (origin, hashlib.sha256(text).hexdigest()):
             return None
-        held = noun(json.loads(text))
-        entries = held.pop("entries")
+        content = from_data(json.loads(text))
+        entries = content.pop("entries")
         return Solution(
             problem=problem,
-            **held,
+            **content,
             entries=unsolved(load(bank, problem).derivation) if entries is None else entries,
         )
     return None
 
 
-def _keep(place: Path, origin: str, solution: Solution) -> None:
+def _write(place: Path, origin: str, solution: Solution) -> None:
     """Written aside and moved, so that whoever reads at the same time finds all of it or nothing new."""
-    held: dict[str, Any] = {
+    content: dict[str, Any] = {
         each.name: getattr(solution, each.name) for each in fields(solution) if each.name != "problem"
     }
-    with suppress(OSError, NotPlain, ValueError, RecursionError):
+    with suppress(OSError, NotSerializable, ValueError, RecursionError):
         try:
-            data = plain(held)
-        except NotPlain:  # programs among the entries: these are loaded from the solution file each time
-            data = plain(held | {"entries": None})
+            data = to_data(content)
+        except (
+            NotSerializable
+        ):  # programs among the entries: these are loaded from the solution file each time
+            data = to_data(content | {"entries": None})
         text = json.dumps(data, separators=(",", ":")).encode()
         place.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=place.parent, delete=False) as aside:
@@ -103,12 +111,16 @@ def _origin(bank: Bank, problem: Problem) -> str:
 
 @cache
 def _programs() -> bytes:
-    told = hashlib.sha256(repr((corollary.__version__, sys.version, *map(version, ALGEBRA))).encode())
+    digest = hashlib.sha256(repr((corollary.__version__, sys.version, *map(version, ALGEBRA))).encode())
     package = Path(corollary.__file__).parent
-    for path in sorted(path for floor in FLOORS for path in (package / floor).rglob("*.py")):
+    for path in sorted(path for room in ROOMS for path in _sources(package / room)):
         text = path.read_bytes()
-        told.update(f"{path.relative_to(package)} {len(text)}\n".encode() + text)
-    return told.digest()
+        digest.update(f"{path.relative_to(package)} {len(text)}\n".encode() + text)
+    return digest.digest()
+
+
+def _sources(room: Path) -> list[Path]:
+    return [room] if room.suffix else list(room.rglob("*.py"))
 
 
 def _place(bank: Bank, problem: Problem) -> Path | None:
@@ -120,7 +132,7 @@ def _place(bank: Bank, problem: Problem) -> Path | None:
 
 
 def cache_folder() -> Path:
-    """Where the platform keeps what may be lost. Raises RuntimeError when the user has no home."""
+    """The platform's folder for what may be lost. Raises RuntimeError when the user has no home."""
     named = Path(os.environ.get("XDG_CACHE_HOME", ""))
     if named.is_absolute():
         return named / "corollary"

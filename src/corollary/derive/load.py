@@ -8,10 +8,10 @@ import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
-from corollary.derive.errors import NotDerivable
-from corollary.derive.statements import Derivation
+from corollary.derive.statements import SOLUTION, Derivation
 from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
@@ -20,19 +20,31 @@ if TYPE_CHECKING:
     import sympy
 
 
+class NotDerivable(Exception):
+    """A solution that does not derive what it should; says where (file and line) and what to do."""
+
+    def __init__(self, path: Path, line: int, sentence: str):
+        self.path, self.line, self.sentence = path, line, sentence
+        super().__init__(f"{path.name}:{line}: {sentence}" if line else f"{path.name}: {sentence}")
+
+    def __reduce__(self):
+        """So that it can be raised in one process and caught in another."""
+        return NotDerivable, (self.path, self.line, self.sentence)
+
+
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """What a solution file says: the derivation, where each entry stands, and what to simulate."""
+    """What a solution file says: the derivation, the line where derive begins, and what to simulate."""
 
     path: Path
     derivation: Derivation
     line: int
-    scene: Callable | None
+    scene: Callable[..., Any] | None
 
 
 def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
     """A given as a symbol; it is positive (or not negative, …) when a `require:` of the problem says so."""
-    import sympy  # only here: a solution kept from before is used without it
+    import sympy  # only here: a solution that is in the cache is used without it
 
     known: dict[str, bool] = {}
     for condition in problem.conditions:
@@ -79,12 +91,6 @@ def load(bank: Bank, problem: Problem) -> Loaded:
     return Loaded(path, derivation, line, scene if inspect.isfunction(scene) else None)
 
 
-def line_of(path: Path, words: str) -> int:
-    """The first line of a solution that holds the beginning of these words; 0 when none does."""
-    lines = path.read_text(encoding="utf-8").splitlines() if words else []
-    return next((number for number, text in enumerate(lines, 1) if words[:40] in text), 0)
-
-
 def source(bank: Bank, problem: Problem) -> bytes:
     """The text of a solution. Raises NotDerivable when it is missing."""
     path = bank.solution(problem)
@@ -94,8 +100,16 @@ def source(bank: Bank, problem: Problem) -> bytes:
         raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
 
 
-def _module(path: Path):
-    spec = importlib.util.spec_from_file_location(f"corollary_solution_{path.stem}", path)
+def line_in(error: BaseException, path: Path) -> int:
+    """The deepest line of the file that took part in an exception."""
+    lines = [
+        frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)
+    ]
+    return lines[-1] or 0 if lines else 0
+
+
+def _module(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(SOLUTION + path.stem, path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -108,11 +122,3 @@ def _module(path: Path):
             path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}"
         ) from error
     return module
-
-
-def line_in(error: BaseException, path: Path) -> int:
-    """The deepest line of the file that took part in an exception."""
-    lines = [
-        frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)
-    ]
-    return lines[-1] or 0 if lines else 0

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import sympy
 
-from corollary.derive.point import Point, at
+from corollary.derive.known import Point, at
 from corollary.derive.roots import NoRoot
 from corollary.formula.from_sympy import tree
 from corollary.formula.latex import latex
-from corollary.laws.substitute import put
+from corollary.laws.law import substitute
 
 
 def best(
@@ -22,7 +22,7 @@ def best(
     if strange := {letter for formula in (goal, *between) for letter in formula.free_symbols} - known:
         raise NoRoot(f"the extremum over {over}: {', '.join(sorted(map(str, strange)))} has no value here")
     letter = sympy.Dummy("x", real=True)
-    free = put(goal, {over: letter})
+    free = substitute(goal, {over: letter})
     low, high = between
     try:
         slope = sympy.solve(sympy.diff(free, letter), letter)
@@ -34,7 +34,7 @@ def best(
     for point in points:
 
         def height(place: sympy.Expr, point: Point = point) -> sympy.Expr:
-            return at(put(free, {letter: place}), point)
+            return at(substitute(free, {letter: place}), point)
 
         inside = [place for place in slope if _between(place, between, point)]
         candidates = list(dict.fromkeys([*inside, low, high]))

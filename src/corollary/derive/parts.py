@@ -4,21 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import assert_never
 
+from corollary.derive.solution import Unsolved
 from corollary.derive.statements import (
-    Choice,
-    Code,
     Derivation,
     Entry,
     Example,
-    Explain,
-    Found,
+    Finding,
     Neglected,
     Optimum,
-    Plot,
     Printed,
-    Proof,
     Simulated,
     Step,
 )
@@ -31,22 +26,25 @@ WORDS: dict[KindName, str] = {
 }  # fmt: skip
 
 
-def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str]]:
-    """What does not fit between the parts and the entries: a sentence, and the words of the entry it is about (or "")."""
+def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:
+    """What does not fit between the parts and the entries: a sentence, and the line of the entry it is about (or 0)."""
     for entry in derivation.entries:
         if not isinstance(entry, Entry):
-            yield f"derivation(…) holds {entry!r}, which is no entry; use step(…), choice(…), explain(…)", ""
+            yield f"derivation(…) holds {entry!r}, which is no entry; use step(…), choice(…), explain(…)", 0
             return
     ids = {part.id for part in problem.parts}
     for entry in derivation.entries:
-        if (id := answered(entry)) and id not in ids:
-            yield f"answers part {id}, which {problem.path.name} does not have", words(entry)
+        if (id := entry.statement.part) and id not in ids:
+            yield f"answers part {id}, which {problem.path.name} does not have", entry.statement.line
         elif isinstance(entry, Simulated) and not id:
-            yield "a simulated find must answer a part, whose unit it takes; add answers=", words(entry)
+            yield (
+                "a simulated find must answer a part, whose unit it takes; add answers=",
+                entry.statement.line,
+            )
         elif id:
-            yield from ((sentence, words(entry)) for sentence in _unfit(problem, entry, id))
+            yield from ((sentence, entry.statement.line) for sentence in _unfit(problem, entry, id))
     given = Counter(
-        (answered(entry), words_of_kind(entry))
+        (entry.statement.part, words_of_kind(entry))
         for entry in derivation.entries
         if not isinstance(entry, Printed | Neglected)
     )
@@ -55,10 +53,10 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str
             if not given[part.id, word]:
                 yield (
                     f"answers no part {part.id}; each part of {problem.path.name} needs an entry, here {word}(…)",
-                    "",
+                    0,
                 )
             if given[part.id, word] > 1:
-                yield f"answers part {part.id} more than once; keep one {word}(…)", ""
+                yield f"answers part {part.id} more than once; keep one {word}(…)", 0
     yield from _misprinted(problem, derivation)
 
 
@@ -76,51 +74,25 @@ def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
         yield f"part {id} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
 
 
-def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, str]]:
-    found = {entry.answers: len(entry.finds) for entry in derivation.entries if isinstance(entry, Found)}
+def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:
+    found = {
+        entry.statement.part: len(entry.finds) for entry in derivation.entries if isinstance(entry, Finding)
+    }
     for entry in derivation.entries:
-        if isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(entry.part):
+        if isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(
+            entry.statement.part
+        ):
             yield (
-                f"printed: part {entry.part} has {found.get(entry.part, 'no')} numbers, but {entry.text!r} gives {numbers}",
-                entry.text,
+                f"printed: part {entry.statement.part} has {found.get(entry.statement.part, 'no')} numbers, but {entry.text!r} gives {numbers}",
+                entry.statement.line,
             )
 
 
-def unsolved(derivation: Derivation) -> tuple[Entry, ...]:
+def unsolved(derivation: Derivation) -> tuple[Unsolved, ...]:
     """The entries that are used as they stand: code, plot, explain, printed."""
-    return tuple(
-        entry
-        for entry in derivation.entries
-        if not isinstance(entry, Found | Choice | Example | Proof | Neglected)
-    )
-
-
-def answered(entry: Entry) -> str:
-    """The part an entry is for; "" for a find that nobody asks about."""
-    match entry:
-        case Step() | Optimum() | Simulated():
-            return entry.answers
-        case Choice() | Example() | Code() | Plot() | Proof() | Explain() | Printed():
-            return entry.part
-        case Neglected():
-            return entry.bound.answers
-        case _:
-            assert_never(entry)
+    return tuple(entry for entry in derivation.entries if isinstance(entry, Unsolved))
 
 
 def words_of_kind(entry: Entry) -> str:
     """The author's word that makes such an entry."""
-    return "step" if isinstance(entry, Found) else type(entry).__name__.lower()
-
-
-def words(entry: Entry) -> str:
-    """What to look for in the solution file to find the entry."""
-    match entry:
-        case Explain():
-            return entry.answer
-        case Printed():
-            return entry.text
-        case Neglected():
-            return entry.bound.because
-        case _:
-            return entry.because
+    return "step" if isinstance(entry, Finding) else type(entry).__name__.lower()

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy
 
-from corollary.derive.point import Point, at
-from corollary.derive.statements import Mistake, Rejected
+from corollary.derive.known import Point, Root, at
+from corollary.derive.statements import Exchange, Mistake, Rejected
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree
 from corollary.formula.latex import latex
-from corollary.laws.law import Law, sides, symbols
-from corollary.laws.substitute import put
-
-Root = Mapping[sympy.Symbol, sympy.Expr]
+from corollary.laws.law import Law, sides, substitute, symbols
 
 
 class NoRoot(ValueError):
-    """The laws do not fix the unknowns; one sentence says how."""
+    """The laws do not fix the unknowns; one sentence says how, and `line` is that of the mistake or route at fault (or 0)."""
+
+    def __init__(self, sentence: str, line: int = 0):
+        self.line = line
+        super().__init__(sentence)
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,38 +82,30 @@ def pick(
         if reason is not None:
             refused.append(reason)
         elif not all(_real(root, point) for point in points):
-            refused.append(f"{_shown(root)} is not real for every value of the givens")
+            refused.append(f"{_formula(root)} is not real for every value of the givens")
         else:
             left.append(root)
     for entry in rejected:
         if not any(_is(root, entry.root) for root in found):
             raise NoRoot(f"the root to reject ({entry.reason}) is no root of the laws")
-    kept = []
+    fitting = []
     for root in left:
-        held = [where] if isinstance(where, bool) else [_holds(where, root, point) for point in points]
-        if all(held):
-            kept.append(root)
-        elif any(held):
+        fits = [where] if isinstance(where, bool) else [_holds(where, root, point) for point in points]
+        if all(fits):
+            fitting.append(root)
+        elif any(fits):
             raise NoRoot(
                 f"where={where} holds for {_equations(root)} at some values of the givens and fails at others"
             )
         else:
-            refused.append(f"{_shown(root)} contradicts ${_condition(where)}$")
-    if not kept:
+            refused.append(f"{_formula(root)} contradicts ${_condition(where)}$")
+    if not fitting:
         raise NoRoot(f"no root is left: {'; '.join(refused)}")
-    if len(kept) > 1:
+    if len(fitting) > 1:
         raise NoRoot(
-            f"{len(kept)} answers ({'; '.join(_equations(root) for root in kept)}): say which, with where= or reject="
+            f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where= or reject="
         )
-    return Picked(kept[0], tuple(refused))
-
-
-def simplest(expr: sympy.Expr) -> sympy.Expr:
-    """The shortest of a few equal forms; a form already short is left alone."""
-    forms = [expr]
-    if sympy.count_ops(expr) > 2:
-        forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
-    return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))
+    return Picked(fitting[0], tuple(refused))
 
 
 def _is(root: Root, other: Root) -> bool:
@@ -126,7 +119,7 @@ def _real(root: Root, point: Point) -> bool:
         if value.is_real:
             continue
         number = at(value, point)
-        if number.is_finite is False or not _settled(
+        if number.is_finite is False or not _decided(
             abs(sympy.im(number)) < 1e-20, f"whether {value} is real"
         ):
             return False
@@ -135,18 +128,18 @@ def _real(root: Root, point: Point) -> bool:
 
 def _holds(where: sympy.Basic, root: Root, point: Point) -> bool:
     numbers = {symbol: at(value, point) for symbol, value in root.items()}
-    return _settled(put(put(where, numbers), point.values), f"where={where}")
+    return _decided(substitute(substitute(where, numbers), point.values), f"where={where}")
 
 
-def _settled(held: sympy.Basic | bool, what: str) -> bool:
-    """A truth that numbers have settled. Raises NoRoot when a letter without a value is left in it."""
-    if held not in (sympy.true, sympy.false):
-        letters = _list(held.free_symbols) if isinstance(held, sympy.Basic) else ""
-        raise NoRoot(f"{what} cannot be decided: {letters or held} has no value here")
-    return bool(held)
+def _decided(fits: sympy.Basic | bool, what: str) -> bool:
+    """A truth that numbers have decided. Raises NoRoot when a letter without a value is left in it."""
+    if fits not in (sympy.true, sympy.false):
+        letters = _list(fits.free_symbols) if isinstance(fits, sympy.Basic) else ""
+        raise NoRoot(f"{what} cannot be decided: {letters or fits} has no value here")
+    return bool(fits)
 
 
-def _shown(root: Root) -> str:
+def _formula(root: Root) -> str:
     """A root as a formula of the worked solution."""
     return ", ".join(
         f"${latex(Relation('=', Name(str(symbol)), tree(value)))}$" for symbol, value in root.items()
@@ -174,15 +167,17 @@ def _count(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
 
 
-def exchanged(laws: tuple[Law, ...], slip: Mistake) -> tuple[Law, ...]:
+def exchanged(laws: tuple[Law, ...], mistake: Mistake[Exchange]) -> tuple[Law, ...]:
     """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
-    if not slip.laws:
-        raise NoRoot(f"mistake {slip.text!r} names no law; say which law was used wrongly")
-    if not slip.instead and len(laws) == 1:
-        return slip.laws
-    wanted = slip.instead or slip.laws[0].name
+    wrong, instead = mistake.rule.laws, mistake.rule.instead
+    if not wrong:
+        raise NoRoot(f"mistake {mistake.text!r} names no law; say which law was used wrongly")
+    if not instead and len(laws) == 1:
+        return wrong
+    wanted = instead or wrong[0].name
     if sum(stated.name == wanted for stated in laws) != 1:
+        names = ", ".join(stated.name for stated in laws)
         raise NoRoot(
-            f"mistake {slip.text!r}: say which law it takes the place of, instead= one of {', '.join(stated.name for stated in laws)}"
+            f"mistake {mistake.text!r}: say which law it takes the place of, instead= one of {names}"
         )
-    return tuple(new for stated in laws for new in (slip.laws if stated.name == wanted else (stated,)))
+    return tuple(new for stated in laws for new in (wrong if stated.name == wanted else (stated,)))

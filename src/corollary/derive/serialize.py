@@ -11,20 +11,20 @@ from corollary.derive import solution, statements
 from corollary.formula import ast
 from corollary.units import unit
 
-NOUNS: dict[str, type] = {
-    noun.__name__: noun
+TYPES: dict[str, type] = {
+    each.__name__: each
     for room in (ast, unit, solution, statements)
-    for noun in vars(room).values()
-    if isinstance(noun, type) and is_dataclass(noun) and noun.__module__ == room.__name__
+    for each in vars(room).values()
+    if isinstance(each, type) and is_dataclass(each) and each.__module__ == room.__name__
 }
 
 
-class NotPlain(TypeError):
+class NotSerializable(TypeError):
     """Something that data cannot hold: a function, an expression still to be solved."""
 
 
-def plain(value: Any) -> Any:
-    """The value as JSON can hold it: each noun under its name, with what it holds in order. Raises NotPlain."""
+def to_data(value: Any) -> Any:
+    """The value as JSON can hold it: each dataclass under its name, with its fields in order. Raises NotSerializable."""
     match value:
         case None | bool() | int() | str():
             return value
@@ -33,24 +33,24 @@ def plain(value: Any) -> Any:
         case Fraction():
             return {"fraction": str(value)}
         case tuple() | list():
-            return [plain(each) for each in value]
+            return [to_data(each) for each in value]
         case frozenset():
-            return {"set": [plain(each) for each in sorted(value)]}
+            return {"set": [to_data(each) for each in sorted(value)]}
         case Mapping():
-            return {"table": [[plain(name), plain(each)] for name, each in value.items()]}
-        case _ if NOUNS.get(type(value).__name__) is type(value):
-            return {type(value).__name__: [plain(getattr(value, field.name)) for field in fields(value)]}
+            return {"table": [[to_data(name), to_data(each)] for name, each in value.items()]}
+        case _ if TYPES.get(type(value).__name__) is type(value):
+            return {type(value).__name__: [to_data(getattr(value, field.name)) for field in fields(value)]}
         case _:
-            raise NotPlain(f"{type(value).__name__} is no plain data")
+            raise NotSerializable(f"{type(value).__name__} cannot be serialized")
 
 
-def noun(data: Any) -> Any:
-    """The value that `plain` wrote. Raises ValueError, TypeError or KeyError for what it never writes."""
+def from_data(data: Any) -> Any:
+    """The value that `to_data` wrote. Raises ValueError, TypeError or KeyError for what it never writes."""
     match data:
         case None | bool() | int() | str():
             return data
         case list():
-            return tuple(map(noun, data))
+            return tuple(map(from_data, data))
         case dict():
             ((name, inside),) = data.items()
             match name:
@@ -59,10 +59,10 @@ def noun(data: Any) -> Any:
                 case "fraction":
                     return Fraction(inside)
                 case "set":
-                    return frozenset(map(noun, inside))
+                    return frozenset(map(from_data, inside))
                 case "table":
-                    return {noun(key): noun(each) for key, each in inside}
+                    return {from_data(key): from_data(each) for key, each in inside}
                 case _:
-                    return NOUNS[name](*map(noun, inside))
+                    return TYPES[name](*map(from_data, inside))
         case _:
             raise ValueError(f"{data!r} was not written here")

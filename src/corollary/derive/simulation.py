@@ -6,8 +6,7 @@ import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.derive.errors import NotDerivable
-from corollary.derive.load import line_in, load
+from corollary.derive.load import NotDerivable, line_in, load
 from corollary.problem.bank import Bank
 from corollary.problem.variant import Variant
 
@@ -16,24 +15,20 @@ Seen = float | tuple[float, ...]
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """One run of a ready-made scene. `neglected` bounds what the algebra leaves out, relative to each expected value."""
+    """One run of a ready-made scene. `neglected` bounds what the algebra leaves out, relative to each expected value; `line` is
+    where the solution asks for it.
+    """
 
     scene: str
     settings: Mapping[str, object]
     expect: Mapping[str, Seen]
     neglected: float
-
-
-def simulate(
-    scene: str, settings: Mapping[str, object], *, neglected: float = 0.0, **expect: Seen
-) -> Simulation:
-    """In a solution's scene function: run this, and find these values."""
-    return Simulation(scene, settings, expect, neglected)
+    line: int
 
 
 def simulations(
     bank: Bank, variant: Variant, answers: Mapping[str, Seen], neglected: Mapping[str, float] | None = None
-) -> list[Simulation]:  # fmt: skip
+) -> list[Simulation]:
     """What a solution wants simulated for a variant; none where it has no scene function. Raises NotDerivable.
 
     A scene function that takes `neglected` gets for each part the most that what it neglects can change of its answer (in SI).

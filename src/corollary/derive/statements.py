@@ -1,34 +1,90 @@
-"""What an author writes in a solution: finds because of laws, and the other things a part may need."""
+"""What an author states: unknowns because of laws, and the other things a part may need.
+
+A statement that is also solved is generic in what its algebra is written in: sympy's expressions and `Law` where it is stated,
+our own trees and `AppliedLaw` (derive/solution.py) where it is solved.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 if TYPE_CHECKING:  # what is solved already is used without any algebra, and sympy takes half a second to load
     import sympy
     from sympy.logic.boolalg import Boolean
 
-    from corollary.grading.programs.remarks import Remark, Said
     from corollary.laws.law import Law
 
 
-@dataclass(frozen=True, slots=True)
-class Mistake:
-    """The same step with one law exchanged: `laws` take the place of the law named `instead` (or of the only one)."""
+SOLUTION = "corollary_solution_"  # a solution's file is loaded as a module whose name begins so
 
-    text: str
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """What every entry says in words: the part it is for ("" for none), why, a sanity check, and the line it is written on."""
+
+    part: str
+    because: str
+    line: int
+    check: str = ""
+
+
+class Stated(Protocol):
+    """Whatever rests on a statement."""
+
+    @property
+    def statement(self) -> Statement: ...
+
+
+Symbol = TypeVar("Symbol")  # an unknown: sympy.Symbol, then its name
+Expression = TypeVar("Expression")  # sympy.Expr, then formula.ast.Expr
+Condition = TypeVar("Condition")  # sympy's Boolean, then formula.ast.Relation, or True or False
+LawT = TypeVar("LawT")  # Law, then AppliedLaw
+RuleT = TypeVar("RuleT")  # Exchange, then a rule that computes the wrong value
+BoundT = TypeVar("BoundT", bound=Stated)  # Step, then Unknown
+SupposedT = TypeVar("SupposedT")  # Supposed, then SupposedValue
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What a judge of programs and figures finds wrong, in a sentence; `known` when it is a usual mistake."""
+
+    sentence: str
+    known: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """The program is right; this is what halving its step showed."""
+
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """`laws` take the place of the law named `instead`, or of the only one."""
+
     laws: tuple[Law, ...]
     instead: str
 
 
 @dataclass(frozen=True, slots=True)
-class Route:
-    """Another way to the same find, by other laws."""
+class Mistake(Generic[RuleT]):
+    """A misconception: what a student is told, and by what rule it finds the unknown."""
+
+    text: str
+    rule: RuleT
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Route(Generic[LawT]):
+    """Another way to the same unknown, by other laws."""
 
     because: str
-    laws: tuple[Law, ...]
+    laws: tuple[LawT, ...]
+    line: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,18 +97,16 @@ class Rejected:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """Something found because of laws. `also` are unknowns that the laws need and nobody asks for."""
+    """Unknowns found because of laws. `also` are unknowns that the laws need and nobody asks for."""
 
+    statement: Statement
     finds: tuple[sympy.Symbol, ...]
-    because: str
     laws: tuple[Law, ...]
-    answers: str
     also: tuple[sympy.Symbol, ...]
     where: Boolean | bool
     rejected: tuple[Rejected, ...]
-    mistakes: tuple[Mistake, ...]
-    routes: tuple[Route, ...]
-    check: str
+    mistakes: tuple[Mistake[Exchange], ...]
+    routes: tuple[Route[Law], ...]
     scale: sympy.Expr | None
 
 
@@ -60,92 +114,87 @@ class Step:
 class Optimum:
     """The value of one letter, between bounds, that makes something as large (or small) as it can be."""
 
+    statement: Statement
     finds: tuple[sympy.Symbol, ...]
-    because: str
     of: sympy.Expr
     over: sympy.Symbol
     between: tuple[sympy.Expr, sympy.Expr]
     largest: bool
-    answers: str
-    mistakes: tuple[Mistake, ...]
-    check: str
+    mistakes: tuple[Mistake[Exchange], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Simulated:
-    """Finds measured in a simulated scene, where no closed form is at hand. Settings are formulas of givens and finds."""
+    """Unknowns measured in a simulated scene, where no closed form is at hand. Settings are formulas of givens and unknowns."""
 
+    statement: Statement
     finds: tuple[sympy.Symbol, ...]
-    because: str
     scene: str
     settings: Mapping[str, sympy.Expr]
     observe: str
-    answers: str
-    mistakes: tuple[Mistake, ...]
-    check: str
+    mistakes: tuple[Mistake[Exchange], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(Generic[Condition]):
     """The option whose condition holds for the numbers drawn; exactly one must. `mistakes` say what the others overlook."""
 
-    part: str
-    because: str
-    options: Mapping[str, Boolean | bool]
+    statement: Statement
+    options: Mapping[str, Condition]
     mistakes: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
-class Example:
-    """Numbers of the student's own that satisfy the laws, none of the `apart` values, and leave `free` unknowns free."""
+class Example(Generic[Symbol, Expression, LawT]):
+    """Numbers of the student's own that satisfy the laws, none of the `apart` values, and leave `free` unknowns free.
 
-    part: str
-    finds: tuple[sympy.Symbol, ...]
-    because: str
-    laws: tuple[Law, ...]
-    apart: tuple[tuple[tuple[sympy.Expr, ...], str], ...]
+    `instance` is one good example, once solved; None where none was found.
+    """
+
+    statement: Statement
+    finds: tuple[Symbol, ...]
+    laws: tuple[LawT, ...]
+    apart: tuple[tuple[tuple[Expression, ...], str], ...]
     free: int
-    scale: sympy.Expr
+    scale: Expression
+    instance: tuple[Expression, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Code:
     """A function the student writes: drawn inputs, and a judge of what it returned for all of them."""
 
-    part: str
-    because: str
+    statement: Statement
     inputs: Callable[[Mapping[str, float], Callable[[float, float], float]], Sequence[Mapping[str, Any]]]
-    judge: Callable[..., Said | Remark | None]
+    judge: Callable[..., Fault | Remark | None]
     example: str
 
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """What a figure must show: judged by its data, axes and labels. `judge` answers None, or a sentence on what is missing."""
+    """What a figure must show: judged by its data, axes and labels. `judge` answers None, or what is missing."""
 
-    part: str
-    because: str
-    judge: Callable[..., Said | None]
+    statement: Statement
+    judge: Callable[..., Fault | None]
     example: str
 
 
 @dataclass(frozen=True, slots=True)
-class Proof:
+class Proof(Generic[LawT]):
     """A chain of equations, each following from the last: the first a law, the last the target."""
 
-    part: str
-    because: str
-    laws: tuple[Law, ...]
-    target: Law
+    statement: Statement
+    laws: tuple[LawT, ...]
+    target: LawT
     lines: tuple[str, ...]
-    mistakes: tuple[Mistake, ...]
+    mistakes: tuple[Mistake[tuple[LawT, ...]], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Explain:
     """Free text for a person to mark: the rubric, and what a full answer says."""
 
-    part: str
+    statement: Statement
     rubric: tuple[str, ...]
     answer: str
 
@@ -154,35 +203,39 @@ class Explain:
 class Printed:
     """A value the chapter prints for its own numbers, as printed; verification rounds ours to its figures."""
 
-    part: str
+    statement: Statement
     text: str
     where: str
 
 
 @dataclass(frozen=True, slots=True)
 class Supposed:
-    """A value that the problem does not give, with its unit, and why it may be supposed."""
+    """A positive value that the problem does not give, with its unit, and why it may be supposed."""
 
-    symbol: sympy.Symbol
+    name: str
     text: str
     why: str
 
 
 @dataclass(frozen=True, slots=True)
-class Neglected:
+class Neglected(Generic[BoundT, SupposedT]):
     """Something that the answer of a part leaves out: `bound` finds, from laws, the most that this can change of it.
 
     `asked`: the question itself wants it left out; then the bound is told, and may be large.
     """
 
     what: str
-    bound: Step
-    supposing: tuple[Supposed, ...]
+    bound: BoundT
+    supposing: tuple[SupposedT, ...]
     asked: bool
 
+    @property
+    def statement(self) -> Statement:
+        return self.bound.statement
 
-Found = Step | Optimum | Simulated
-Entry = Found | Choice | Example | Code | Plot | Proof | Explain | Printed | Neglected
+
+Finding = Step | Optimum | Simulated
+Entry = Finding | Choice | Example | Code | Plot | Proof | Explain | Printed | Neglected
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,48 +7,58 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from corollary.derive.solution import ClosedForms, LawShown, LeftOut, Measured, Solution, SolvedUnknown
+from corollary.derive.solution import (
+    AppliedLaw,
+    ClosedForms,
+    Measured,
+    Solution,
+    SolvedNeglected,
+    Unknown,
+)
 from corollary.derive.statements import Code, Explain
 from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ball import certified
 from corollary.formula.latex import latex, letter
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
+from corollary.messages import catalogue
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant, number
 from corollary.units.unit import Unit, si_unit
 from corollary.units.unit import latex as unit_latex
 
-FIGURES = 4
-WIDEST = 75
+_ = catalogue(__name__)
+_law_name = catalogue("corollary.laws")
+
+FIGURES = 4  # one more than students' numbers have, so that a value can be used again without rounding anew
+WIDEST = 75  # letters: about what fits on a line of A4 between the margins
 FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
 COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
 
 
-def story(
-    solution: Solution, variant: Variant, values: Sequence[tuple[float, ...]], letters: Mapping[str, str],
-    left_out: Sequence[tuple[float, float]],
-) -> str:  # fmt: skip
-    """The whole solution; `values` are the finds in SI, in the solution's order, `letters` the right option of each choice.
+def worked_solution(
+    solution: Solution,
+    variant: Variant,
+    values: Sequence[tuple[float, ...]],
+    letters: Mapping[str, str],
+    neglected: Sequence[tuple[float, float]],
+) -> str:
+    """The whole solution; `values` are the unknowns in SI, in the solution's order, `letters` the right option of each choice.
 
-    `left_out` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
+    `neglected` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
     """
     problem = solution.problem
     known = _given_numbers(variant)
     lines: list[str] = []
     for find, numbers in zip(solution.finds, values, strict=True):
-        part = problem.part(find.answers) if find.answers else None
-        lines += [
-            _heading(part) if part else f"**First find {_names(find)}.**",
-            "",
-            *_find(find, numbers, part, known),
-            "",
-        ]
+        part = problem.part(find.part) if find.part else None
+        heading = _heading(part) if part else _("**First find {names}.**", names=_names(find))
+        lines += [heading, "", *_unknown(find, numbers, part, known), ""]
         for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
             known[name] = _quantity(value, si_unit(dimension), in_formula=True)
-        for left, (most, share) in zip(solution.neglected, left_out, strict=True):
-            if part and left.bound.answers == part.id:
-                lines += [*_left_out(left, most, share, part, known), ""]
+        for each, (most, share) in zip(solution.neglected, neglected, strict=True):
+            if part and each.statement.part == part.id:
+                lines += [*_neglected(each, most, share, part, known), ""]
     for part in problem.parts:
         lines += _other(solution, part, letters, variant)
     return "\n".join(lines).strip() + "\n"
@@ -58,50 +68,53 @@ def _heading(part: Part) -> str:
     return f"### ({part.id}) {part.title}"
 
 
-def _find(
-    find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+def _unknown(
+    find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
 ) -> list[str]:
-    lines = [find.because, ""]
-    for stated in find.laws:
-        lines += [_law(stated), ""]
+    lines = [find.statement.because, ""]
+    for law in find.laws:
+        lines += [_law(law), ""]
     if find.note:
         lines += [find.note, ""]
     for reason in find.rejected:
-        lines += [f"*Another root of these laws is refused:* {reason}.", ""]
+        lines += [_("*Another root of these laws is refused:* {reason}.", reason=reason), ""]
     lines += _result(find, numbers, part, known)
-    for way in find.routes_shown:
-        lines += ["", f"*Another way.* {way.because}", "", *(_law(stated) + "\n" for stated in way.laws)]
-    if find.check:
-        lines += ["", f"*Check:* {find.check}"]
+    for route in find.routes:
+        because, laws = route.stated.because, route.stated.laws
+        lines += ["", _("*Another way.* {because}", because=because), "", *(_law(law) + "\n" for law in laws)]
+    if find.statement.check:
+        lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines
 
 
-def _left_out(left: LeftOut, most: float, share: float, part: Part, known: Mapping[str, str]) -> list[str]:
+def _neglected(
+    each: SolvedNeglected, most: float, share: float, part: Part, known: Mapping[str, str]
+) -> list[str]:
     """What the answer neglects, by which laws it is bounded, and how little of the answer that is."""
-    find = left.bound
+    find = each.bound
     texts = {
-        value.name: r"\,".join(_roman(word) for word in value.text.split(" ", 1)) for value in left.supposing
+        value.stated.name: r"\,".join(_roman(word) for word in value.stated.text.split(" ", 1))
+        for value in each.supposing
     }
-    supposed = "; ".join(
-        f"${letter(value.name)} = {texts[value.name]}$: {value.why}" for value in left.supposing
+    supposed = "; ".join(f"${letter(name)} = {texts[name]}$: {why}" for name, why in _reasons(each))
+    opening = _("*Neglected:* {what}. {because}", what=each.what, because=find.statement.because)
+    if supposed:
+        opening += " " + _("(Supposed: {supposed}.)", supposed=supposed)
+    lines = [opening, ""]
+    for law in find.laws:
+        lines += [_law(law), ""]
+    bracketed = {name: f"({text})" for name, text in texts.items()}
+    lines += _result(replace(find, closed=None), (most,), part, {**known, **bracketed})
+    size = (
+        _("{percent} % of the answer", percent=decimal_text(100 * share, 2)) if share else _("nothing at all")
     )
-    lines = [
-        f"*Neglected:* {left.what}. {find.because}" + (f" (Supposed: {supposed}.)" if supposed else ""),
-        "",
-    ]
-    for stated in find.laws:
-        lines += [_law(stated), ""]
-    lines += _result(
-        replace(find, closed=None),
-        (most,),
-        part,
-        {**known, **{name: f"({text})" for name, text in texts.items()}},
-    )
-    size = f"{decimal_text(100 * share, 2)} % of the answer" if share else "nothing at all"
-    return [
-        *lines,
-        f"At most {size}{', left out since the question asks for it.' if left.asked else ': it may be neglected.'}",
-    ]
+    if each.asked:
+        return [*lines, _("At most {size}, left out since the question asks for it.", size=size)]
+    return [*lines, _("At most {size}: it may be neglected.", size=size)]
+
+
+def _reasons(each: SolvedNeglected) -> list[tuple[str, str]]:
+    return [(value.stated.name, value.stated.why) for value in each.supposing]
 
 
 def _roman(word: str) -> str:
@@ -109,23 +122,24 @@ def _roman(word: str) -> str:
     return rf"\mathrm{{{word}}}" if word[0].isalpha() else word
 
 
-def _law(stated: LawShown) -> str:
+def _law(law: AppliedLaw) -> str:
     """The textbook's equation, when it holds, and what it says here."""
-    bold = {name: rf"\vec{{{letter(name)}}}" for name in stated.vectors}
-    where = f" {stated.source}" if stated.source else ""
-    holds = f", since {stated.holds}" if stated.holds else ""
-    here = [latex(relation) for relation in stated.here if not _empty(relation)]
-    textbook = latex(stated.textbook, bold)
+    bold = {name: rf"\vec{{{letter(name)}}}" for name in law.vectors}
+    title = _law_name(law.name) + (f" {law.source}" if law.source else "")
+    if law.holds:
+        title = _("{law}, since {condition}", law=title, condition=_law_name(law.holds))
+    here = [latex(relation) for relation in law.here if not _empty(relation)]
+    textbook = latex(law.textbook, bold)
     if here == [textbook]:
-        return f"{stated.name}{where}{holds}:\n\n$${textbook}$$"
-    shown = r" \qquad ".join(here) or "0 = 0"
-    return f"{stated.name}{where}{holds}:\n\n$${textbook}$$\n\nHere:\n\n$${shown}$$"
+        return f"{title}:\n\n$${textbook}$$"
+    equations = r" \qquad ".join(here) or "0 = 0"
+    return f"{title}:\n\n$${textbook}$$\n\n{_('Here:')}\n\n$${equations}$$"
 
 
 def _result(
-    find: SolvedUnknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
+    find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
 ) -> list[str]:
-    lines = []
+    lines: list[str] = []
     units = [part.unit if part else si_unit(dimension) for dimension in find.dimensions]
     for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
         answer = _quantity(value, unit)
@@ -139,13 +153,15 @@ def _result(
                     steps.append(latex(trees[place], known))
                 steps.append(answer)
                 lines += [*(f"$${line}$$" for line in broken(list(dict.fromkeys(steps)))), ""]
-            case Measured(scene, _, observe):
+            case Measured(scene, _settings, observe):
                 lines += [f"$${letter(name)} = {answer}$$", ""]
                 if name == find.names[-1]:
-                    lines += [
-                        f"Measured in the simulated scene *{scene}* ({observe}), by Newton's second law.",
-                        "",
-                    ]
+                    measured = _(
+                        "Measured in the simulated scene *{scene}* ({observable}), by Newton's second law.",
+                        scene=scene,
+                        observable=observe,
+                    )
+                    lines += [measured, ""]
     return lines
 
 
@@ -171,32 +187,25 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     """Choices, examples, proofs, programs and explanations."""
     lines: list[str] = []
     if part.id in solution.choices:
-        truth = solution.choices[part.id]
-        lines += [f"**({letters[part.id]})** {truth.because}"]
+        lines += [f"**({letters[part.id]})** {solution.choices[part.id].statement.because}"]
     if part.id in solution.examples:
-        truth = solution.examples[part.id]
-        lines += [truth.because, "", *(_law(stated) + "\n" for stated in truth.laws)]
-        if truth.instance is not None:
-            numbers = [_quantity(certified(tree, variant.exact).value, part.unit) for tree in truth.instance]
-            lines += [f"For example: $${', '.join(numbers)}$$"]
+        example = solution.examples[part.id]
+        lines += [example.statement.because, "", *(_law(law) + "\n" for law in example.laws)]
+        if example.instance is not None:
+            known = variant.exact
+            numbers = [_quantity(certified(tree, known).value, part.unit) for tree in example.instance]
+            lines += [_("For example: {numbers}", numbers=f"$${', '.join(numbers)}$$")]
     if part.id in solution.proofs:
-        truth = solution.proofs[part.id]
-        lines += [
-            truth.because,
-            "",
-            *(_law(stated) + "\n" for stated in truth.laws),
-            f"To show:\n\n$${latex(truth.target)}$$",
-            "",
-            "One way:",
-            "",
-        ]
-        lines += [f"$${latex(author_formula(line))}$$\n" for line in truth.lines]
+        proof = solution.proofs[part.id]
+        lines += [proof.statement.because, "", *(_law(law) + "\n" for law in proof.laws)]
+        lines += [f"{_('To show:')}\n\n$${latex(proof.target.here[0])}$$", "", _("One way:"), ""]
+        lines += [f"$${latex(author_formula(line))}$$\n" for line in proof.lines]
     for entry in solution.entries:
         match entry:
-            case Code(part.id, because, _, _, example):
-                lines += [because, "", "```python", example.strip(), "```", ""]
-            case Explain(part.id, rubric, answer):
-                lines += [answer, "", *(f"- {each}" for each in rubric)]
+            case Code() if entry.statement.part == part.id:
+                lines += [entry.statement.because, "", "```python", entry.example.strip(), "```", ""]
+            case Explain() if entry.statement.part == part.id:
+                lines += [entry.answer, "", *(f"- {each}" for each in entry.rubric)]
             case _:
                 continue
     return [_heading(part), "", *lines, ""] if lines else []
@@ -204,14 +213,14 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
 
 def _given_numbers(variant: Variant) -> dict[str, str]:
     """Each given as it stands in a formula: number and unit."""
-    shown = {}
+    numbers: dict[str, str] = {}
     for given in variant.problem.givens:
         unit = unit_latex(given.unit)
         text = number(given, variant.values[given.symbol]).replace("−", "-")
         mantissa, _, power = text.partition("e")
         text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
-        shown[given.symbol] = _bracketed(text + (rf"\,{unit}" if unit else ""), text)
-    return shown
+        numbers[given.symbol] = _bracketed(text + (rf"\,{unit}" if unit else ""), text)
+    return numbers
 
 
 def _quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
@@ -229,7 +238,7 @@ def _bracketed(whole: str, text: str) -> str:
     return rf"({whole})" if whole != text or text.startswith("-") else whole
 
 
-def _names(find: SolvedUnknown) -> str:
+def _names(find: Unknown) -> str:
     return ", ".join(f"${letter(name)}$" for name in find.names)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from corollary.derive.solution import ClosedForms, Rule, Solution, SolvedUnknown
+from corollary.derive.solution import ClosedForms, Rule, Solution, Unknown
 from corollary.formula.ast import names
 from corollary.formula.ball import Undefined
 from corollary.grading.closeness import within
@@ -103,12 +103,12 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
 def first_asked(solution: Solution, place: int) -> list[str]:
     """The parts where a mistake at a step shows first."""
     find = solution.finds[place]
-    if find.answers:
-        return [find.answers]
+    if find.part:
+        return [find.part]
     shown = []
     for later, other in enumerate(solution.finds[place + 1 :], place + 1):
-        if other.answers and place in ancestors(solution, later) and _unasked_way(solution, place, later):
-            shown.append(other.answers)
+        if other.part and place in ancestors(solution, later) and _unasked_way(solution, place, later):
+            shown.append(other.part)
     return shown
 
 
@@ -145,13 +145,13 @@ def _unasked_way(solution: Solution, start: int, end: int) -> bool:
             above = names_of.get(name)
             if above == start:
                 return True
-            if above is not None and above not in seen and not solution.finds[above].answers:
+            if above is not None and above not in seen and not solution.finds[above].part:
                 seen.add(above)
                 todo.append(above)
     return False
 
 
-def _letters(find: SolvedUnknown) -> frozenset[str]:
+def _letters(find: Unknown) -> frozenset[str]:
     if isinstance(find.local, ClosedForms):
         return frozenset().union(*map(names, find.local.trees))
     return frozenset().union(*map(names, find.local.settings.values()))

@@ -23,7 +23,7 @@ def judge_example(key: Key, part: Part, answer: Numbers) -> Verdict:
     known = key.variant.exact | named(key.solution, list(key.values))
     scale = abs(number(truth.scale, known))
     try:
-        mine = known | {name: as_exact(value) for name, value in zip(truth.names, answer.values, strict=True)}
+        mine = known | {name: as_exact(value) for name, value in zip(truth.finds, answer.values, strict=True)}
         for values, why in truth.apart:
             if within(answer.values, tuple(number(tree, known) for tree in values), 2 * TOLERANCE, scale):
                 return Wrong(f"No: {why}.")

@@ -43,7 +43,7 @@ def carried(key: Key, truth: Truth, answers: Mapping[str, Values]) -> Iterator[C
             right[other.place] = values
         elif usable(values, other):
             off[part] = other.place, values
-    rules: list[Rule | None] = [None, *solution.finds[truth.place].routes]
+    rules: list[Rule | None] = [None, *(route.rule for route in solution.finds[truth.place].routes)]
     for count in range(min(len(off), MOST) + 1):
         for parts in combinations(list(off)[-MOST:], count):
             held = dict(off[part] for part in parts)

@@ -117,7 +117,7 @@ def rubric(key: Key, part: Part) -> tuple[str, ...]:
         (
             entry.rubric
             for entry in key.solution.entries
-            if isinstance(entry, Explain) and entry.part == part.id
+            if isinstance(entry, Explain) and entry.statement.part == part.id
         ),
         (),
     )

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from corollary.derive.solution import Measured, Solution, SolvedUnknown
+from corollary.derive.solution import Measured, Solution, Unknown
 from corollary.formula.ball import Undefined, certified, holds
 from corollary.grading.replay import as_exact, compute, simulated
 from corollary.grading.replay import number as plain_number
@@ -44,7 +44,7 @@ class Key:
     truths: Mapping[str, Truth]
     choices: Mapping[str, str]
 
-    def find(self, truth: Truth) -> SolvedUnknown:
+    def find(self, truth: Truth) -> Unknown:
         return self.solution.finds[truth.place]
 
 
@@ -57,19 +57,19 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         try:
             numbers, proven, error = answer(solution, find, variant, values)
         except Undefined as why:
-            what = f"part {find.answers}" if find.answers else ", ".join(find.names)
+            what = f"part {find.part}" if find.part else ", ".join(find.names)
             raise Undefined(f"{what} has no value for these numbers: {why}") from why
         values.append(numbers)
         stated[place] = proven, error
     noise = noise_of(solution, givens, values)
     truths = {}
     for place, find in enumerate(solution.finds):
-        if find.answers:
+        if find.part:
             proven, error = stated[place]
             scale = scale_of(find, values[place], givens | named(solution, values))
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             doubt = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
-            truths[find.answers] = Truth(
+            truths[find.part] = Truth(
                 place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, doubt
             )
     choices = {part: chosen(truth.options, givens, part) for part, truth in solution.choices.items()}
@@ -77,7 +77,7 @@ def make_key(solution: Solution, variant: Variant) -> Key:
 
 
 def answer(
-    solution: Solution, find: SolvedUnknown, variant: Variant, before: list[tuple[float, ...]]
+    solution: Solution, find: Unknown, variant: Variant, before: list[tuple[float, ...]]
 ) -> tuple[tuple[float, ...], bool, float]:
     """A find's values from its closed form, certified; or from its scene, with the error the run states."""
     if find.closed is not None:
@@ -104,7 +104,7 @@ def named(solution: Solution, values: list[tuple[float, ...]]):
     }
 
 
-def scale_of(find: SolvedUnknown, values: tuple[float, ...], known) -> float:
+def scale_of(find: Unknown, values: tuple[float, ...], known) -> float:
     """The length of the answer; where the answer is zero, what the solution names, or the largest given of its dimension."""
     length = math.hypot(*values)
     if length > 0 or find.scale is None:

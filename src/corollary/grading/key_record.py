@@ -45,16 +45,16 @@ def part_key(key: Key, part: Part) -> dict[str, Any]:
         proof = solution.proofs[part.id]
         return {
             "laws": [text(relation) for law in proof.laws for relation in law.here],
-            "target": text(proof.target),
+            "target": text(proof.target.here[0]),
         }
     entry = {}
     for each in solution.entries:
         match each:
-            case Code(part=part.id):
+            case Code() if each.statement.part == part.id:
                 entry |= {"function": part.signature, "example": each.example.strip()}
-            case Plot(part=part.id):
-                entry |= {"plot": each.because}
-            case Explain(part=part.id):
+            case Plot() if each.statement.part == part.id:
+                entry |= {"plot": each.statement.because}
+            case Explain() if each.statement.part == part.id:
                 entry |= {"rubric": list(each.rubric), "answer": each.answer}
             case _:
                 continue

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from corollary.derive.solution import LeftOut
+from corollary.derive.solution import SolvedNeglected
 from corollary.formula.ball import RationalPi
 from corollary.grading.key import Key, named
 from corollary.grading.replay import compute
@@ -14,13 +14,13 @@ from corollary.grading.replay import compute
 class Neglect:
     """`most` is the largest change of the answer (in SI), `share` the same relative to what its tolerance is relative to."""
 
-    left: LeftOut
+    left: SolvedNeglected
     most: float
     share: float
 
     @property
     def part(self) -> str:
-        return self.left.bound.answers
+        return self.left.statement.part
 
 
 def neglects(key: Key) -> tuple[Neglect, ...]:
@@ -28,9 +28,9 @@ def neglects(key: Key) -> tuple[Neglect, ...]:
     known = key.variant.exact | named(key.solution, list(key.values))
     found = []
     for left in key.solution.neglected:
-        supposed = {value.name: RationalPi(value.ratio) for value in left.supposing}
+        supposed = {value.stated.name: RationalPi(value.ratio) for value in left.supposing}
         (most,) = map(abs, compute(left.bound.local, known | supposed))
-        scale = key.truths[left.bound.answers].scale
+        scale = key.truths[left.statement.part].scale
         found.append(Neglect(left, most, most / scale if scale else float("inf")))
     return tuple(found)
 

@@ -31,20 +31,22 @@ def judge_proof(key: Key, part: Part, answer: Chain) -> Verdict:
     lawful = lawful_points(key)
     for place, line in enumerate(answer.lines, 1):
         if not all(_true(line, point) for point in lawful):
-            for wrong, said in truth.wrong:
-                if _equivalent(line, wrong, lawful):
-                    return Mistaken(said)
+            for mistake in truth.mistakes:
+                if any(_equivalent(line, law.here[0], lawful) for law in mistake.rule):
+                    return Mistaken(mistake.text)
             return Wrong(f"Line {place} does not hold: {text(line)}.")
         if all(_true(line, point) for point in lawless_points(lawful)):
             return Wrong(f"Line {place} says nothing: it is true whatever the quantities are.")
     first, last = answer.lines[0], answer.lines[-1]
     if not any(_equivalent(first, law, lawful) for stated in truth.laws for law in stated.here):
         return Wrong("Begin with a law, as the first line, before anything is put in or left out.")
-    if not _equivalent(last, truth.target, lawful):
+    if not _equivalent(last, truth.target.here[0], lawful):
         return Wrong("The last line is true, but it is not yet what was to be shown.")
     if len(answer.lines) < 2:
         return Wrong("One line is a claim; a proof shows the way from a law to it.")
-    if _leaps(answer.lines, [law for stated in truth.laws for law in stated.here], truth.target, lawful):
+    if _leaps(
+        answer.lines, [law for stated in truth.laws for law in stated.here], truth.target.here[0], lawful
+    ):
         return Unmarked(
             "Every line holds, but the way from the law to the last line is not written down; a person will look at it."
         )

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 
-from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, SolvedUnknown
+from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, Unknown
 from corollary.formula.ast import Expr, names
 from corollary.formula.ball import RationalPi, Undefined, evaluate
 from corollary.scenes.run import BadSetting, GuardFailed
@@ -126,10 +126,14 @@ def _ancestors(solution: Solution, place: int) -> frozenset[int]:
     return frozenset(seen)
 
 
-def uses(find: SolvedUnknown) -> frozenset[str]:
+def uses(find: Unknown) -> frozenset[str]:
     """Every letter that the rules of a find mention."""
     found: set[str] = set()
-    for rule in (find.local, *find.routes, *(wrong.rule for wrong in find.mistakes)):
+    for rule in (
+        find.local,
+        *(route.rule for route in find.routes),
+        *(wrong.rule for wrong in find.mistakes),
+    ):
         trees = rule.trees if isinstance(rule, ClosedForms) else tuple(rule.settings.values())
         for tree in trees:
             found |= names(tree)

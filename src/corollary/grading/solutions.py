@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from corollary.derive.cache import solution_of
 from corollary.derive.load import source
 from corollary.derive.solution import Solution
-from corollary.derive.worked_solution import story
+from corollary.derive.worked_solution import worked_solution
 from corollary.grading.assign import Assigned, assign_variant
 from corollary.grading.key import Key, make_key
 from corollary.grading.neglect import neglects
@@ -47,7 +47,7 @@ class Solutions:
     def told(self, key: Key) -> str:
         """The same, where the key is at hand."""
         left_out = [(each.most, each.share) for each in neglects(key)]
-        return story(key.solution, key.variant, key.values, key.choices, left_out)
+        return worked_solution(key.solution, key.variant, key.values, key.choices, left_out)
 
     def __reduce__(self):
         """Sent to another process it is found again there: programs are functions of a file, and do not travel."""

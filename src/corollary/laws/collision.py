@@ -5,9 +5,8 @@ from __future__ import annotations
 import sympy
 
 from corollary.laws.energy import elastic
-from corollary.laws.law import Law, law, sides
+from corollary.laws.law import Law, as_expression, law, sides
 from corollary.laws.momentum import conservation_of_momentum
-from corollary.laws.substitute import as_expression
 
 
 def restitution(r: object, *, A: tuple, B: tuple) -> Law:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any, cast
 
 import sympy
 
 from corollary.formula.ast import Expr, Relation, names
 from corollary.formula.syntax import author_formula
 from corollary.formula.to_sympy import expression
-from corollary.laws.substitute import as_expression
 
 Meaning = sympy.Expr | tuple[sympy.Expr, ...]
 
@@ -81,6 +81,16 @@ def symbols(stated: Law) -> frozenset[sympy.Symbol]:
         for part in meaning if isinstance(meaning, tuple) else (meaning,):
             found |= {symbol for symbol in part.free_symbols if isinstance(symbol, sympy.Symbol)}
     return frozenset(found)
+
+
+def as_expression(value: object) -> sympy.Expr:
+    """A number or an expression of an author's as sympy has it (typed here once, for sympy says Any of it)."""
+    return cast(sympy.Expr, sympy.sympify(value))
+
+
+def substitute(expression: Any, values: Mapping[sympy.Symbol, sympy.Expr]) -> Any:
+    """The expression (or relation) with letters replaced, all at once; simplified only as sympy does by itself."""
+    return expression.subs(dict(values)) if values else expression
 
 
 def _meaning(value: object) -> Meaning:

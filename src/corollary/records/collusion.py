@@ -78,7 +78,7 @@ def _truths(
 ) -> dict[str, dict[str, tuple[float, ...]]]:
     """The right answers of everybody, by part and student."""
     solution = solutions.of(problem)
-    places = {find.answers: place for place, find in enumerate(solution.finds) if find.answers in parts}
+    places = {find.part: place for place, find in enumerate(solution.finds) if find.part in parts}
     truths: dict[str, dict[str, tuple[float, ...]]] = {part: {} for part in places}
     for student, row in dealt.items():
         variant = at(problem, row[problem.code]) if problem.code in row else chapter(problem)

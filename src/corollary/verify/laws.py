@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
 from corollary.derive.solve import unproven
 from corollary.formula.ast import names
@@ -28,15 +27,13 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     path = bank.solution(solution.problem)
     for left in solution.neglected:
         dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))
-        dimensions |= {value.name: value.dimension for value in left.supposing}
+        dimensions |= {value.stated.name: value.dimension for value in left.supposing}
     for find in (*solution.finds, *(left.bound for left in solution.neglected)):
-        for law in (*find.laws, *(law for way in find.routes_shown for law in way.laws)):
+        for law in (*find.laws, *(law for route in find.routes for law in route.stated.laws)):
             for relation in law.here:
                 if names(relation) - {"pi"} - dimensions.keys():
                     continue  # an unknown met only inside a step: its dimension follows from the law itself
                 found = dimension_of(relation, dimensions)
                 tally.count("dimensions")
                 if isinstance(found, ParseError):
-                    tally.complain(
-                        f"{path.name}:{line_of(path, find.because)}: {law.name}: {sentence(found)}"
-                    )
+                    tally.complain(f"{path.name}:{find.statement.line}: {law.name}: {sentence(found)}")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 
-from corollary.derive.load import line_of
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.programs.judge import code_of, plot_of
@@ -44,7 +43,7 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
     try:
         with Runner() if runner is None else nullcontext(runner) as runner:
             for part in parts:
-                where = f"{path.name}:{line_of(path, _words(key, part))}: part {part.id}"
+                where = f"{path.name}:{_line(key, part)}: part {part.id}"
                 for kind, verdict in zip(
                     part.kinds, _verdicts(runner, key, part, example(key, part)), strict=True
                 ):
@@ -92,6 +91,6 @@ def _said(verdict: Verdict) -> str:
             return word(verdict)
 
 
-def _words(key: Key, part: Part) -> str:
+def _line(key: Key, part: Part) -> int:
     entry = code_of(key.solution, part) or plot_of(key.solution, part)
-    return entry.because if entry is not None else ""
+    return entry.statement.line if entry is not None else 0

@@ -7,7 +7,6 @@ import math
 from corollary.answers.answer_type import Sample
 from corollary.answers.quantity import read_quantity
 from corollary.answers.registry import KINDS
-from corollary.derive.load import line_of
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
@@ -69,9 +68,9 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
         if not isinstance(entry, Printed):
             continue
         key = make_key(solution, chapter(solution.problem))
-        part = solution.problem.part(entry.part)
-        wanted = key.truths[entry.part].values
-        where = f"{path.name}:{line_of(path, entry.text)}"
+        part = solution.problem.part(entry.statement.part)
+        wanted = key.truths[entry.statement.part].values
+        where = f"{path.name}:{entry.statement.line}"
         for value, printed in zip(wanted, entry.text.split(";"), strict=True):
             read = read_quantity(printed.strip(), part.unit)
             if isinstance(read, ParseError):
@@ -84,4 +83,4 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
                 ratio == 0 and value == 0
             )
             tally.expect(bool(met), "printed values", lambda where=where, printed=printed, value=value, entry=entry: (
-                f"{where}: {entry.where} prints {printed.strip()} for part {entry.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip
+                f"{where}: {entry.where} prints {printed.strip()} for part {entry.statement.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from corollary.derive.errors import NotDerivable
+from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-from corollary.derive.load import line_of
 from corollary.derive.simulation import Seen, simulations
 from corollary.derive.solution import Solution
 from corollary.formula.text import text
@@ -85,7 +84,7 @@ def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
     for each in neglects(key):
         allowed = key.truths[each.part].tolerance
         tally.expect(each.left.asked or each.share <= allowed, "neglected effects", lambda each=each, allowed=allowed: (
-            f"{path.name}:{line_of(path, each.left.bound.because)}: part {each.part} of {key.variant.label} neglects {each.left.what}, "
+            f"{path.name}:{each.left.statement.line}: part {each.part} of {key.variant.label} neglects {each.left.what}, "
             f"which may change the answer by {each.share:.2%}, more than the {allowed:.2%} it may be off; narrow the ranges, or count it in"))  # fmt: skip
 
 
@@ -97,7 +96,7 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     }
     path = bank.solution(key.variant.problem)
     for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
-        about = f"{path.name}:{line_of(path, 'def scene')}: scene {wanted.scene} on {key.variant.label}"
+        about = f"{path.name}:{wanted.line}: scene {wanted.scene} on {key.variant.label}"
         try:
             found = run(wanted.scene, wanted.settings, tolerance=1e-12)
         except (BadSetting, GuardFailed) as error:

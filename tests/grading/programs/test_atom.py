@@ -5,10 +5,10 @@ import random
 
 import pytest
 
+from corollary.derive.statements import Fault
 from corollary.grading.programs.called import Called
 from corollary.grading.programs.catch import catch_inputs, judge_catch
 from corollary.grading.programs.orbit import judge_orbit, orbit_inputs
-from corollary.grading.programs.remarks import Said
 from corollary.grading.programs.well import Well, moved, start_of, well_of
 from corollary.scenes.catalogue import run
 
@@ -73,12 +73,12 @@ WRONG = [
 @pytest.mark.parametrize("seed", range(3))
 def test_usual_wrong_programs_are_told_what_is_wrong(judged, changed, words, seed):
     said = judged(seed, **changed)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.known
     assert words in said.sentence
 
 
 def test_too_few_numbers_are_told():
     said = judge_orbit({}, [Called(case, (1.0,)) for case in orbit_inputs({}, random.Random(1).uniform)])
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "pair" in said.sentence

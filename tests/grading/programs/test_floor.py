@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.called import Called
 from corollary.grading.programs.floor import ARGUMENTS, bounce_inputs, judge_bounce, reference
 from corollary.grading.programs.floor_plot import judge_bounce_plot
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.sandbox.result import Axes, Line
 
 from .conftest import RIGHT, bounce, forward_euler
@@ -74,7 +74,7 @@ def test_a_program_that_does_not_step_with_dt_is_right_and_told():
 
     assert isinstance(judged(3, exact), Remark)
     said = judged(3, lambda inputs: (1.1 * exact(inputs)[0], *exact(inputs)[1:]))
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "steps of its own" in said.sentence
 
 
@@ -84,7 +84,7 @@ def test_a_program_that_does_not_step_with_dt_is_right_and_told():
 @pytest.mark.parametrize("seed", range(5))
 def test_the_usual_wrong_programs_are_named(wrong, word, seed):
     said = judged(seed, lambda inputs: bounce(inputs, **wrong))
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.known
     assert word in said.sentence
 
@@ -95,7 +95,7 @@ def test_the_force_of_the_floor_is_not_the_net_force():
         return v, force + inputs["m"] * inputs["g"], duration
 
     said = judged(0, program)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "weight" in said.sentence
 
 
@@ -105,7 +105,7 @@ def test_a_contact_not_waited_for_with_the_shorter_step_is_told():
         return bounce(inputs) if inputs in drawn(0)[::2] else (0.3, 0.0, 0.0)
 
     said = judged(0, program)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "fixed number of steps" in said.sentence
 
 
@@ -114,7 +114,7 @@ def test_a_contact_not_waited_for_with_the_shorter_step_is_told():
 )
 def test_nonsense_is_refused_with_a_sentence(answer):
     said = judged(1, lambda inputs: answer)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.sentence.endswith(".")
 
 

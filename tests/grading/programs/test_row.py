@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.bound import OWN_STEPS
 from corollary.grading.programs.called import STEPS, Called
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.row import (
     CRADLE,
     bounds,
@@ -59,7 +59,7 @@ def test_a_solver_of_scipy_with_its_usual_tolerance_is_right(method, stepped):
         ).y[n:, -1]
 
     said = judged(program, 1)
-    assert said is None if stepped and method != "LSODA" else not isinstance(said, Said)
+    assert said is None if stepped and method != "LSODA" else not isinstance(said, Fault)
 
 
 def test_a_closed_form_is_right_and_told_that_it_does_not_step():
@@ -98,21 +98,21 @@ def test_errors_that_stay_or_fall_too_slowly_are_told_and_cost_nothing():
 @pytest.mark.parametrize("seed", range(4))
 def test_usual_wrong_programs_are_known(wrong, words, seed):
     said = judged(lambda inputs: row(inputs, **wrong), seed)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.known
     assert words in said.sentence
 
 
 def test_what_grows_beyond_all_numbers_is_known():
     said = judged(lambda inputs: [float("inf")] * inputs["N"])
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.known
     assert "wrong sign" in said.sentence
 
 
 def test_a_step_too_large_of_ones_own_is_told():
     said = judged(lambda inputs: row(inputs, dt=60 * max(inputs["dt"], 2e-5)))
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "steps of its own" in said.sentence or "step is small enough" in said.sentence
 
 
@@ -124,7 +124,7 @@ def test_a_fixed_number_of_steps_is_right_with_one_step_and_told_with_the_other(
         )
 
     said = judged(program)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "fixed number of steps" in said.sentence
 
 
@@ -134,7 +134,7 @@ def test_a_shift_that_half_the_step_does_not_shrink_is_wrong_once_it_is_beyond_t
             1 - 1.5 * bounds(inputs["N"], inputs["q"])[0].allowed(STEPS) * (1 + inputs["dt"])
         )
 
-    assert isinstance(judged(program), Said)
+    assert isinstance(judged(program), Fault)
 
 
 def test_the_bound_shrinks_with_the_step_and_stays_below_what_a_program_without_steps_may_err():

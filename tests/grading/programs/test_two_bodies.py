@@ -5,9 +5,9 @@ import random
 
 import pytest
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.called import Called
 from corollary.grading.programs.ions import closest, ion_force, ion_inputs, judge_ions
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.spheres import judge_spheres, sphere_force, sphere_inputs
 from corollary.grading.programs.two_bodies import converged
 from corollary.scenes.catalogue import run
@@ -44,7 +44,7 @@ def test_ions_are_right_by_any_method(step):
 @pytest.mark.parametrize("seed", range(3))
 def test_forward_euler_is_named(seed):
     for said in (spheres(seed, forward_euler), ions(seed, forward_euler)):
-        assert isinstance(said, Said)
+        assert isinstance(said, Fault)
         assert said.known
         assert "forward Euler" in said.sentence
 
@@ -61,7 +61,7 @@ def test_signs_and_powers_as_printed_in_12_119_and_other_usual_mistakes_are_know
     judged, changed, words, seed
 ):
     said = judged(seed, **changed)
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.known
     assert words in said.sentence
 
@@ -74,7 +74,7 @@ def test_newtons_third_law_is_missed_when_it_is_missing():
         return au, aw, *case["vB"]
 
     said = judge_spheres({}, [Called(case, alone(case)) for case in cases])
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert said.known
     assert "only A feels a force" in said.sentence
 
@@ -93,7 +93,7 @@ def test_three_numbers_are_not_four():
     said = judge_ions(
         {}, [Called(case, (1.0, 2.0, 3.0)) for case in ion_inputs({}, random.Random(1).uniform)]
     )
-    assert isinstance(said, Said)
+    assert isinstance(said, Fault)
     assert "four velocities" in said.sentence
 
 

@@ -74,14 +74,14 @@ def _examples(prompt: Prompt, key: Key) -> Sources:
     numbers = {name: repr(value) for name, value in key.variant.si.items()}
     for entry in key.solution.entries:
         match entry:
-            case Code(part=prompt.part.id):
+            case Code() if entry.statement.part == prompt.part.id:
                 sources[f"{prompt.key}_answer"] = f"import numpy as np\n{entry.example.strip()}"
-            case Plot(part=prompt.part.id):
+            case Plot() if entry.statement.part == prompt.part.id:
                 body = entry.example.strip()
                 for name, value in numbers.items():
                     body = body.replace(f"{{{name}}}", value)
                 sources[f"{prompt.key}_plot"] = f"import numpy as np\nimport matplotlib.pyplot as plt\n{body}"
-            case Explain(part=prompt.part.id):
+            case Explain() if entry.statement.part == prompt.part.id:
                 sources[prompt.key] = entry.answer
             case _:
                 continue

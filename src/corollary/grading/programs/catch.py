@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.orbit import EULER, misfit, named, place_standard
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.well import (
     State,
     Walk,
@@ -38,7 +38,7 @@ def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:
     return halved(cases)
 
 
-def judge_catch(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+def judge_catch(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
     """The place of both atoms at the time T, when A has met B at rest at the time t1."""
     return judged(CATCH, called)
 
@@ -59,7 +59,7 @@ def ended(inputs: Inputs, dt: float, *, keeps: float = 0.5, pull: float = 1.0, w
     )
 
 
-def _wrong(called: Called) -> Said:
+def _wrong(called: Called) -> Fault:
     inputs, dt = called.inputs, called.inputs["dt"]
     usual = {
         "the velocity is not changed by the collision. B was at rest: momentum is shared by both.": ended(

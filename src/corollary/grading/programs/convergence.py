@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.bound import OWN_STEPS, Bound
 from corollary.grading.programs.called import Called, Inputs, pairs
-from corollary.grading.programs.remarks import Remark, Said
 
 SAME = 1e-13  # relative: two runs that differ by less did not use the step
 FIRST = 2.7  # halving the step divides the error by 2 (first order) or 4 (second): told apart half-way, at the root of 8
@@ -41,7 +41,7 @@ class Family:
 
     misfit: Callable[[Called], str]
     standard: Callable[[Inputs], Standard]
-    wrong: Callable[[Called], Said]
+    wrong: Callable[[Called], Fault]
 
 
 GROWN = (
@@ -55,22 +55,22 @@ LATER = (
 )
 
 
-def judged(family: Family, called: Sequence[Called]) -> Said | Remark | None:
+def judged(family: Family, called: Sequence[Called]) -> Fault | Remark | None:
     """The first call that is too far away decides; when none is, what halving the step showed."""
     both, standards = pairs(called), []
     for pair in both:
         for call in pair:
             if sentence := family.misfit(call):
-                return Said(sentence)
+                return Fault(sentence)
             if not all(map(math.isfinite, call.returned)):
-                return Said(GROWN, known=True)
+                return Fault(GROWN, known=True)
         own, standard = same(*pair), family.standard(pair[0].inputs)
         for later, call in enumerate(pair):
             if standard.far(call, own):
                 said = family.wrong(call)
                 if said.known or not (own or later):
                     return said
-                return Said(f"{OWN if own else LATER} {said.sentence}")
+                return Fault(f"{OWN if own else LATER} {said.sentence}")
         standards.append(standard)
     return remark(both, standards)
 

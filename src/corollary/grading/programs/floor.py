@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.bound import NAMED, Bound, measured
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.floor_bugs import USUAL, Scheme, wrong_bounce
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import march
 from corollary.scenes.integrate.tableau import EULER_CROMER
@@ -62,7 +62,7 @@ def reference(m: float, k: float, R: float, y0: float, v0: float, g: float) -> B
     return Bounce(speed, force - m * g, duration)
 
 
-def judge_bounce(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+def judge_bounce(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
     """Against the reference first; then by what the usual wrong programs return for the same numbers."""
     return judged(BOUNCE, called)
 
@@ -101,25 +101,25 @@ def bounds(*numbers: float) -> tuple[Bound, ...]:
     return (*measured(1, errors), Bound(1, COUNTED))
 
 
-def _wrong(called: Called) -> Said:
+def _wrong(called: Called) -> Fault:
     numbers, returned = _numbers(called.inputs), called.returned
     truth = reference(*numbers)
     nearest, sentence = min((_distance(called, scheme), sentence) for scheme, sentence in USUAL.items())
     if nearest <= 1:
-        return Said(sentence, known=True)
+        return Fault(sentence, known=True)
     v = returned[0]
     if math.isclose(v, numbers[4], rel_tol=1e-9):
-        return Said(
+        return Fault(
             "The velocity is still the one at the start: step until the ball has touched the floor and left it again."
         )
     if v < 0 and abs(v + truth.velocity) <= NAMED * truth.velocity:
-        return Said(
+        return Fault(
             "The velocity is negative, as on the way down: step until the ball has left the floor again.",
             known=True,
         )
     allowed = _standard(called.inputs).allowed(called)
     off = [error / most for error, most in zip(truth.errors(returned), allowed, strict=True)]
-    return Said(OFF[off.index(max(off))])
+    return Fault(OFF[off.index(max(off))])
 
 
 OFF = (

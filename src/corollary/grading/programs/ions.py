@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs import two_bodies
 from corollary.grading.programs.bound import SMOOTH
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved
 from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.two_bodies import Force, converged
 
 
@@ -49,7 +49,7 @@ def ion_inputs(given: Given, draw: Draw) -> list[Inputs]:
     return halved(cases)
 
 
-def judge_ions(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+def judge_ions(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
     """Against steps made ever smaller; then against what the usual wrong programs return, and by the total momentum."""
     return judged(IONS, called)
 
@@ -68,7 +68,7 @@ def _turning(inputs: Inputs) -> float:
     return closest(inputs["C"], inputs["mA"], inputs["mB"], math.dist(inputs["rA"], inputs["rB"]), v) / v
 
 
-def _wrong(called: Called) -> Said:
+def _wrong(called: Called) -> Fault:
     C = called.inputs["C"]
     usual = {
         "the ions attract. $\\Delta\\vec r$ leads from A to B, so the force on A needs a minus.": ion_force(

@@ -8,11 +8,10 @@ from typing import assert_never
 from corollary.answers.answer import Numbers, Unclear
 from corollary.answers.numbers import vector
 from corollary.derive.solution import Solution
-from corollary.derive.statements import Code, Plot
+from corollary.derive.statements import Code, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.called import Called
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
@@ -24,14 +23,16 @@ from corollary.units.unit import unit
 def code_of(solution: Solution, part: Part) -> Code | None:
     """The code entry of a part."""
     return next(
-        (entry for entry in solution.entries if isinstance(entry, Code) and entry.part == part.id), None
+        (entry for entry in solution.entries if isinstance(entry, Code) and entry.statement.part == part.id),
+        None,
     )
 
 
 def plot_of(solution: Solution, part: Part) -> Plot | None:
     """The plot entry of a part."""
     return next(
-        (entry for entry in solution.entries if isinstance(entry, Plot) and entry.part == part.id), None
+        (entry for entry in solution.entries if isinstance(entry, Plot) and entry.statement.part == part.id),
+        None,
     )
 
 
@@ -95,13 +96,13 @@ def judge_plot(solution: Solution, variant: Variant, part: Part, shown: ProgramR
     return _verdict(plot.judge(variant.si, axes))
 
 
-def _verdict(said: Said | Remark | None) -> Verdict:
+def _verdict(said: Fault | Remark | None) -> Verdict:
     match said:
         case None:
             return Right()
         case Remark(sentence):
             return Right(sentence)
-        case Said(sentence, known):
+        case Fault(sentence, known):
             return Mistaken(sentence) if known else Wrong(sentence)
         case _:
             assert_never(said)

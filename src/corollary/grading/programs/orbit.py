@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.bound import NAMED, measured
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
 from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.well import (
     State,
     Well,
@@ -47,7 +47,7 @@ def orbit_inputs(given: Given, draw: Draw) -> list[Inputs]:
     return halved(cases)
 
 
-def judge_orbit(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+def judge_orbit(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
     """The place of the atom at the time T: against small exact steps, then against the usual wrong programs."""
     return judged(ORBIT, called)
 
@@ -67,7 +67,7 @@ def place_standard(well: Well, truth: State, book: Callable[[float], State]) -> 
     return Standard(errors, measured(1, lambda steps: errors(book(contact / steps)[:2])), contact)
 
 
-def _wrong(called: Called) -> Said:
+def _wrong(called: Called) -> Fault:
     inputs = called.inputs
     well, start = well_of(inputs), start_of(inputs)
     steps = round(inputs["T"] / inputs["dt"])
@@ -93,12 +93,12 @@ def misfit(called: Called) -> str:
     return miscounted(called, 2, "the pair (x, y)")
 
 
-def named(called: Called, usual: Mapping[str, State]) -> Said:
+def named(called: Called, usual: Mapping[str, State]) -> Fault:
     """The usual wrong program that ends nearest, when it ends near."""
     sentence, end = min(usual.items(), key=lambda item: math.dist(called.returned, item[1][:2]))
     if math.dist(called.returned, end[:2]) <= NAMED * max(called.inputs["b"], math.hypot(*end[:2])):
-        return Said(f"At the time T {sentence}", known=True)
-    return Said(
+        return Fault(f"At the time T {sentence}", known=True)
+    return Fault(
         "The atom is not where it should be at the time T. Check the force on both sides of r = b, beyond b + d, and that you reach T."
     )
 

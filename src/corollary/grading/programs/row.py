@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.bound import NAMED, Bound, measured
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
 from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.row_bugs import USUAL, wrong_cradle
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import march
@@ -34,7 +34,7 @@ def cradle_inputs(given: Given, draw: Draw) -> list[Inputs]:
     return halved(cases)
 
 
-def judge_cradle(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+def judge_cradle(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
     """Against the reference first; then by what is kept, and by what the usual wrong programs return for the same numbers."""
     return judged(CRADLE, called)
 
@@ -88,7 +88,7 @@ def _pushed(q: float):
     return acceleration
 
 
-def _wrong(called: Called) -> Said:
+def _wrong(called: Called) -> Fault:
     one, returned = called.inputs, called.returned
     balls, v0 = one["N"], one["v0"]
     case = f"For N = {balls} and q = {one['q']:g}"
@@ -98,23 +98,23 @@ def _wrong(called: Called) -> Said:
 
     for scheme, sentence in USUAL.items():
         if near(wrong_cradle(scheme, balls, one["m"], one["k"], one["q"], v0, one["dt"])):
-            return Said(f"{case}: {sentence}", known=True)
+            return Fault(f"{case}: {sentence}", known=True)
     if near([v0] + [0.0] * (balls - 1)):
-        return Said(
+        return Fault(
             f"{case} nothing has happened: the first ball still has v0 and the others are at rest. Step until no two balls touch any more."
         )
     if not math.isclose(sum(returned), v0, rel_tol=1e-6):
-        return Said(
+        return Fault(
             f"{case} the total momentum is not kept. What one ball does to its neighbour, the neighbour does to it, the other way.",
             known=True,
         )
     if sum(v * v for v in returned) > v0 * v0 * (1 + NAMED):
-        return Said(
+        return Fault(
             f"{case} the kinetic energy has grown. Check the sign of the force (it must push the balls apart), that the position is "
             f"stepped with the new velocity, and that the step is small enough.",
             known=True,
         )
-    return Said(
+    return Fault(
         f"{case} momentum is kept, but the velocities are not those of this contact. Check the force law, and that all contacts have ended."
     )
 
@@ -122,14 +122,14 @@ def _wrong(called: Called) -> Said:
 CRADLE = Family(_misfit, _standard, _wrong)
 
 
-def judge_contact(given: Given, called: Sequence[Called]) -> Said | None:
+def judge_contact(given: Given, called: Sequence[Called]) -> Fault | None:
     """Whether the pair (k, q) a student found leaves the middle of three touching balls nearly at rest."""
     (one,) = called
     if sentence := miscounted(one, 2, "the pair (k, q)"):
-        return Said(sentence)
+        return Fault(sentence)
     k, q = one.returned
     if not (k > 0 and 1 <= q <= 10):
-        return Said("k must be positive, and q between 1 and 10.")
+        return Fault("k must be positive, and q between 1 and 10.")
     velocities = run(
         "cradle", {"N": 3, "m": given["m"], "k": k, "q": q, "v0": given["v0"]}, tolerance=1e-6
     ).observed["velocities"]
@@ -137,6 +137,6 @@ def judge_contact(given: Given, called: Sequence[Called]) -> Said | None:
     left = abs(velocities[1]) / given["v0"]
     if left < 0.02:
         return None
-    return Said(
+    return Fault(
         f"With your k and q the middle ball keeps {left:.0%} of v0; the goal is less than 2 %. Which of the two matters?"
     )

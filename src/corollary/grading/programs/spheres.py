@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs import two_bodies
 from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved
 from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.remarks import Remark, Said
 from corollary.grading.programs.two_bodies import Force
 from corollary.scenes.catalogue import run
 
@@ -52,7 +52,7 @@ def sphere_inputs(given: Given, draw: Draw) -> list[Inputs]:
     return halved(cases)
 
 
-def judge_spheres(given: Given, called: Sequence[Called]) -> Said | Remark | None:
+def judge_spheres(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
     """Against the scene; then against what the usual wrong programs return, and by the total momentum."""
     return judged(SPHERES, called)
 
@@ -65,7 +65,7 @@ def _standard(inputs: Inputs) -> Standard:
     return two_bodies.standard(inputs, force, truth, order=order, unit=_contact(inputs))
 
 
-def _wrong(called: Called) -> Said:
+def _wrong(called: Called) -> Fault:
     R, k, eta = (called.inputs[name] for name in ("R", "k", "eta"))
     usual = {
         "the spheres pull each other together while they overlap. The spring pushes A away from B, against "

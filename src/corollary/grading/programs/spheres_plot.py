@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from corollary.grading.programs.remarks import Said
+from corollary.derive.statements import Fault
 from corollary.grading.programs.spheres import sphere_force
 from corollary.grading.programs.two_bodies import stepped
 
@@ -17,7 +17,7 @@ NEAR = 0.03  # of A's momentum at the start: curves are read off as drawn, steps
 AXES = {"the trajectories": (r"^x", r"^y"), "p_x": (r"^t", r"px|^p.*x"), "p_y": (r"^t", r"py|^p.*y")}
 
 
-def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Said | None:
+def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fault | None:
     """Three pairs of axes, told by their labels; in each a curve for A and one for B with the right ends."""
     inputs = {**START, "mA": given["mA"], "mB": given["mB"]}
     au, aw, bu, bw = stepped(
@@ -27,13 +27,13 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Sa
     for what, labels in AXES.items():
         axes = next((each for each in figures if _labelled(each, labels)), None)
         if axes is None:
-            return Said(
+            return Fault(
                 f"No axes for {what} were found. Label them with quantity and unit: x [m] and y [m], t [s] "
                 f"and p_x [kg m/s], t [s] and p_y [kg m/s]."
             )
         curves = [line for line in axes.lines if line.kind != "bars" and len(line.x) > 20]
         if len(curves) < 2:
-            return Said(f"In the axes for {what} there must be a curve for A and one for B.")
+            return Fault(f"In the axes for {what} there must be a curve for A and one for B.")
         match what:
             case "the trajectories":
                 wanted = {START["rA"], START["rB"]}
@@ -42,7 +42,7 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Sa
                     for place in wanted
                 )
                 if not met:
-                    return Said("The trajectories must start at (0, 0) for A and at (0.08, 0.018) m for B.")
+                    return Fault("The trajectories must start at (0, 0) for A and at (0.08, 0.018) m for B.")
             case _:
                 ends = (
                     (given["mA"] * au, given["mB"] * bu)
@@ -51,14 +51,14 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Sa
                 )
                 begins = (start, 0.0) if what == "p_x" else (0.0, 0.0)
                 if max(line.x[-1] for line in curves) < 0.9 * TIME:
-                    return Said(f"The curves of {what} must run until {TIME:g} s.")
+                    return Fault(f"The curves of {what} must run until {TIME:g} s.")
                 if not _pairs(curves, 0, begins, start):
-                    return Said(
+                    return Fault(
                         f"The curves of {what} must start with A's momentum (A moves along x at 1.0 m/s) and "
                         f"with B at rest. Mind that it is momenta that are asked for."
                     )
                 if not _pairs(curves, -1, ends, start):
-                    return Said(
+                    return Fault(
                         f"The curves of {what} do not end where this model leads. Check the force law, its "
                         f"signs and the numbers."
                     )

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
+from corollary.derive.statements import Fault
 from corollary.grading.programs.bound import NAMED, SAFETY, measured
 from corollary.grading.programs.called import Called, Inputs, miscounted
 from corollary.grading.programs.convergence import Standard
-from corollary.grading.programs.remarks import Said
 from corollary.scenes.integrate.fixed_step import march
 from corollary.scenes.integrate.tableau import EULER_CROMER, RK4, Method
 
@@ -87,7 +87,7 @@ def standard(
     return Standard(errors, measured(order, book, safety), unit)
 
 
-def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -> Said:
+def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -> Fault:
     """What is said of a program that ends too far away: the usual mistake it is nearest to, or what it does not keep."""
     inputs, returned = called.inputs, called.returned
     ends = {f"{case} {sentence}": stepped(inputs, force) for sentence, force in usual.items()}
@@ -98,13 +98,13 @@ def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -
     )
     sentence, end = min(ends.items(), key=lambda item: math.dist(returned, item[1]))
     if math.dist(returned, end) <= NAMED * speed(inputs):
-        return Said(sentence, known=True)
+        return Fault(sentence, known=True)
     if math.dist(returned, (*inputs["vA"], *inputs["vB"])) <= NAMED * speed(inputs):
-        return Said(f"{case} nothing has happened to the velocities. Step forward until the time T.")
+        return Fault(f"{case} nothing has happened to the velocities. Step forward until the time T.")
     mA, mB = inputs["mA"], inputs["mB"]
     lost = [mA * (returned[i] - inputs["vA"][i]) + mB * (returned[i + 2] - inputs["vB"][i]) for i in (0, 1)]
     if math.hypot(*lost) > 0.01 * mA * speed(inputs):
-        return Said(f"{case} the total momentum is not kept. The force on B is that on A, the other way, and each has "
+        return Fault(f"{case} the total momentum is not kept. The force on B is that on A, the other way, and each has "
                     f"its own mass.", known=True)  # fmt: skip
-    return Said(f"{case} the total momentum is kept, but the velocities after the time T are not right. Check the "
+    return Fault(f"{case} the total momentum is kept, but the velocities after the time T are not right. Check the "
                 f"force law, and that you reach T.")  # fmt: skip

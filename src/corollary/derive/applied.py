@@ -1,0 +1,45 @@
+"""Laws, routes, proofs and suppositions in our own terms: in the letters of the problem, nothing simplified, values in SI."""
+
+from __future__ import annotations
+
+from corollary.answers.quantity import read_quantity
+from corollary.derive.solution import AppliedLaw, SolvedProof, SupposedValue
+from corollary.derive.statements import Mistake, Proof, Route, Supposed
+from corollary.formula.ast import Relation, substitute
+from corollary.formula.errors import ParseError
+from corollary.formula.from_sympy import tree
+from corollary.laws.law import Law, component
+from corollary.units.unit import Dimension, unit
+
+
+def applied(law: Law) -> AppliedLaw:
+    """The law with its letters replaced and nothing simplified."""
+    here: list[Relation] = []
+    for index in range(law.components):
+        meaning = {letter: tree(value) for letter, value in component(law, index).items()}
+        left, right = (substitute(side, meaning) for side in (law.textbook.left, law.textbook.right))
+        here.append(Relation("=", left, right))
+    return AppliedLaw(law.name, law.source, law.holds, law.textbook, law.vectors, tuple(here))
+
+
+def supposed_value(stated: Supposed) -> SupposedValue:
+    """The value in SI. Raises ValueError where the text is no quantity."""
+    read = read_quantity(stated.text, unit("1"))
+    if isinstance(read, ParseError):
+        raise ValueError(f"{stated.name} is supposed to be {stated.text!r}: {read.why}")
+    ratio, pi = read.si
+    if pi:
+        raise ValueError(f"{stated.name} is supposed to be {stated.text!r}; give angles in rad")
+    return SupposedValue(stated, ratio, read.unit.dimension if read.unit else Dimension())
+
+
+def applied_proof(entry: Proof[Law]) -> SolvedProof:
+    mistakes = tuple(
+        Mistake(mistake.text, tuple(map(applied, mistake.rule)), mistake.line) for mistake in entry.mistakes
+    )
+    laws = tuple(map(applied, entry.laws))
+    return Proof(entry.statement, laws, applied(entry.target), entry.lines, mistakes)
+
+
+def applied_route(route: Route[Law]) -> Route[AppliedLaw]:
+    return Route(route.because, tuple(map(applied, route.laws)), route.line)

@@ -1,0 +1,155 @@
+"""What is known so far while a derivation is solved: closed forms, dimensions, and the numbers at sample points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import sympy
+
+from corollary.derive.load import symbol_of
+from corollary.derive.solution import SupposedValue
+from corollary.formula.ast import Expr, Number
+from corollary.formula.ball import RationalPi, Undefined, evaluate
+from corollary.formula.errors import ParseError
+from corollary.formula.from_sympy import NoTree, tree
+from corollary.laws.law import as_expression, substitute
+from corollary.problem.problem import Problem
+from corollary.problem.sampling import sample
+from corollary.problem.variant import chapter
+from corollary.units.dimensions import Dimension, dimension_of
+
+DIGITS, BITS = 30, 128
+ENOUGH = 100  # bits: 30 digits; a ball that knows fewer is left to sympy, which adds precision until it knows
+POINTS = 6  # the chapter's numbers and five more: a condition that holds at all is taken to tell roots apart everywhere
+Root = Mapping[sympy.Symbol, sympy.Expr]
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A value for every letter, for sympy and, many times faster, for our own evaluation."""
+
+    values: dict[sympy.Symbol, sympy.Expr]
+    balls: dict[str, Any]
+
+
+def point(givens: Mapping[str, RationalPi], symbols: list[sympy.Symbol]) -> Point:
+    """The point of a variant."""
+    values = {
+        symbol: sympy.Rational(exact.ratio.numerator, exact.ratio.denominator) * sympy.pi**exact.pi
+        for symbol in symbols
+        for exact in (givens[symbol.name],)
+    }
+    return Point(values, dict(givens))
+
+
+def at(expression: object, where: Point) -> Any:
+    """The expression's value at a point, to 30 digits; complex, infinite or undecided as sympy has it where we have none."""
+    formula = _tree(as_expression(expression))
+    if formula is not None:
+        ball = _ball(formula, where, BITS)
+        if ball is not None and ball.is_finite() and ball.rel_accuracy_bits() > ENOUGH:
+            return sympy.Float(ball.str(DIGITS, radius=False), DIGITS)
+    return substitute(as_expression(expression), where.values).evalf(DIGITS)
+
+
+class Known:
+    """The givens, and each unknown as soon as it is found."""
+
+    def __init__(self, problem: Problem):
+        givens = [symbol_of(problem, given.symbol) for given in problem.givens]
+        self.closed: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
+        self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
+        self.measured: set[sympy.Symbol] = set()
+        self.dimensions: dict[str, Dimension] = {
+            given.symbol: given.unit.dimension for given in problem.givens
+        }
+        variants = [chapter(problem), *sample(problem, POINTS - 1, salt="roots")]
+        self._points = [point(variant.exact, givens) for variant in variants]
+
+    @property
+    def letters(self) -> set[sympy.Symbol]:
+        return set(self.closed) | self.measured
+
+    @property
+    def points(self) -> list[Point]:
+        """The sample points, with the values of what has been found."""
+        for each in self._points:
+            for symbol, value in self.closed.items():
+                if symbol not in each.values:
+                    each.values[symbol] = at(value, each)
+                    formula = _tree(value)
+                    if formula is not None and (ball := _ball(formula, each, 2 * BITS)) is not None:
+                        each.balls[symbol.name] = ball
+        return self._points
+
+    def found(self, finds: tuple[sympy.Symbol, ...], root: Root) -> None:
+        """Closes the unknowns in the givens."""
+        for symbol in finds:
+            self.closed[symbol] = simplest(self.in_givens(root[symbol]))
+
+    def suppose(self, value: SupposedValue) -> None:
+        """Adds a value that no given has."""
+        symbol = sympy.Symbol(value.stated.name, positive=True)
+        self.closed[symbol] = symbol
+        self.dimensions[symbol.name] = value.dimension
+        for each in self._points:
+            each.values[symbol] = sympy.Rational(value.ratio.numerator, value.ratio.denominator)
+            each.balls[symbol.name] = RationalPi(value.ratio)
+
+    def in_givens(self, expression: Any) -> Any:
+        """An expression or relation with all that has been found put in."""
+        return substitute(expression, self.closed)
+
+    def with_asides(self, expression: Any) -> Any:
+        """The same with the unknowns put in, too, that laws needed and nobody asks for."""
+        return substitute(self.in_givens(expression), self.aside)
+
+    def tree_in_givens(self, expression: object) -> Expr:
+        return tree(self.in_givens(as_expression(expression)))
+
+    def closed_trees(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Expr, ...] | None:
+        """The closed forms; None where they rest on what was measured."""
+        if any(self.closed[symbol].free_symbols & self.measured for symbol in finds):
+            return None
+        return tuple(tree(self.closed[symbol]) for symbol in finds)
+
+    def dimensions_of(self, trees: tuple[Expr, ...], asked: Dimension | None) -> tuple[Dimension, ...]:
+        """The dimension of each component; one that is 0 has what is asked for, or what the others have.
+
+        Raises ValueError where a formula adds what cannot be added.
+        """
+        found: list[Dimension | None] = []
+        for formula in trees:
+            dimension = dimension_of(formula, self.dimensions)
+            if isinstance(dimension, ParseError):
+                raise ValueError(f"the dimensions do not fit: {dimension.why}")
+            found.append(None if isinstance(formula, Number) and formula.value == 0 else dimension)
+        zero = asked if asked is not None else next((each for each in found if each is not None), Dimension())
+        return tuple(zero if each is None else each for each in found)
+
+
+def simplest(expr: sympy.Expr) -> sympy.Expr:
+    """The shortest of a few equal forms; a form already short is left alone."""
+    forms = [expr]
+    if sympy.count_ops(expr) > 2:
+        forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
+    return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))
+
+
+def _ball(formula: Expr, where: Point, bits: int) -> Any:
+    """The value as a ball; None where it has no real value, or a letter has none."""
+    try:
+        return evaluate(formula, where.balls, bits)
+    except (Undefined, KeyError):
+        return None
+
+
+@lru_cache(maxsize=4096)
+def _tree(expression: sympy.Expr) -> Expr | None:
+    try:
+        return tree(expression)
+    except NoTree:
+        return None
