@@ -131,7 +131,7 @@ def ours(runner: Runner, paper: Path, place: Path, pictures: bool) -> tuple[floa
     assert isinstance(read, Notebook)
     code = [cell for cell in read.node.cells if cell.cell_type == "code"]
     began = time.perf_counter()
-    taken = runner.take(Job(tuple(Cell(cell.id, cell.source) for cell in code), NAMES, pictures=pictures))
+    taken = runner.execute(Job(tuple(Cell(cell.id, cell.source) for cell in code), NAMES, pictures=pictures))
     walls = time.perf_counter() - began
     assert not taken.trouble, taken.trouble
     assert [run.status for run in taken.cells] == ["ok"] * len(code), taken.cells
@@ -172,7 +172,7 @@ def processor(runner: Runner, paper: Path) -> float:
     assert isinstance(read, Notebook)
     cells = [Cell(cell.id, cell.source) for cell in read.node.cells if cell.cell_type == "code"]
     cells.append(Cell("spent", "import time\nspent = time.process_time()"))
-    return _number(runner.take(Job(tuple(cells), ("spent",), pictures=False)).values["spent"])
+    return _number(runner.execute(Job(tuple(cells), ("spent",), pictures=False)).values["spent"])
 
 
 def speed(folder: Path, count: int, rounds: int, otter: Path | None) -> dict[str, Any]:
@@ -271,7 +271,7 @@ def _memory(runner: Runner) -> dict[str, float]:
     found = {}
     for label, pictures in (("data", False), ("PNG", True)):
         cells = (*(work.replace("{v}", "20.0") for work in WORK), source)
-        taken = runner.take(
+        taken = runner.execute(
             Job(tuple(Cell(f"c{at}", cell) for at, cell in enumerate(cells)), ("pages",), pictures=pictures)
         )
         pages = taken.values["pages"]

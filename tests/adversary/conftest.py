@@ -9,7 +9,9 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Real
-from corollary.sandbox.runner import Ask, Cell, ExecutionResult, Job, Limits, Runner
+from corollary.sandbox.job import Call, Cell, Job, Limits
+from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.runner import Runner
 
 SECRET = "the key to part a is 8.6"
 
@@ -32,10 +34,13 @@ def narrow_runner() -> Iterator[Runner]:
 @pytest.fixture
 def run(narrow_runner: Runner) -> Iterator[Callable[..., ExecutionResult]]:
     def take(
-        *sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False
+        *sources: str,
+        names: tuple[str, ...] = ("a", "b"),
+        calls: tuple[Call, ...] = (),
+        pictures: bool = False,
     ) -> ExecutionResult:
         cells = tuple(Cell(f"c{number}", source) for number, source in enumerate(sources))
-        return narrow_runner.take(Job(cells, names, asks, pictures=pictures))
+        return narrow_runner.execute(Job(cells, names, calls, pictures=pictures))
 
     yield take
     after = take("import os\nfiles = len(os.listdir('.'))\na = 2.5", names=("a", "files"))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from corollary.formula.value import Nothing, Real, Refused
-from corollary.sandbox.runner import ExecutionResult
+from corollary.sandbox.result import ExecutionResult
 
 Run = Callable[..., ExecutionResult]
 
@@ -26,7 +26,7 @@ def said(taken: ExecutionResult) -> str:
 @pytest.mark.parametrize(
     "source",
     [
-        "import sys\nfor n in [*sys.modules]:\n    if n.startswith(('json', 'msgspec', 'desk', 'numpy')): sys.modules[n] = 0",
+        "import sys\nfor n in [*sys.modules]:\n    if n.startswith(('json', 'msgspec', 'sandbox', 'numpy')): sys.modules[n] = 0",
         "import msgspec, json\nmsgspec.msgpack.Encoder = msgspec.msgpack.encode = json.dumps = lambda *a, **k: b'forged'",
         "import builtins\nbuiltins.len = builtins.type = builtins.isinstance = builtins.min = lambda *a: 1/0",
         "import numpy\nnumpy.float64 = float; numpy.ndarray = list; numpy.linspace = None",

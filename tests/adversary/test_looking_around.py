@@ -11,7 +11,7 @@ import pytest
 
 import corollary
 from corollary.formula.value import Exact, Nothing
-from corollary.sandbox.runner import ExecutionResult
+from corollary.sandbox.result import ExecutionResult
 
 Run = Callable[..., ExecutionResult]
 
@@ -98,12 +98,12 @@ def test_there_is_no_network(run: Run, source: str) -> None:
     [
         "import ctypes, os\nassert ctypes.CDLL(None, use_errno=True).ptrace(16, os.getppid(), 0, 0) == 0",
         "import ctypes\nassert ctypes.CDLL(None).unshare(0x10000000) == 0",
-        "import ctypes\nassert ctypes.CDLL(None).mount(b'x', b'/desk', b'tmpfs', 0, None) == 0",
+        "import ctypes\nassert ctypes.CDLL(None).mount(b'x', b'/sandbox', b'tmpfs', 0, None) == 0",
         "import os; os.setuid(0); assert os.getuid() == 0; open('/etc/shadow')",
         "import os; os.mknod('null', 0o20666, os.makedev(1, 3))",
         "import os; os.symlink('/etc/passwd', 'p'); open('p').read()",
         "import os; os.link('/dev/null', 'p')",
-        "open('/desk/elsewhere', 'w') if __import__('os').path.isdir('/desk') else open('/tmp/elsewhere', 'w')",
+        "open('/sandbox/elsewhere', 'w') if __import__('os').path.isdir('/sandbox') else open('/tmp/elsewhere', 'w')",
         "import numpy; open(numpy.__file__, 'a')",
     ],
 )

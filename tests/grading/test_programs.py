@@ -16,7 +16,7 @@ from corollary.grading.solutions import Solutions
 from corollary.grading.verdict import Mistaken, Right, Unread, Wrong
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
-from corollary.sandbox.runner import Answered
+from corollary.sandbox.result import CallResult
 
 BANK = chapter_bank()
 PROBLEM = find(BANK, "E12.3.1s")
@@ -33,7 +33,7 @@ def verdict(program: Callable[[dict], Sequence[float]], student: str = "ada"):
     shown = {}
     for ask in asks(SOLUTION, VARIANT, PART, SECRET, student):
         returned = program(dict(ask.arguments))
-        shown[ask.key] = Answered(
+        shown[ask.key] = CallResult(
             Items(tuple(map(Real, returned)), (len(returned),)) if returned else Nothing(), "", ""
         )
     return judge_code(SOLUTION, VARIANT, PART, ProgramRun(shown, (), True), SECRET, student)

@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from corollary.sandbox.runner import Ask, Cell, ExecutionResult, Job, Limits, Runner
+from corollary.sandbox.job import Call, Cell, Job, Limits
+from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.runner import Runner
 
 Run = Callable[..., ExecutionResult]
 
@@ -20,13 +22,16 @@ def runner() -> Iterator[Runner]:
 @pytest.fixture
 def run(runner: Runner) -> Run:
     def take(
-        *sources: str, names: tuple[str, ...] = ("a", "b"), asks: tuple[Ask, ...] = (), pictures: bool = False
+        *sources: str,
+        names: tuple[str, ...] = ("a", "b"),
+        calls: tuple[Call, ...] = (),
+        pictures: bool = False,
     ) -> ExecutionResult:
-        return runner.take(
+        return runner.execute(
             Job(
                 tuple(Cell(f"c{i}", source) for i, source in enumerate(sources)),
                 names,
-                asks,
+                calls,
                 pictures=pictures,
             )
         )

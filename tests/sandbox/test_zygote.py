@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from corollary.formula.value import Real
-from corollary.sandbox.runner import Cell, Job, Runner
+from corollary.sandbox.job import Cell, Job
+from corollary.sandbox.runner import Runner
 
 JOB = Job((Cell("c", "a = 2.0"),), ("a",))
 
@@ -28,7 +29,7 @@ def test_a_child_that_dies_while_it_waits_costs_no_submission() -> None:
         if runner.isolation.level < 3:
             pytest.skip("children get ready early only where each has a disk of its own")
         before = set(offspring(os.getpid()))
-        assert runner.take(JOB).values["a"] == Real(2.0)
+        assert runner.execute(JOB).values["a"] == Real(2.0)
         until = time.monotonic() + 20
         while not (waiting := set(offspring(os.getpid())) - before) and time.monotonic() < until:
             time.sleep(0.02)
@@ -36,13 +37,13 @@ def test_a_child_that_dies_while_it_waits_costs_no_submission() -> None:
             os.kill(child, signal.SIGKILL)
         assert waiting
         for _ in range(2):
-            taken = runner.take(JOB)
+            taken = runner.execute(JOB)
             assert (taken.values["a"], taken.trouble) == (Real(2.0), "")
 
 
-def test_thousands_of_notebooks_leave_no_words_behind() -> None:
+def test_many_notebooks_leave_no_unread_exits() -> None:
     with Runner() as runner:
         for _ in range(60):
-            assert runner.take(Job((), ())).trouble == ""
-        assert runner._parent is not None
-        assert runner._parent.owed <= 2
+            assert runner.execute(Job((), ())).trouble == ""
+        assert runner._zygote is not None
+        assert runner._zygote.unreaped <= 2

@@ -31,7 +31,7 @@ def mark(
     """The marks of one submission; `late` in seconds. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
-    taken = runner.take(_job(sheet, keys, notebook, secret))
+    taken = runner.execute(_job(sheet, keys, notebook, secret))
     grades = tuple(
         _grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises
     )
@@ -60,7 +60,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
     names = tuple(
         prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds)
     )
-    return Job(cells, names, tuple(calls), tuple(plot_cells(notebook.node, sheet).values()))
+    return Job(cells, names, tuple(calls))
 
 
 def _grade(

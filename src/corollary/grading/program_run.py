@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from corollary.sandbox.result import Answered, Figure
+from corollary.sandbox.result import CallResult, Figure
 
 
 @dataclass(frozen=True, slots=True)
 class ProgramRun:
     """What running the notebook brought for one code or plot part; `calls` by the key of each call."""
 
-    calls: Mapping[str, Answered] = field(default_factory=dict)
+    calls: Mapping[str, CallResult] = field(default_factory=dict)
     figures: tuple[Figure, ...] = ()
     ran: bool = False

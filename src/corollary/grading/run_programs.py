@@ -33,5 +33,5 @@ def ran(runner: Runner, key: Key, part: str, source: str) -> ProgramRun:
     problem = key.variant.problem
     cells = (Cell("usual", USUAL), Cell(part, source))
     calls = tuple(asks(key.solution, key.variant, problem.part(part), b"", ""))
-    taken = runner.take(Job(cells, (), calls, (part,), pictures=False))
+    taken = runner.execute(Job(cells, (), calls, pictures=False))
     return ProgramRun(taken.calls, taken.figures, True)

@@ -1,4 +1,4 @@
-"""What is asked of one notebook: the cells to run, the answers to bring back, the functions to call, and how much it may use."""
+"""What one notebook is to do: the cells to run, the answers to bring back, the functions to call, and how much it may use."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ class Cell:
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
+class Call:
     """A call of the student's function, made after all cells have run.
 
-    `key` names the call in the answer ("P12.14.h/0"); every argument is passed by keyword and is all the notebook's
-    process learns of it.
+    `key` names the call in the result ("P12.14.h/0") and stays outside; the worker gets the function's name, the seconds,
+    and the arguments, each passed by keyword.
     """
 
     key: str
@@ -33,15 +33,14 @@ class Ask:
 class Job:
     """One notebook's work: `names` are the variables to bring back.
 
-    `figures` are ids of the cells whose figures matter; the figures of every cell come back anyway. With `pictures` each
-    is also drawn as PNG, which costs more than all the rest together; that is done last, when every answer is out, so a
-    figure that was changed after it was shown is drawn as it was in the end (its data are as shown), and says so.
+    With `pictures` each figure that was shown is also drawn as PNG, which costs more than all the rest together; that is
+    done last, when every answer is out, so a figure that was changed after it was shown is drawn as it was in the end (its
+    data are as shown), and its output says so.
     """
 
     cells: tuple[Cell, ...]
     names: tuple[str, ...]
-    asks: tuple[Ask, ...] = ()
-    figures: tuple[str, ...] = ()
+    calls: tuple[Call, ...] = ()
     pictures: bool = True
 
 

@@ -1,4 +1,4 @@
-"""What a student's process may say: frames of closed shapes, each short, all of them together bounded."""
+"""What a zygote and its workers may send: length-prefixed MessagePack frames of closed shapes, each short, all together bounded."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ import contextlib
 import select
 import socket
 import time
-from typing import Annotated, Literal, final
+from typing import Annotated, Generic, Literal, TypeVar, final
 
 import msgspec
 
-from corollary.sandbox.decode import Sent
+from corollary.sandbox.decode import Encoded
 from corollary.sandbox.result import Axes
 
 MOST_FRAME = 4 << 20
-MOST_BYTES = 48 << 20
+MOST_BYTES = 48 << 20  # of one notebook: 2 000 cells with their outputs and 40 pictures fit easily
 
 _Words = Annotated[str, msgspec.Meta(max_length=20_000)]
 _Long = Annotated[str, msgspec.Meta(max_length=MOST_FRAME)]
 _Index = Annotated[int, msgspec.Meta(ge=0, le=100_000)]
 
 
-class SentFigure(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class FigureFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     axes: Annotated[tuple[Axes | None, ...], msgspec.Meta(max_length=100)]
     picture: _Index | None
 
@@ -60,33 +60,35 @@ class Began(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="began"
     index: _Index
 
 
-class CellTold(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="cell", tag_field="t"):
+class CellFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="cell", tag_field="t"):
     index: _Index
     status: Literal["ok", "error", "timeout"]
     error: _Words
     outputs: Annotated[list[Output], msgspec.Meta(max_length=1_000)]
-    figures: Annotated[list[SentFigure], msgspec.Meta(max_length=100)]
-    values: Annotated[dict[_Words, Sent], msgspec.Meta(max_length=10_000)]
+    figures: Annotated[list[FigureFrame], msgspec.Meta(max_length=100)]
+    values: Annotated[dict[_Words, Encoded], msgspec.Meta(max_length=10_000)]
 
 
-class CallTold(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="call", tag_field="t"):
+class CallFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="call", tag_field="t"):
     index: _Index
-    value: Sent
+    value: Encoded
     output: _Words
     trouble: _Words
 
 
 class Done(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="done", tag_field="t"):
+    """All cells and calls have been run; so many pictures may still follow."""
+
     pictures: _Index
 
 
-class PictureTold(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="picture", tag_field="t"):
+class PictureFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="picture", tag_field="t"):
     index: _Index
     png: Annotated[bytes, msgspec.Meta(max_length=MOST_FRAME)] | None
     changed: bool
 
 
-class WallTest(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="trial", tag_field="t"):
+class Probed(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="probed", tag_field="t"):
     held: dict[_Words, bool]
 
 
@@ -94,37 +96,71 @@ class Broken(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="broke
     why: _Words
 
 
-Frame = Began | CellTold | CallTold | Done | PictureTold | WallTest | Broken
+WorkerFrame = Began | CellFrame | CallFrame | Done | PictureFrame | Probed | Broken
 
-_decoder = msgspec.msgpack.Decoder(Frame)
+
+class Ready(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="ready", tag_field="t"):
+    """A zygote can fork: the layers it could not have and why, the user its workers run as (None: its own), its size."""
+
+    missing: dict[str, str]
+    namespaces: bool
+    user: int | None
+    threads: int
+    kilobytes: int
+
+
+class Exited(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="exited", tag_field="t"):
+    """A worker's exit status, or 128 and the number of the signal that killed it."""
+
+    code: int
+
+
+ZygoteFrame = Ready | Exited
+
+_Frame = TypeVar("_Frame")
+worker_frames = msgspec.msgpack.Decoder(WorkerFrame)
+zygote_frames = msgspec.msgpack.Decoder(ZygoteFrame)
 
 
 class Garbled(Exception):
-    """What came is not a frame, or too much of it came."""
+    """What arrived is not a frame, or too much of it arrived."""
+
+
+def send(channel: socket.socket, message: object) -> None:
+    """One frame; raises OSError when nobody reads any more."""
+    text = msgspec.msgpack.encode(message)
+    channel.sendall(len(text).to_bytes(4, "big") + text)
 
 
 @final
-class Frames:
-    """The reading end of one child's channel."""
+class Frames(Generic[_Frame]):
+    """The reading end of one channel; `most_bytes` bounds all that it reads in its life."""
 
-    def __init__(self, channel: socket.socket) -> None:
+    def __init__(
+        self,
+        channel: socket.socket,
+        decoder: msgspec.msgpack.Decoder[_Frame],
+        most_bytes: float = MOST_BYTES,
+    ) -> None:
         self.channel = channel
-        self._waiting = bytearray()
+        self._decoder = decoder
+        self._most_bytes = most_bytes
+        self._buffer = bytearray()
         self._received = 0
 
-    def read(self, until: float) -> Frame | Literal["late", "end"]:
+    def read(self, until: float) -> _Frame | Literal["late", "end"]:
         """The next frame; "late" when the monotonic clock reaches `until` first, "end" when there will be none.
 
-        Raises Garbled when what came cannot be one of ours.
+        Raises Garbled when what arrived cannot be a frame.
         """
         while True:
-            length = int.from_bytes(self._waiting[:4], "big") if len(self._waiting) >= 4 else None
+            length = int.from_bytes(self._buffer[:4], "big") if len(self._buffer) >= 4 else None
             if length is not None and length > MOST_FRAME:
                 raise Garbled
-            if length is not None and len(self._waiting) >= 4 + length:
-                text = bytes(self._waiting[4 : 4 + length])
-                del self._waiting[: 4 + length]
-                return _decoded(text)
+            if length is not None and len(self._buffer) >= 4 + length:
+                text = bytes(self._buffer[4 : 4 + length])
+                del self._buffer[: 4 + length]
+                return self._decoded(text)
             if not select.select([self.channel], [], [], max(0.0, until - time.monotonic()))[0]:
                 return "late"
             part = b""
@@ -133,13 +169,12 @@ class Frames:
             if not part:
                 return "end"
             self._received += len(part)
-            if self._received > MOST_BYTES:
+            if self._received > self._most_bytes:
                 raise Garbled
-            self._waiting += part
+            self._buffer += part
 
-
-def _decoded(text: bytes) -> Frame:
-    try:
-        return _decoder.decode(text)
-    except (msgspec.DecodeError, RecursionError) as error:
-        raise Garbled from error
+    def _decoded(self, text: bytes) -> _Frame:
+        try:
+            return self._decoder.decode(text)
+        except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+            raise Garbled from error

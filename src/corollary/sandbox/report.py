@@ -1,4 +1,4 @@
-"""What a child told, put into the words of a submission; what it did not get to tell is said too."""
+"""What a worker sent, as the result of its notebook; what is missing from it gets a reason."""
 
 from __future__ import annotations
 
@@ -8,15 +8,16 @@ from dataclasses import replace
 
 import msgspec
 
-from corollary.formula.value import Nothing
-from corollary.sandbox.decode import plain
+from corollary.formula.value import Nothing, Value
+from corollary.sandbox.decode import to_value
+from corollary.sandbox.isolation import Isolation
 from corollary.sandbox.job import Job
-from corollary.sandbox.protocol import CallTold, Display, Error, Output, Result, Stream
-from corollary.sandbox.result import Answered, Axes, CellRun, Figure, Status
+from corollary.sandbox.protocol import CallFrame, Display, Error, Output, Result, Stream
+from corollary.sandbox.result import Axes, CallResult, CellRun, ExecutionResult, Figure, Status
 from corollary.sandbox.session import WorkerState
 
-PNG = "image/png"
-CHANGED = " (changed after it was shown; this is how it was at the end)"
+_PNG = "image/png"
+_CHANGED = " (changed after it was shown; this is how it was at the end)"
 _SIGNALS = {
     signal.SIGSEGV: "a crash in compiled code (segmentation fault; very deep recursion does this too)",
     signal.SIGABRT: "a crash in compiled code (abort)",
@@ -29,13 +30,35 @@ _SIGNALS = {
 }
 
 
-def trouble_of(job: Job, told: WorkerState, code: int | None) -> str:
+def result_of(job: Job, state: WorkerState, isolation: Isolation) -> ExecutionResult:
+    """All that came back of one attempt at the job."""
+    trouble = _trouble(job, state)
+    values: dict[str, Value] = {name: Nothing() for name in job.names}
+    for index in sorted(state.cells):
+        sent = state.cells[index].values
+        values |= {name: to_value(encoded) for name, encoded in sent.items() if name in values}
+    calls = {
+        call.key: _call_result(state.calls.get(index), trouble, state, index)
+        for index, call in enumerate(job.calls)
+    }
+    return ExecutionResult(
+        _cell_runs(job, state),
+        values,
+        calls,
+        _figures(job, state),
+        isolation,
+        trouble,
+        state.machine_failed,
+    )
+
+
+def _trouble(job: Job, state: WorkerState) -> str:
     """One sentence on what ended the notebook early, with the place; "" when nothing did."""
-    if told.done:
+    if state.done:
         return ""
-    place = _place(job, told)
-    if told.ended:
-        return f"The notebook was ended {place}: {told.ended}."
+    place, code = _place(job, state), state.exit_code
+    if state.ended:
+        return f"The notebook was ended {place}: {state.ended}."
     if code is not None and code > 128:
         try:
             number = signal.Signals(code - 128)
@@ -45,31 +68,34 @@ def trouble_of(job: Job, told: WorkerState, code: int | None) -> str:
     return f"The notebook's process ended itself {place}, as os._exit does."
 
 
-def _place(job: Job, told: WorkerState) -> str:
-    if told.working_on is None:
+def _place(job: Job, state: WorkerState) -> str:
+    if state.working_on is None:
         return "before its first cell"
-    index = told.working_on.index
-    if told.working_on.what == "cell":
+    index = state.working_on.index
+    if state.working_on.what == "cell":
         return f"in code cell {index + 1}"
     return (
-        f"while its function {job.asks[index].function} was called" if index < len(job.asks) else "at its end"
+        f"while its function {job.calls[index].function} was called"
+        if index < len(job.calls)
+        else "at its end"
     )
 
 
-def cell_runs(job: Job, told: WorkerState) -> tuple[CellRun, ...]:
+def _cell_runs(job: Job, state: WorkerState) -> tuple[CellRun, ...]:
     """One entry for each cell of the job, whether it ran or not."""
     runs = []
-    broken = told.working_on.index if told.working_on is not None and told.working_on.what == "cell" else None
+    at = state.working_on
+    broken = at.index if at is not None and at.what == "cell" else None
     for index, cell in enumerate(job.cells):
-        if index in told.cells:
-            frame = told.cells[index]
-            outputs = tuple(_output(each, told) for each in frame.outputs)
-            runs.append(CellRun(cell.id, frame.status, outputs, told.seconds[index], frame.error))
+        if index in state.cells:
+            frame = state.cells[index]
+            outputs = tuple(_output(each, state) for each in frame.outputs)
+            runs.append(CellRun(cell.id, frame.status, outputs, state.seconds[index], frame.error))
         elif index == broken:
-            status: Status = "timeout" if told.late else "error"
+            status: Status = "timeout" if state.late else "error"
             error = (
                 "the cell ran out of time and did not stop"
-                if told.late
+                if state.late
                 else "the notebook's process ended in this cell"
             )
             runs.append(CellRun(cell.id, status, (), 0.0, error))
@@ -78,58 +104,58 @@ def cell_runs(job: Job, told: WorkerState) -> tuple[CellRun, ...]:
     return tuple(runs)
 
 
-def _output(output: Output, told: WorkerState) -> dict[str, object]:
+def _output(output: Output, state: WorkerState) -> dict[str, object]:
     match output:
         case Display(data) | Result(data):
-            return msgspec.to_builtins(output) | {"data": _with_picture(data, told)}
+            return msgspec.to_builtins(output) | {"data": _with_picture(data, state)}
         case Stream() | Error():
             return msgspec.to_builtins(output)
 
 
-def _with_picture(data: dict[str, str], told: WorkerState) -> dict[str, str]:
-    """With the picture in the place that was kept for it, where one was drawn."""
-    word, _, place = data.get(PNG, "").partition(" ")
+def _with_picture(data: dict[str, str], state: WorkerState) -> dict[str, str]:
+    """With the picture in place of its placeholder, where one was drawn."""
+    word, _, place = data.get(_PNG, "").partition(" ")
     if word != "figure" or not place.isdecimal():
         return data
-    rest = {mime: content for mime, content in data.items() if mime != PNG}
-    picture = told.pictures.get(int(place[:9]))
+    rest = {mime: content for mime, content in data.items() if mime != _PNG}
+    picture = state.pictures.get(int(place[:9]))
     if picture is None or picture.png is None:
         return rest
     if picture.changed and "text/plain" in rest:
-        rest["text/plain"] += CHANGED
-    return rest | {PNG: base64.b64encode(picture.png).decode()}
+        rest["text/plain"] += _CHANGED
+    return rest | {_PNG: base64.b64encode(picture.png).decode()}
 
 
-def answered(told_call: CallTold | None, trouble: str, told: WorkerState, index: int) -> Answered:
-    if told_call is not None:
-        return Answered(plain(told_call.value), told_call.output, told_call.trouble)
-    here = told.working_on is not None and told.working_on.what == "call" and told.working_on.index == index
-    if here and told.late:
-        return Answered(Nothing(), "", "the function ran out of time and did not stop")
-    return Answered(Nothing(), "", trouble if here else f"it was not called: {trouble}")
+def _call_result(frame: CallFrame | None, trouble: str, state: WorkerState, index: int) -> CallResult:
+    if frame is not None:
+        return CallResult(to_value(frame.value), frame.output, frame.trouble)
+    here = (
+        state.working_on is not None and state.working_on.what == "call" and state.working_on.index == index
+    )
+    if here and state.late:
+        return CallResult(Nothing(), "", "the function ran out of time and did not stop")
+    return CallResult(Nothing(), "", trouble if here else f"it was not called: {trouble}")
 
 
-def figures_of(job: Job, told: WorkerState) -> tuple[Figure, ...]:
+def _figures(job: Job, state: WorkerState) -> tuple[Figure, ...]:
     """All figures in the order of the cells that showed them."""
     return tuple(
         Figure(
             job.cells[index].id,
             tuple(_axes(each) for each in figure.axes if each is not None),
-            _png(told, figure.picture),
+            _png(state, figure.picture),
         )
-        for index in sorted(told.cells)
-        for figure in told.cells[index].figures
+        for index in sorted(state.cells)
+        for figure in state.cells[index].figures
     )
 
 
-def _png(told: WorkerState, place: int | None) -> bytes | None:
-    picture = told.pictures.get(place) if place is not None else None
+def _png(state: WorkerState, place: int | None) -> bytes | None:
+    picture = state.pictures.get(place) if place is not None else None
     return picture.png if picture is not None else None
 
 
-def _axes(told: Axes) -> Axes:
-    """With lines whose two rows are equally long, which a child may have got wrong."""
-    return replace(
-        told,
-        lines=tuple(replace(line, x=line.x[: len(line.y)], y=line.y[: len(line.x)]) for line in told.lines),
-    )
+def _axes(axes: Axes) -> Axes:
+    """With lines whose two rows are equally long, which a worker may have got wrong."""
+    lines = tuple(replace(line, x=line.x[: len(line.y)], y=line.y[: len(line.x)]) for line in axes.lines)
+    return replace(axes, lines=lines)

@@ -1,4 +1,4 @@
-"""What one notebook gave: cells that ran or did not, answers as inert data, figures as their lines, and what went wrong."""
+"""What one notebook gave: its cells, its answers as inert data, its figures as lines and labels, and what went wrong."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from corollary.formula.value import Value
+from corollary.sandbox.isolation import Isolation
 
 Status = Literal["ok", "error", "timeout", "not run"]
 
@@ -46,7 +47,7 @@ class Figure:
 
 @dataclass(frozen=True, slots=True)
 class CellRun:
-    """How one cell fared: its outputs as nbformat 4 dicts, and its error in one line ("" when there is none)."""
+    """How one cell ended: its outputs as nbformat 4 dicts, and its error in one line ("" when there is none)."""
 
     id: str
     status: Status
@@ -56,7 +57,7 @@ class CellRun:
 
 
 @dataclass(frozen=True, slots=True)
-class Answered:
+class CallResult:
     """What a called function returned and printed; `trouble` is "" or a sentence on why there is no value."""
 
     value: Value
@@ -65,25 +66,17 @@ class Answered:
 
 
 @dataclass(frozen=True, slots=True)
-class Isolation:
-    """Which walls stood around the notebook.
-
-    Level 3: namespaces, Landlock, seccomp and rlimits. Level 2: seccomp, rlimits and one of the other two. Level 1: one wall
-    beside rlimits. Level 0: rlimits only, not fit for strangers' work. `missing` says what is not in force and why.
-    """
-
-    level: int
-    line: str
-    missing: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class ExecutionResult:
-    """What came back of one job; `trouble` is "" or one sentence on what ended it early."""
+    """What came back of one job; `trouble` is "" or one sentence on what ended it early.
+
+    With `machine_failed` the notebook was not run to its end for no reason of its own (no room on the disk, a process that
+    could not be started or was killed from outside): nothing may be concluded from what is missing.
+    """
 
     cells: tuple[CellRun, ...]
     values: dict[str, Value]
-    calls: dict[str, Answered]
+    calls: dict[str, CallResult]
     figures: tuple[Figure, ...]
     isolation: Isolation
     trouble: str
+    machine_failed: bool = False

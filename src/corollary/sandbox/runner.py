@@ -1,49 +1,32 @@
-"""Taking a submission: run a notebook in isolation and bring back its answers; the one place where foreign code runs."""
+"""Runs notebooks in isolation and brings back their answers; the one place where foreign code runs."""
 
 from __future__ import annotations
 
 import threading
-import time
 from contextlib import suppress
+from functools import partial
 from types import TracebackType
 from typing import Self, final
 
-from corollary.formula.value import Nothing, Value
-from corollary.sandbox.decode import plain
-from corollary.sandbox.isolation import UNKNOWN, WeakIsolation, isolation_of
-from corollary.sandbox.job import Ask, Cell, Job, Limits
-from corollary.sandbox.report import answered, cell_runs, figures_of, trouble_of
-from corollary.sandbox.rerun import MOST, rest_of, together
-from corollary.sandbox.result import Answered, Axes, CellRun, ExecutionResult, Figure, Isolation, Line
-from corollary.sandbox.session import Watch, WorkerState, follow, give
-from corollary.sandbox.zygote import Child, Parent, ask, fork, leave, reap, start, stop
-
-__all__ = [
-    "Answered",
-    "Ask",
-    "Axes",
-    "Cell",
-    "CellRun",
-    "ExecutionResult",
-    "Figure",
-    "Isolation",
-    "Job",
-    "Limits",
-    "Line",
-    "Runner",
-    "WeakIsolation",
-]
+from corollary.sandbox.folders import Canary, bytes_in
+from corollary.sandbox.isolation import UNKNOWN, Isolation, WeakIsolation, isolation_of
+from corollary.sandbox.job import Job, Limits
+from corollary.sandbox.report import result_of
+from corollary.sandbox.rerun import run_with_reruns
+from corollary.sandbox.result import ExecutionResult
+from corollary.sandbox.session import WorkerState, follow, send_job
+from corollary.sandbox.zygote import Worker, Zygote
 
 _NO_JOB = Job((), ())
 
 
 @final
 class Runner:
-    """Runs notebooks one after another, each in a fork of one warm parent; for several at once use several.
+    """Runs notebooks one after another, each in a fork of one zygote; for several at once use several.
 
     `require` is the least isolation level accepted: entering raises WeakIsolation below it, and CannotStart when nothing
-    can be run at all. `without` leaves out walls by name, to measure their cost. `take` is safe to call from several threads;
-    they wait for one another.
+    can be run at all. `without` leaves out layers by name, to measure their cost. `execute` is safe to call from several
+    threads; they wait for one another.
     """
 
     def __init__(
@@ -53,109 +36,104 @@ class Runner:
         self.require = require
         self.without = without
         self.isolation: Isolation = UNKNOWN
-        self._parent: Parent | None = None
+        self._zygote: Zygote | None = None
         self._lock = threading.Lock()
 
     def __enter__(self) -> Self:
-        self._warm()
+        with self._lock:
+            self._started()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         with self._lock:
-            self._cool()
+            self._stop()
 
     @property
     def kilobytes(self) -> int:
-        """Memory the warm parent takes."""
-        return self._parent.kilobytes if self._parent else 0
+        """Memory the zygote takes."""
+        return self._zygote.ready.kilobytes if self._zygote else 0
 
-    def take(self, job: Job) -> ExecutionResult:
-        """Runs the job; whatever it does, the result says so and the next one runs. Raises CannotStart only.
+    def execute(self, job: Job) -> ExecutionResult:
+        """Runs the job; whatever it does, the result says so and the next one runs. Raises CannotStart and WeakIsolation only.
 
-        Where its process dies, the job is run again without the cell or the function that it died in.
+        Where its process dies, the job is run again without the cell or the function that it died in; where the machine
+        fails, it is run once more as it is, and if that fails too the result says so.
         """
         with self._lock:
-            began = time.monotonic()
-            told, code = self._run(job)
-            if not (
-                told.done or told.working_on
-            ):  # it died before anything of the notebook ran: not the notebook's doing
-                told, code = self._run(job)
-            taken = self._taken(job, told, code)
-            rest: Job | None = job
-            for _ in range(MOST):
-                rest = rest_of(rest, told)
-                if rest is None or time.monotonic() - began > self.limits.total_seconds:
-                    break
-                told, code = self._run(rest)
-                taken = together(job, taken, rest, self._taken(rest, told, code))
-            return taken
+            return run_with_reruns(job, self._attempt, self.limits.total_seconds)
 
-    def _warm(self) -> Parent:
-        if self._parent is None:
-            self._parent = start(self.limits, self.without)
-            told, _ = self._run(_NO_JOB, trial=True)
-            if self._parent is None:
-                self._parent = start(self.limits, self.without)
-            self.isolation = isolation_of(told.trial, self._parent.missing)
+    def _attempt(self, job: Job) -> tuple[WorkerState, ExecutionResult]:
+        state = self._run(job)
+        if state.machine_failed:
+            state = self._run(job)
+        return state, result_of(job, state, self.isolation)
+
+    def _started(self) -> Zygote:
+        if self._zygote is not None and not self._zygote.running:
+            self._stop()
+        if self._zygote is None:
+            self._zygote = Zygote(self.limits, self.without)
+            probed = self._probe(self._zygote)
+            self.isolation = isolation_of(probed.held, self._zygote.missing)
             if self.isolation.level < self.require:
-                self._cool()
+                self._stop()
                 raise WeakIsolation(self.isolation, self.require)
-        return self._parent
+        return self._zygote
 
-    def _cool(self) -> None:
-        if self._parent is not None:
-            stop(self._parent)
-            self._parent = None
+    def _probe(self, zygote: Zygote) -> WorkerState:
+        """What holds, tried in a worker; nothing does when that fails."""
+        state = WorkerState()
+        with suppress(OSError):
+            self._give(zygote, zygote.fork(), _NO_JOB, state, zygote.canary())
+        return state
 
-    def _run(self, job: Job, trial: bool = False) -> tuple[WorkerState, int | None]:
-        told = WorkerState()
+    def _stop(self) -> None:
+        if self._zygote is not None:
+            self._zygote.stop()
+            self._zygote = None
+
+    def _run(self, job: Job) -> WorkerState:
+        """One run of the job. The machine has failed where its process could not be reached, or died before the first cell."""
+        state = WorkerState()
+        self._started()
         try:
-            parent, child = self._child()
-            watch = Watch() if parent.namespaces else Watch(0.25, str(parent.folder), self.limits.file_bytes)
-            try:
-                give(child, job, self.limits, trial)
-                follow(child, job, self.limits, watch, told)
-                # How it ended matters only when it did not say that it was done; else the next job need not wait for it.
-                code = None if told.done or told.ended else reap(parent)
-            finally:
-                leave(child)
-            if parent.namespaces:  # else it would share the folder of the one that ends just now
-                with suppress(OSError):  # a parent that is gone is met at the next job
-                    ask(parent)
-            return told, code
+            zygote, worker = self._fork()
+            self._give(zygote, worker, job, state)
         except OSError as error:
-            # The machine's failing, or a notebook that got at the parent: start afresh for the next one.
-            self._cool()
-            told.ended = f"the process that runs notebooks failed ({error})"
-            return told, None
+            self._stop()
+            state.ended = f"the process that runs notebooks failed ({error})"
+            state.machine_failed = True
+        if not (state.started or state.done):
+            state.machine_failed = True
+        return state
 
-    def _child(self) -> tuple[Parent, Child]:
-        """A child that waits for its job. One that got ready early and died while it waited is no submission's fault."""
-        if self._parent is not None and self._parent.process.poll() is not None:
-            self._cool()
-        parent = self._parent or self._warm()
-        waited = parent.coming is not None
+    def _fork(self) -> tuple[Zygote, Worker]:
+        zygote = self._started()
+        waited = zygote.worker_waits
         try:
-            return parent, fork(parent)
+            return zygote, zygote.fork()
         except OSError:
             if not waited:
                 raise
-            self._cool()
-            parent = self._warm()
-            return parent, fork(parent)
+        # One that was forked ahead of its job and died while it waited is no submission's fault.
+        self._stop()
+        zygote = self._started()
+        return zygote, zygote.fork()
 
-    def _taken(self, job: Job, told: WorkerState, code: int | None) -> ExecutionResult:
-        trouble = trouble_of(job, told, code)
-        values: dict[str, Value] = {name: Nothing() for name in job.names}
-        for index in sorted(told.cells):
-            values |= {name: plain(sent) for name, sent in told.cells[index].values.items() if name in values}
-        calls = {
-            ask.key: answered(told.calls.get(index), trouble, told, index)
-            for index, ask in enumerate(job.asks)
-        }
-        return ExecutionResult(
-            cell_runs(job, told), values, calls, figures_of(job, told), self.isolation, trouble
-        )
+    def _give(
+        self, zygote: Zygote, worker: Worker, job: Job, state: WorkerState, canary: Canary | None = None
+    ) -> None:
+        own_disk = zygote.ready.namespaces
+        try:
+            send_job(worker, job, self.limits, canary)
+            follow(worker, job, self.limits, state, None if own_disk else partial(bytes_in, zygote.folder))
+            # How it ended matters only when it was not done; else the next job need not wait for its end.
+            if not (state.done or state.ended):
+                state.exit_code = zygote.reap()
+        finally:
+            worker.release()
+        if own_disk:  # else it would write into the folder of the one that ends just now
+            with suppress(OSError):  # a zygote that is gone is noticed at the next job
+                zygote.ask()

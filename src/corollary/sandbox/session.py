@@ -1,140 +1,143 @@
-"""Following one child with the clock in hand: what it has told so far, and what ended it."""
+"""One worker followed from job to end, with the clock in hand: what it has sent so far, and why it had to be ended."""
 
 from __future__ import annotations
 
 import signal
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import assert_never, final
 
 import msgspec
 
-from corollary.sandbox.disk import bytes_in
+from corollary.sandbox.folders import Canary
 from corollary.sandbox.job import Job, Limits
 from corollary.sandbox.protocol import (
     Began,
     Broken,
-    CallTold,
-    CellTold,
+    CallFrame,
+    CellFrame,
     Done,
     Frames,
     Garbled,
-    PictureTold,
-    WallTest,
+    PictureFrame,
+    Probed,
+    send,
+    worker_frames,
 )
-from corollary.sandbox.zygote import Child, tell
+from corollary.sandbox.zygote import Worker
 
-_GRACE = 1.0
+_GRACE = (
+    1.0  # seconds between the interrupt and the kill: a cell that catches KeyboardInterrupt may still tidy up
+)
+_DISK_WATCH = 0.25  # seconds between two looks at a folder that no quota bounds
 
 
 @final
 @dataclass(slots=True)
 class WorkerState:
-    """All a child has told, by the index of the cell or call; `ended` is "" or why it had to be ended."""
+    """All that a worker has sent, by the index of the cell, call or picture; `ended` is "" or why it was ended early.
 
-    cells: dict[int, CellTold] = field(default_factory=dict)
-    calls: dict[int, CallTold] = field(default_factory=dict)
-    pictures: dict[int, PictureTold] = field(default_factory=dict)
+    `working_on` is what it began last, while that is not finished; `late` says that its time was up.
+    """
+
+    cells: dict[int, CellFrame] = field(default_factory=dict)
+    calls: dict[int, CallFrame] = field(default_factory=dict)
+    pictures: dict[int, PictureFrame] = field(default_factory=dict)
     seconds: dict[int, float] = field(default_factory=dict)
-    trial: dict[str, bool] = field(default_factory=dict)
+    held: dict[str, bool] = field(default_factory=dict)
     working_on: Began | None = None
+    started: bool = False
     late: bool = False
     done: bool = False
     ended: str = ""
+    exit_code: int | None = None
+    machine_failed: bool = False
 
 
-def give(child: Child, job: Job, limits: Limits, trial: bool = False) -> None:
-    """Hands over the job; raises OSError when the child is gone."""
-    sent = {
+def send_job(worker: Worker, job: Job, limits: Limits, canary: Canary | None = None) -> None:
+    """Hands over the job, or what to probe instead; raises OSError when the worker is gone."""
+    message = {
         "cells": [cell.source for cell in job.cells],
         "names": list(job.names),
-        "asks": [(ask.function, ask.arguments, ask.seconds) for ask in job.asks],
+        "calls": [(call.function, call.arguments, call.seconds) for call in job.calls],
         "pictures": job.pictures,
         "limits": msgspec.to_builtins(limits),
-        "trial": trial,
+        "probe": canary,
     }
-    text = msgspec.msgpack.encode(sent)
-    child.channel.sendall(len(text).to_bytes(4, "big") + text)
+    send(worker.channel, message)
 
 
-def follow(child: Child, job: Job, limits: Limits, watch: Watch, told: WorkerState) -> None:
-    """Reads frames into `told` until the child is done or at its end; interrupts what is too long, kills what does not stop.
+def follow(
+    worker: Worker, job: Job, limits: Limits, state: WorkerState, disk_used: Callable[[], int] | None = None
+) -> None:
+    """Reads frames into `state` until the worker is done or gone; interrupts what takes too long, kills what does not stop.
 
-    It is done when all answers are out; the pictures that may still follow can only be missing.
+    It is done when all answers are out; the pictures that may still follow can only be missing. `disk_used` gives the bytes
+    in its folder, where the kernel does not bound them.
     """
-    frames = Frames(child.channel)
+    frames = Frames(worker.channel, worker_frames)
     last = time.monotonic() + limits.total_seconds
     deadline, interrupted, began = last, False, time.monotonic()
     pictures = 0
     while True:
         try:
-            frame = frames.read(min(deadline, last, time.monotonic() + watch.every))
+            look = time.monotonic() + _DISK_WATCH if disk_used is not None else last
+            frame = frames.read(min(deadline, last, look))
         except Garbled:
-            _kill(child, told, "what its process sent could not be read")
+            _kill(worker, state, "what its process sent could not be read")
             return
         match frame:
             case "late":
-                if trouble := watch.trouble():
-                    _kill(child, told, trouble)
+                if disk_used is not None and disk_used() > limits.file_bytes:
+                    _kill(worker, state, "it filled the disk")
                     return
                 now = time.monotonic()
                 if now >= last:
-                    _kill(child, told, f"the notebook ran longer than {limits.total_seconds:g} s in all")
+                    _kill(worker, state, f"the notebook ran longer than {limits.total_seconds:g} s in all")
                     return
                 if now >= deadline:
-                    told.late = True
+                    state.late = True
                     if interrupted:
-                        _kill(child, told, "it did not stop when its time was up")
+                        _kill(worker, state, "it did not stop when its time was up")
                         return
-                    tell(child, signal.SIGINT)
+                    worker.signal(signal.SIGINT)
                     interrupted, deadline = True, now + _GRACE
             case "end":
                 return
             case Began(what, index):
-                told.working_on, told.late, interrupted, began = frame, False, False, time.monotonic()
-                deadline = began + _allowed(job, limits, what == "call", index)
-            case CellTold(index=index):
-                if index not in told.cells and index < len(job.cells):
-                    told.cells[index] = frame
-                    told.seconds[index] = time.monotonic() - began
+                began = time.monotonic()
+                state.working_on, state.started, state.late, interrupted = frame, True, False, False
+                deadline = began + _seconds(job, limits, what == "call", index)
+            case CellFrame(index=index):
+                if index not in state.cells and index < len(job.cells):
+                    state.cells[index] = frame
+                    state.seconds[index] = time.monotonic() - began
                 deadline = last
-            case CallTold(index=index):
-                if index < len(job.asks):
-                    told.calls.setdefault(index, frame)
+            case CallFrame(index=index):
+                if index < len(job.calls):
+                    state.calls.setdefault(index, frame)
                 deadline = last
-            case WallTest(held):
-                told.trial = held
+            case Probed(held):
+                state.held, state.done = held, True
             case Broken(why):
-                told.ended = f"its own process stumbled ({why})"
+                state.ended = f"its own process failed ({why})"
             case Done(pictures):
-                told.working_on, told.done = None, True
-            case PictureTold(index):
-                told.pictures[index] = frame
+                state.working_on, state.done = None, True
+            case PictureFrame(index):
+                state.pictures[index] = frame
             case _:
                 assert_never(frame)
-        if told.done and len(told.pictures) >= pictures:
+        if state.done and len(state.pictures) >= pictures:
             return
 
 
-@final
-@dataclass(frozen=True, slots=True)
-class Watch:
-    """Looks at what the kernel does not bound, every so many seconds; `trouble` gives a sentence or ""."""
-
-    every: float = 3600.0
-    folder: str = ""
-    most_bytes: int = 0
-
-    def trouble(self) -> str:
-        return "" if not self.folder or bytes_in(self.folder) <= self.most_bytes else "it filled the disk"
-
-
-def _allowed(job: Job, limits: Limits, call: bool, index: int) -> float:
+def _seconds(job: Job, limits: Limits, call: bool, index: int) -> float:
     if call:
-        return job.asks[index].seconds if index < len(job.asks) else 0.0
+        return job.calls[index].seconds if index < len(job.calls) else 0.0
     return limits.cell_seconds
 
 
-def _kill(child: Child, told: WorkerState, why: str) -> None:
-    tell(child, signal.SIGKILL)
-    told.ended = why
+def _kill(worker: Worker, state: WorkerState, why: str) -> None:
+    worker.signal(signal.SIGKILL)
+    state.ended = why

@@ -1,21 +1,23 @@
-"""The warm parent seen from outside: started clean, asked for one child per notebook, ended with whoever started it."""
+"""The zygote seen from outside: a warm interpreter, started clean, which forks one worker for each notebook."""
 
 from __future__ import annotations
 
 import json
 import os
-import shutil
 import signal
 import socket
 import subprocess
 import sys
-import tempfile
+import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import final
 
+from corollary.sandbox.folders import Canary, new_base
 from corollary.sandbox.job import Limits
+from corollary.sandbox.protocol import Exited, Frames, Garbled, Ready, zygote_frames
 
-WORKER = Path(__file__).parent / "worker"
+_WORKER = Path(__file__).parent / "worker"
 # In the order in which they import one another.
 _MODULES = (
     "libc",
@@ -23,176 +25,221 @@ _MODULES = (
     "landlock",
     "seccomp",
     "privileges",
-    "frames",
+    "protocol",
     "outputs",
     "encode",
-    "clock",
     "figures",
-    "backend",
     "shell",
     "executor",
-    "prefault",
-    "ready",
-    "lifecycle",
-    "warm",
+    "layers",
+    "probe",
+    "worker",
+    "zygote",
 )
 _PRELOAD = ("numpy", "matplotlib.pyplot", "sympy", "scipy.integrate", "scipy.optimize", "IPython.display")
 _PACKAGE = Path(__file__).parents[1]
-_READY_SECONDS = 120.0
+_SECONDS_TO_START = 120.0  # a cold disk and a loaded machine; 2 to 6 s are usual
+_SECONDS_TO_FORK = 60.0
+_SECONDS_TO_EXIT = 30.0
 
 
 class CannotStart(RuntimeError):
-    """The process that runs notebooks did not get ready; the message says what it said."""
-
-
-@dataclass(slots=True)
-class Parent:
-    """A running warm parent; `folder` is where notebooks write when they have no disk of their own."""
-
-    process: subprocess.Popen[bytes]
-    control: socket.socket
-    base: Path
-    folder: Path
-    missing: dict[str, str]
-    namespaces: bool
-    user: int | None
-    kilobytes: int
-    coming: socket.socket | None = None  # the channel of a child that was asked for and gets itself ready
-    owed: int = 0  # how many children's ends the parent has yet to tell, one word each
+    """The process that runs notebooks cannot be started; one sentence says why."""
 
 
 @dataclass(frozen=True, slots=True)
-class Child:
-    """One forked child: `channel` carries the job in and the frames out, `handle` is its pidfd (None where there is none)."""
+class Worker:
+    """One forked worker: `channel` carries the job in and the frames out, `pidfd` is None where the system has none."""
 
     channel: socket.socket
-    handle: int | None
+    pidfd: int | None
     pid: int
 
+    def signal(self, number: signal.Signals) -> None:
+        """A signal to exactly this worker; nothing when it is gone."""
+        try:
+            if self.pidfd is not None and sys.platform == "linux":
+                signal.pidfd_send_signal(self.pidfd, number)
+            else:
+                os.kill(self.pid, number)
+        except ProcessLookupError:
+            return
 
-def start(limits: Limits, without: frozenset[str] = frozenset()) -> Parent:
-    """A fresh warm parent: an isolated interpreter with a clean environment, which gets its sources as text.
+    def release(self) -> None:
+        """Kills what may still run of it; how it ended can be asked of the zygote later, or never."""
+        self.signal(signal.SIGKILL)
+        self.channel.close()
+        if self.pidfd is not None:
+            os.close(self.pidfd)
 
-    `without` names walls to leave out ("namespaces", "Landlock", "seccomp"), to measure what each is worth. Raises CannotStart.
+
+@final
+class Zygote:
+    """A running zygote: an isolated interpreter with a clean environment, which gets its sources as text.
+
+    `without` names layers to leave out ("namespaces", "Landlock", "seccomp"), to measure what each is worth. `folder` is
+    where notebooks write when they have no disk of their own. Raises CannotStart.
     """
-    base = Path(tempfile.mkdtemp(prefix="corollary-"))
-    base.chmod(0o711)  # a child that is no longer root must be able to pass
-    for name in ("root", "notebook"):
-        (base / name).mkdir()
-    ours, theirs = socket.socketpair()
-    command = [
-        sys.executable,
-        "-I",
-        "-S",
-        "-B",
-        "-c",
-        (WORKER / "boot.py").read_text(encoding="utf-8"),
-        str(theirs.fileno()),
-    ]
-    said = base / "said"
-    with said.open("wb") as errors, theirs:
-        process = subprocess.Popen(
-            command,
-            pass_fds=[theirs.fileno()],
-            env=_environment(),
-            cwd="/",
-            umask=0o022,
-            stdin=subprocess.DEVNULL,
-            stdout=errors,
-            stderr=errors,
-            start_new_session=True,
-        )
-    parent = Parent(process, ours, base, base / "notebook", {}, False, None, 0)
-    try:
-        _send(ours, _opening(limits, parent, without))
-        ours.settimeout(_READY_SECONDS)
-        ready = _receive(ours)
-    except OSError as error:
-        words = said.read_text(encoding="utf-8", errors="replace").strip().splitlines() or [str(error)]
-        stop(parent)
-        why = words[-1].split(": ", 1)[-1]  # without the exception's name
-        raise CannotStart(f"The process that runs notebooks did not start: {why}") from None
-    parent.missing, parent.namespaces = ready["missing"], ready["namespaces"]
-    parent.user, parent.kilobytes = ready["user"], ready["kilobytes"]
-    if ready["threads"] > 1:
-        parent.missing["a parent with one thread"] = (
-            f"a library started {ready['threads'] - 1} more: forks may hang"
-        )
-    return parent
+
+    def __init__(self, limits: Limits, without: frozenset[str] = frozenset()) -> None:
+        self._limits = limits
+        try:
+            self._base = new_base()
+        except OSError as error:
+            raise CannotStart(
+                f"The process that runs notebooks has no temporary folder to start in ({error}); make room, or set TMPDIR."
+            ) from None
+        self._next: socket.socket | None = None  # the channel of a worker that was asked for ahead of its job
+        self.unreaped = 0  # workers whose exit status has not been read yet
+        self._process: subprocess.Popen[bytes] | None = None
+        try:
+            self._control, control = socket.socketpair()
+            config = self._config(control.fileno(), without)
+            with control, self._base.log.open("wb") as log:
+                self._process = subprocess.Popen(
+                    [sys.executable, "-I", "-S", "-B", "-c", (_WORKER / "boot.py").read_text("utf-8")],
+                    pass_fds=[control.fileno()],
+                    env=_environment(),
+                    cwd="/",
+                    umask=0o022,
+                    stdin=subprocess.PIPE,
+                    stdout=log,
+                    stderr=log,
+                    start_new_session=True,
+                )
+            self._frames = Frames(self._control, zygote_frames, float("inf"))
+            self.ready = self._start(config)
+        except OSError as error:
+            lines = self._base.last_words() or [str(error)]
+            self.stop()
+            why = lines[-1].split(": ", 1)[-1]  # without the exception's name
+            raise CannotStart(f"The process that runs notebooks did not start: {why}") from None
+        self.missing = dict(self.ready.missing)
+        if (
+            self.ready.threads > 1
+        ):  # a lock that another thread holds at the fork is never released in the worker
+            self.missing["a zygote with one thread"] = (
+                f"a library started {self.ready.threads - 1} more: forks may hang"
+            )
+
+    @property
+    def running(self) -> bool:
+        return self._process is not None and self._process.poll() is None
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid if self._process is not None else 0
+
+    @property
+    def worker_waits(self) -> bool:
+        """Whether a worker was asked for ahead of its job."""
+        return self._next is not None
+
+    @property
+    def folder(self) -> Path:
+        return self._base.folder
+
+    def canary(self) -> Canary:
+        """What a worker tries to reach; raises OSError."""
+        return self._base.canary(self.ready.user)
+
+    def stop(self) -> None:
+        """Ends it and removes its folder; a worker still running dies with it."""
+        if self._next is not None:
+            self._next.close()
+        if self._process is not None:
+            self._control.close()
+            self._process.kill()
+            self._process.wait()
+        self._base.remove()
+
+    def ask(self) -> None:
+        """Asks for a worker, which confines itself while the caller does something else. Raises OSError."""
+        channel, theirs = socket.socketpair()
+        with theirs:
+            socket.send_fds(self._control, [b"F"], [theirs.fileno()])
+        self._next, self.unreaped = channel, self.unreaped + 1
+
+    def fork(self) -> Worker:
+        """A worker that waits for its job. Raises OSError when it does not come up (the zygote is then of no more use)."""
+        if not self.ready.namespaces:
+            self.reap()  # all workers write in one folder: the last one must be gone
+            self._base.empty_folder(self.ready.user, self._limits.file_bytes)
+        if self._next is None:
+            self.ask()
+        channel, self._next = self._next, None
+        assert channel is not None
+        channel.settimeout(_SECONDS_TO_FORK)
+        introduction, pidfds, _, _ = socket.recv_fds(channel, 8, 1)
+        if len(introduction) != 8:
+            channel.close()
+            raise OSError("a new process died before it had its job")
+        channel.settimeout(None)
+        self._read_exits(1)  # of those before it, so that unread ones do not fill the channel
+        return Worker(channel, pidfds[0] if pidfds else None, int.from_bytes(introduction, "big"))
+
+    def reap(self) -> int:
+        """How the last worker ended: its exit status, or 128 and the signal's number. Raises OSError on no answer."""
+        return self._read_exits(0)
+
+    def _read_exits(self, left: int) -> int:
+        code = 0
+        until = time.monotonic() + _SECONDS_TO_EXIT
+        while self.unreaped > left:
+            frame = self._read(until)
+            if not isinstance(frame, Exited):
+                raise OSError("it answered out of turn")
+            code, self.unreaped = frame.code, self.unreaped - 1
+        return code
+
+    def _read(self, until: float) -> Ready | Exited:
+        try:
+            frame = self._frames.read(until)
+        except Garbled:
+            raise OSError("its answer cannot be read") from None
+        if isinstance(frame, str):
+            raise OSError("it ended" if frame == "end" else "it does not answer")
+        return frame
+
+    def _start(self, config: dict[str, object]) -> Ready:
+        assert self._process is not None
+        assert self._process.stdin is not None
+        with self._process.stdin as channel:
+            channel.write(json.dumps(config).encode())
+        frame = self._read(time.monotonic() + _SECONDS_TO_START)
+        if not isinstance(frame, Ready):
+            raise OSError("it answered out of turn")
+        return frame
+
+    def _config(self, control: int, without: frozenset[str]) -> dict[str, object]:
+        libraries = [
+            path
+            for path in sys.path
+            if path.endswith(("site-packages", "dist-packages")) and Path(path).is_dir()
+        ]
+        return {
+            "control": control,
+            "modules": [(name, (_WORKER / f"{name}.py").read_text(encoding="utf-8")) for name in _MODULES],
+            "libraries": libraries,
+            "preload": _PRELOAD,
+            "without": sorted(without),
+            "limits": asdict(self._limits),
+            "base": str(self._base.root),
+            "folder": str(self._base.folder),
+            "hidden": _installation(libraries),
+            "absent": _PACKAGE.name,
+        }
 
 
-def stop(parent: Parent) -> None:
-    """Ends it and removes its folder; a child still running dies with it."""
-    if parent.coming is not None:
-        parent.coming.close()
-    parent.control.close()
-    parent.process.kill()
-    parent.process.wait()
-    shutil.rmtree(parent.base, ignore_errors=True)
-
-
-def ask(parent: Parent) -> None:
-    """Asks for a child, which builds its walls while the one who asked does something else. Raises OSError."""
-    ours, theirs = socket.socketpair()
-    with theirs:
-        socket.send_fds(parent.control, [b"J"], [theirs.fileno()])
-    parent.coming, parent.owed = ours, parent.owed + 1
-
-
-def fork(parent: Parent, seconds: float = 20.0) -> Child:
-    """A new child that waits for its job. Raises OSError when it does not come up (the parent is then beyond use)."""
-    if not parent.namespaces:
-        if parent.owed:
-            reap(parent)  # they share a folder: the last one must be gone
-        shutil.rmtree(parent.folder, ignore_errors=True)
-        parent.folder.mkdir(mode=0o700)
-        if parent.user is not None:
-            os.chown(parent.folder, parent.user, parent.user)
-    if parent.coming is None:
-        ask(parent)
-    ours, parent.coming = parent.coming, None
-    assert ours is not None
-    ours.settimeout(seconds)
-    introduction, handles, _, _ = socket.recv_fds(ours, 9, 1)
-    if len(introduction) != 9:
-        ours.close()
-        raise OSError("the child died at birth")
-    ours.settimeout(None)
-    _words(parent, 1)  # of those before it, lest they fill the channel
-    return Child(ours, handles[0] if handles else None, int.from_bytes(introduction[1:], "big"))
-
-
-def tell(child: Child, number: signal.Signals) -> None:
-    """A signal to exactly this child; nothing when it is gone."""
-    try:
-        if child.handle is not None and sys.platform == "linux":
-            signal.pidfd_send_signal(child.handle, number)
-        else:
-            os.kill(child.pid, number)
-    except ProcessLookupError:
-        return
-
-
-def leave(child: Child) -> None:
-    """Kills what may still run of it, and lets go of it; how it ended can be asked for later, or never."""
-    tell(child, signal.SIGKILL)
-    child.channel.close()
-    if child.handle is not None:
-        os.close(child.handle)
-
-
-def reap(parent: Parent, seconds: float = 30.0) -> int:
-    """How the last child ended: its exit status, or 128 and the signal's number. Raises OSError when the parent does not say."""
-    parent.control.settimeout(seconds)
-    return _words(parent, 0)
-
-
-def _words(parent: Parent, left: int) -> int:
-    code = 0
-    while parent.owed > left:
-        code = _receive(parent.control)["code"]
-        parent.owed -= 1
-    return code
+def _installation(libraries: list[str]) -> list[str]:
+    """What of the libraries' folders tells of this package: its code and bank, its metadata, and files that name its path."""
+    hidden = {str(_PACKAGE)}
+    for library in libraries:
+        # An editable installation leaves a .pth file and a finder that name the source folder; so does direct_url.json.
+        for entry in os.scandir(library):
+            if _PACKAGE.name in entry.name.lower() or entry.name.endswith((".pth", ".egg-link")):
+                hidden.add(entry.path)
+    return sorted(hidden)
 
 
 def _environment() -> dict[str, str]:
@@ -201,42 +248,3 @@ def _environment() -> dict[str, str]:
         ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS"), "1"
     )
     return {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "TZ": os.environ.get("TZ", ""), **threads}
-
-
-def _opening(limits: Limits, parent: Parent, without: frozenset[str]) -> dict[str, object]:
-    libraries = [
-        path for path in sys.path if path.endswith(("site-packages", "dist-packages")) and Path(path).is_dir()
-    ]
-    return {
-        "modules": [(name, (WORKER / f"{name}.py").read_text(encoding="utf-8")) for name in _MODULES],
-        "libraries": libraries,
-        "preload": _PRELOAD,
-        "without": sorted(without),
-        "limits": asdict(limits),
-        "base": str(parent.base / "root"),
-        "folder": str(parent.folder),
-        # An editable installation leaves the bank in a folder of the package's name beside the libraries.
-        "hidden": [str(_PACKAGE), *(f"{path}/{_PACKAGE.name}" for path in libraries)],
-        "absent": _PACKAGE.name,
-        "unread": [_PACKAGE.name, f"_{_PACKAGE.name}", f"__editable__.{_PACKAGE.name}"],
-    }
-
-
-def _send(channel: socket.socket, said: dict[str, object]) -> None:
-    text = json.dumps(said).encode()
-    channel.sendall(len(text).to_bytes(8, "big") + text)
-
-
-def _receive(channel: socket.socket) -> dict:
-    return json.loads(_exactly(channel, int.from_bytes(_exactly(channel, 8), "big")))
-
-
-def _exactly(channel: socket.socket, count: int) -> bytes:
-    parts = []
-    while count:
-        part = channel.recv(min(count, 1 << 20))
-        if not part:
-            raise OSError("it ended")
-        parts.append(part)
-        count -= len(part)
-    return b"".join(parts)

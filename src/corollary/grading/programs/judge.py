@@ -16,7 +16,7 @@ from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
-from corollary.sandbox.job import Argument, Ask
+from corollary.sandbox.job import Argument, Call
 from corollary.units.unit import unit
 
 
@@ -36,13 +36,13 @@ def plot_of(solution: Solution, part: Part) -> Plot | None:
     )
 
 
-def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[Ask]:
+def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[Call]:
     """The calls of a part's function, on inputs nobody knows beforehand."""
     code = code_of(solution, part)
     if code is None:
         return []
     return [
-        Ask(
+        Call(
             f"{variant.problem.answer_name(part)}/{place}",
             part.function,
             tuple((name, _argument(value)) for name, value in inputs.items()),

@@ -1,27 +1,9 @@
-"""The first lines of the warm parent: its own sources come in as text, so no folder of the package is on its path."""
+"""The first lines of the zygote: its own sources come in as text, so no folder of the package is on its path."""
 
 import builtins
 import json
-import os
-import socket
 import sys
 import types
-
-
-def receive(channel):
-    """One JSON document from the one who started this process: eight bytes of length, then the text."""
-    return json.loads(exactly(channel, int.from_bytes(exactly(channel, 8), "big")))
-
-
-def exactly(channel, count):
-    parts = []
-    while count:
-        part = channel.recv(min(count, 1 << 20))
-        if not part:
-            os._exit(0)
-        parts.append(part)
-        count -= len(part)
-    return b"".join(parts)
 
 
 def install(package, modules):
@@ -40,8 +22,7 @@ def install(package, modules):
 
 if __name__ == "__main__":
     sys.dont_write_bytecode = True
-    control = socket.socket(fileno=int(sys.argv[1]))
-    opening = receive(control)
-    sys.path.extend(opening["libraries"])
-    install("desk", opening["modules"])
-    sys.modules["desk.warm"].serve(control, opening)
+    config = json.load(sys.stdin)
+    sys.path.extend(config["libraries"])
+    install("sandbox", config["modules"])
+    sys.modules["sandbox.zygote"].serve(config)

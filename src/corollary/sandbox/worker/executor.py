@@ -1,160 +1,181 @@
-"""One notebook from first cell to last: run, show, snapshot the answers, tell; then the calls of its functions."""
+"""One notebook from first cell to last: run each, collect its outputs, send the answers it changed; then call its functions."""
 
 import getpass
 import os
+import signal
 import sys
+import time
 
-from . import backend
+from . import figures
 from . import shell as shells
-from .clock import Clock
 from .encode import encode
-from .figures import describe, draw
-from .frames import pack, say
 from .outputs import clean
+from .protocol import pack, send
 
 MOST_FIGURES = 20  # of one cell
 MOST_PICTURES = 40  # of one notebook: each figure is kept until it is drawn
 _MOST_CALL_OUTPUT = 10_000
+_NEARLY = 0.95  # the two clocks, the grader's and this one, do not start at the same moment
+_now = time.monotonic
+_set_handler = signal.signal
 
 
-class Desk:
-    """Where one notebook is worked on: the shell, the clock, and what of its answers has been told already."""
+class Clock:
+    """The time one cell has: the grader's SIGINT becomes KeyboardInterrupt, but only in a cell that has used up its time.
+
+    A signal that arrives a moment late must not hit the next cell; so the elapsed time is looked at too.
+    """
+
+    def __init__(self):
+        self.limit = 0.0
+        self.began = None
+        self.rang = False
+
+    def start(self, limit):
+        self.limit, self.rang = limit, False
+        _set_handler(signal.SIGINT, self._ring)
+        self.began = _now()
+
+    def stop(self):
+        self.began = None
+
+    def _ring(self, number, frame):
+        if self.began is not None and _now() - self.began > _NEARLY * self.limit:
+            self.rang = True
+            raise KeyboardInterrupt
+
+
+class Session:
+    """One notebook at work: the shell, the clock, and which answers have been sent already."""
 
     def __init__(self, shell, outputs, job):
         self.shell, self.outputs, self.job = shell, outputs, job
-        self.run_cell = shell.run_cell
+        self.run_cell = shell.run_cell  # the student may replace the shell's own
         self.streams = shells.streams(outputs)
         self.clock = Clock()
-        self.told = {}
+        self.sent = {}
         self.figures = []
-        self.to_draw = []  # each figure, and what was told of it when it was shown
+        self.to_draw = []  # each figure, and its description from when it was shown
         self.printed = 0
+        figures.on_show.append(lambda figure, display=True: _add_figure(self, figure, display))
 
 
-def work(shell, outputs, job):
-    """Runs the job and says what came of it, frame by frame; every frame sent is safe from what happens later."""
-    desk = _desk(shell, outputs, job)
+def execute(shell, outputs, job):
+    """Runs the job and sends what comes of it, frame by frame; every frame sent is safe from what happens later."""
+    session = Session(shell, outputs, job)
     outputs.most_bytes = job["limits"]["output_bytes"]
     getpass.getpass = shells.refuse_input
     for index, source in enumerate(job["cells"]):
-        say({"t": "began", "what": "cell", "index": index})
-        say(*_run_cell(desk, index, source))
-    for index, ask in enumerate(job["asks"]):
-        say({"t": "began", "what": "call", "index": index})
-        say(*_call(desk, index, ask))
-    say({"t": "done", "pictures": len(desk.to_draw)})
-    for index, (figure, told) in enumerate(desk.to_draw):
-        say({"t": "began", "what": "picture", "index": index})
-        say(*_draw(desk, index, figure, told))
+        send({"t": "began", "what": "cell", "index": index})
+        send(*_run_cell(session, index, source))
+    for index, call in enumerate(job["calls"]):
+        send({"t": "began", "what": "call", "index": index})
+        send(*_call(session, index, call))
+    send({"t": "done", "pictures": len(session.to_draw)})
+    for index, (figure, description) in enumerate(session.to_draw):
+        send({"t": "began", "what": "picture", "index": index})
+        send(*_draw(session, index, figure, description))
 
 
-def rehearse(shell, outputs, sources):
+def warm_up(shell, outputs, sources):
     """Runs cells that are nobody's, and keeps nothing of them."""
-    desk = _desk(
+    session = Session(
         shell, outputs, {"names": ["a", "b", "c", "d"], "pictures": False, "limits": {"cell_seconds": 1e3}}
     )
     for index, source in enumerate(sources):
-        pack(_run_cell(desk, index, source)[0])
-    backend.shown.clear()
+        pack(_run_cell(session, index, source)[0])
+    figures.on_show.clear()
 
 
-def _desk(shell, outputs, job):
-    desk = Desk(shell, outputs, job)
-    backend.shown.append(lambda figure, show=True: _take_figure(desk, figure, show))
-    return desk
-
-
-def _run_cell(desk, index, source):
-    desk.outputs.start()
-    desk.figures = []
+def _run_cell(session, index, source):
+    session.outputs.start()
+    session.figures = []
     error = ""
     values = {}
-    _restore_streams(desk)
-    desk.clock.start(desk.job["limits"]["cell_seconds"])
+    _restore_streams(session)
+    session.clock.start(session.job["limits"]["cell_seconds"])
     try:
-        result = desk.run_cell(source, store_history=True)
+        result = session.run_cell(source, store_history=True)
         failed = result.error_before_exec or result.error_in_exec
         if failed is not None:
             error = _one_line(failed)
-        backend.show_all()
-        _read_printed(desk)
-        values = _changed(desk)
-        desk.clock.stop()
+        figures.show_all()
+        _read_printed(session)
+        values = _changed(session)
+        session.clock.stop()
     except KeyboardInterrupt:
         error = "KeyboardInterrupt"
-    except (
-        BaseException
-    ) as trouble:  # IPython itself was bent by the cell; the cell has failed, the notebook goes on
-        error = _one_line(trouble)
-    desk.clock.stop()
-    status = "timeout" if desk.clock.rang else "error" if error else "ok"
-    rich = {
+    except BaseException as failure:
+        # The cell has broken IPython itself; the cell has failed, the notebook goes on.
+        error = _one_line(failure)
+    session.clock.stop()
+    status = "timeout" if session.clock.rang else "error" if error else "ok"
+    frame = {
         "t": "cell",
         "index": index,
         "status": status,
         "error": error,
-        "outputs": desk.outputs.as_list(),
-        "figures": desk.figures,
+        "outputs": session.outputs.as_list(),
+        "figures": session.figures,
         "values": values,
     }
-    poorer = {**rich, "outputs": []}
-    poorest = {**poorer, "figures": [], "error": "the cell's error cannot be told", "values": {}}
-    return rich, (poorer, {**poorer, "figures": []}, poorest)
+    without_outputs = {**frame, "outputs": []}
+    bare = {**without_outputs, "figures": [], "error": "the cell's error cannot be shown", "values": {}}
+    return frame, without_outputs, {**without_outputs, "figures": []}, bare
 
 
-def _changed(desk):
-    """The answers this cell changed; told now, so that a later crash cannot take them away."""
+def _changed(session):
+    """The answers this cell changed; sent now, so that a later crash cannot take them away."""
     values = {}
-    for name in desk.job["names"]:
-        encoded = encode(desk.shell.user_ns.get(name))
-        if encoded != desk.told.get(name, ("nothing",)):
-            values[name] = desk.told[name] = encoded
+    for name in session.job["names"]:
+        encoded = encode(session.shell.user_ns.get(name))
+        if encoded != session.sent.get(name, ("nothing",)):
+            values[name] = session.sent[name] = encoded
     return values
 
 
-def _take_figure(desk, figure, show):
-    """Reads a figure that is shown; where pictures are wanted, gives the word that stands for its picture until it is drawn."""
-    if len(desk.figures) >= MOST_FIGURES:
+def _add_figure(session, figure, display):
+    """Describes a figure that is shown; where pictures are wanted, gives the placeholder of its picture until it is drawn."""
+    if len(session.figures) >= MOST_FIGURES:
         return None
-    axes = describe(figure)
-    wanted = desk.job["pictures"] and len(desk.to_draw) < MOST_PICTURES
-    place = len(desk.to_draw) if wanted else None
-    desk.figures.append({"axes": axes, "picture": place})
+    axes = figures.describe(figure)
+    wanted = session.job["pictures"] and len(session.to_draw) < MOST_PICTURES
+    place = len(session.to_draw) if wanted else None
+    session.figures.append({"axes": axes, "picture": place})
     width, height = (int(inches * 100) for inches in figure.get_size_inches())
-    shown = {"text/plain": f"<Figure size {width}x{height} with {len(figure.axes)} Axes>"}
+    bundle = {"text/plain": f"<Figure size {width}x{height} with {len(figure.axes)} Axes>"}
     if wanted:
-        desk.to_draw.append((figure, axes))
-        shown["image/png"] = f"figure {place}"
-    if show:
-        desk.outputs.display(shown)
-    return shown.get("image/png")
+        session.to_draw.append((figure, axes))
+        bundle["image/png"] = f"figure {place}"
+    if display:
+        session.outputs.display(bundle)
+    return bundle.get("image/png")
 
 
-def _draw(desk, index, figure, told):
-    """The picture, after all answers are out: whatever drawing comes to, they stand. A figure is drawn as it is by now."""
+def _draw(session, index, figure, description):
+    """The picture, drawn after all answers are sent, so that no picture can cost an answer; of the figure as it is by now."""
     picture, changed = None, False
-    desk.clock.start(desk.job["limits"]["cell_seconds"])
+    session.clock.start(session.job["limits"]["cell_seconds"])
     try:
-        picture, changed = draw(figure), describe(figure) != told
-        desk.clock.stop()
-    except (
-        BaseException
-    ):  # its time was up, or the student's own class of figure has ended it: there is no picture then
+        picture, changed = figures.draw(figure), figures.describe(figure) != description
+        session.clock.stop()
+    except BaseException:
+        # Its time was up, or the student's own class of figure raised: there is no picture then.
         picture = None
-    desk.clock.stop()
-    rich = {"t": "picture", "index": index, "png": picture, "changed": changed}
-    return rich, ({**rich, "png": None},)
+    session.clock.stop()
+    frame = {"t": "picture", "index": index, "png": picture, "changed": changed}
+    return frame, {**frame, "png": None}
 
 
-def _call(desk, index, ask):
-    name, arguments, seconds = ask
-    desk.outputs.start()
-    function = desk.shell.user_ns.get(name)
+def _call(session, index, call):
+    name, arguments, seconds = call
+    session.outputs.start()
+    function = session.shell.user_ns.get(name)
     if function is None:
-        return _answer(desk, index, ("nothing",), f"there is no function called {name}")
-    _restore_streams(desk)
+        return _result(session, index, ("nothing",), f"there is no function called {name}")
+    _restore_streams(session)
     value, trouble = ("nothing",), ""
-    desk.clock.start(seconds)
+    session.clock.start(seconds)
     try:
         if callable(function):
             value = encode(
@@ -162,42 +183,42 @@ def _call(desk, index, ask):
             )
         else:
             trouble = f"{name} is not a function"
-        desk.clock.stop()
+        session.clock.stop()
     except BaseException as error:
         trouble = f"the function raised {_one_line(error)}"
-    desk.clock.stop()
-    if desk.clock.rang:
+    session.clock.stop()
+    if session.clock.rang:
         value, trouble = ("nothing",), f"the function ran longer than {seconds:g} s"
-    backend.Gcf.destroy_all()
-    return _answer(desk, index, value, trouble)
+    figures.Gcf.destroy_all()
+    return _result(session, index, value, trouble)
 
 
-def _answer(desk, index, value, trouble):
-    text = "".join(each["text"] for each in desk.outputs.as_list() if each["output_type"] == "stream")
-    rich = {
+def _result(session, index, value, trouble):
+    text = "".join(each["text"] for each in session.outputs.as_list() if each["output_type"] == "stream")
+    frame = {
         "t": "call",
         "index": index,
         "value": value,
         "output": text[:_MOST_CALL_OUTPUT],
         "trouble": trouble,
     }
-    return rich, ({**rich, "value": ("refused", "is too large to be brought back", "")},)
+    return frame, {**frame, "value": ("refused", "is too large to be brought back", "")}
 
 
 def _one_line(error):
     return clean(f"{type(error).__name__}: {shells.words(error)}".partition("\n")[0][:500])
 
 
-def _restore_streams(desk):
-    sys.stdout, sys.stderr = desk.streams
+def _restore_streams(session):
+    sys.stdout, sys.stderr = session.streams
 
 
-def _read_printed(desk):
+def _read_printed(session):
     """What C code printed past Python's streams."""
     try:
-        text = os.pread(1, desk.outputs.most_bytes, desk.printed)
+        text = os.pread(1, session.outputs.most_bytes, session.printed)
     except OSError:
         return
-    desk.printed += len(text)
+    session.printed += len(text)
     if text:
-        desk.outputs.stream("stdout", text.decode("utf-8", "replace"))
+        session.outputs.stream("stdout", text.decode("utf-8", "replace"))

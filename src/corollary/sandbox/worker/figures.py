@@ -1,9 +1,12 @@
-"""Figures as what was drawn: the labels, limits and legend of each pair of axes, and the numbers of each line."""
+"""Figures as data: a matplotlib backend without a window, and the labels, limits, legend and lines of what is shown."""
 
 import io
 import math
 
 import numpy
+from matplotlib._pylab_helpers import Gcf
+from matplotlib.backend_bases import FigureManagerBase
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from .outputs import clean
 
@@ -11,7 +14,26 @@ MOST_POINTS = 5_000
 MOST_LINES = 60
 MOST_AXES = 20
 MOST_PIXELS = 2_000_000
-_DPI = 72
+_DPI = 72  # Jupyter's own
+on_show = []  # the function that describes a figure, once a notebook runs
+
+
+class FigureManager(FigureManagerBase):
+    @classmethod
+    def pyplot_show(cls, *, block=None):
+        show_all()
+
+
+class FigureCanvas(FigureCanvasAgg):
+    manager_class = FigureManager  # pyright: ignore[reportAssignmentType]
+
+
+def show_all():
+    """Describes every open figure and closes it, as a notebook shows them at `plt.show()` and at the end of each cell."""
+    for manager in Gcf.get_all_fig_managers():
+        for describe_shown in on_show:
+            describe_shown(manager.canvas.figure)
+    Gcf.destroy_all()
 
 
 def describe(figure):
@@ -63,17 +85,17 @@ def _lines(axes):
 def _curve(line, axes):
     x, y = line.get_data(orig=False)
     x, y = _numbers(x), _numbers(y)
-    # A line as of axhline counts one direction in fractions of the axes; told here in the data's own numbers.
+    # A line as of axhline counts one direction in fractions of the axes; given here in the data's own numbers.
     x_is_data, y_is_data = line.get_transform().contains_branch_seperately(axes.transData)
     x = x if x_is_data else [_along(axes.get_xlim(), each) for each in x]
     y = y if y_is_data else [_along(axes.get_ylim(), each) for each in y]
     drawn = str(line.get_linestyle()) not in ("None", "none", "", " ")
-    return _told(x, y, line.get_label(), "line" if drawn else "points")
+    return _as_line(x, y, line.get_label(), "line" if drawn else "points")
 
 
 def _cloud(cloud):
     places = cloud.get_offsets()
-    return _told(_numbers(places[:, 0]), _numbers(places[:, 1]), cloud.get_label(), "points")
+    return _as_line(_numbers(places[:, 0]), _numbers(places[:, 1]), cloud.get_label(), "points")
 
 
 def _bars(bars):
@@ -83,7 +105,7 @@ def _bars(bars):
         for bar in bars.patches
     ]
     y = [bar.get_height() if upright else bar.get_width() for bar in bars.patches]
-    return _told(_numbers(x), _numbers(y), bars.get_label(), "bars")
+    return _as_line(_numbers(x), _numbers(y), bars.get_label(), "bars")
 
 
 def _along(limits, fraction):
@@ -96,7 +118,7 @@ def _numbers(values):
     return numpy.ma.filled(numpy.ma.asarray(values[::every], dtype=float), math.nan).tolist()
 
 
-def _told(x, y, label, kind):
+def _as_line(x, y, label, kind):
     count = min(len(x), len(y))
     x, y = [float(each) for each in x[:count]], [float(each) for each in y[:count]]
     return {"x": x, "y": y, "label": "" if str(label).startswith("_") else _short(label), "kind": kind}

@@ -1,6 +1,8 @@
-"""Landlock: an allow list of files, made once and put in force in every child."""
+"""Landlock: an allow list of files, made once and put in force in every worker (landlock(7), Linux 5.13)."""
 
 import os
+
+_ABI_OF_SCOPES = 6  # Linux 6.12: before it, signals are seccomp's to refuse
 
 
 class NoLandlock(Exception):
@@ -8,10 +10,10 @@ class NoLandlock(Exception):
 
 
 def prepare(listed, readable, writable):
-    """A ruleset that lets see the names in `listed`, read what is in `readable`, change what is in `writable`.
+    """A ruleset that allows to list the folders in `listed`, to read what is in `readable`, to change what is in `writable`.
 
-    Gives the ruleset, and whether it also keeps signals inside. TCP and abstract sockets are refused too, as far as the
-    kernel knows how. Raises NoLandlock.
+    Gives the ruleset, and whether it also keeps signals inside. TCP (Linux 6.7), abstract sockets and signals (6.12) are
+    refused too, as far as the kernel knows how. Raises NoLandlock.
     """
     try:
         import landlockpy
@@ -22,7 +24,7 @@ def prepare(listed, readable, writable):
     access = landlockpy.AccessFS
     scopes = landlockpy.Scope.ABSTRACT_UNIX_SOCKET | landlockpy.Scope.SIGNAL
     ruleset = landlockpy.Ruleset(scoped=scopes)
-    # Nothing is ever executed and no device made; where a folder may be changed, its files and links may be.
+    # No EXECUTE, no MAKE_CHAR, MAKE_BLOCK, MAKE_SOCK or MAKE_FIFO: what a notebook writes is files, folders and links.
     change = (
         access.READ_FILE
         | access.READ_DIR
@@ -45,13 +47,16 @@ def prepare(listed, readable, writable):
     for path in writable:
         allowed = change if os.path.isdir(path) else access.READ_FILE | access.WRITE_FILE
         ruleset.allow_path(path, allowed)
+    return ruleset, landlockpy.abi_version() >= _ABI_OF_SCOPES
 
-    return ruleset, landlockpy.abi_version() >= 6
 
+def entries(folder, prefixes, hidden):
+    """The paths in a folder whose names do not begin with one of `prefixes` and which are not in `hidden`.
 
-def entries(folder, without):
-    """The paths in a folder whose names do not begin with one of `without`.
-
-    Landlock grants whole trees and forbids nothing inside a grant, so what is to stay closed must not be named.
+    Landlock grants whole trees and forbids nothing inside a grant, so what is to stay unread must not be granted.
     """
-    return [entry.path for entry in os.scandir(folder) if not entry.name.startswith(without)]
+    return [
+        entry.path
+        for entry in os.scandir(folder)
+        if not entry.name.startswith(prefixes) and entry.path not in hidden
+    ]

@@ -14,13 +14,13 @@ CLONE_NEWNET = 0x40000000
 MS_NOSUID, MS_NODEV, MS_BIND, MS_REC, MS_PRIVATE = 2, 4, 4096, 16384, 1 << 18
 MNT_DETACH = 2
 
-MADV_POPULATE_WRITE, MADV_COLLAPSE = 23, 25  # Linux 5.14 and 6.1
-
 PR_SET_PDEATHSIG, PR_SET_DUMPABLE, PR_SET_SECCOMP = 1, 4, 22
 PR_SET_CHILD_SUBREAPER, PR_SET_NO_NEW_PRIVS = 36, 38
 
 _AT_RECURSIVE, _MOUNT_ATTR_RDONLY, _MOUNT_ATTR_NOSUID, _SYS_MOUNT_SETATTR = 0x8000, 1, 2, 442
 _CAPABILITY_VERSION_3 = 0x20080522
+_SECCOMP_MODE_FILTER = 2
+_AT_FDCWD = -100
 
 _libc = ctypes.CDLL(None, use_errno=True)
 
@@ -36,7 +36,7 @@ def unshare(flags):
 
 
 def setns(descriptor, flags):
-    _checked(_libc.setns(descriptor, flags), "returning to the namespaces of before")
+    _checked(_libc.setns(descriptor, flags), "return to the earlier namespaces")
 
 
 def mount(source, target, kind, flags, options=""):
@@ -49,7 +49,7 @@ def make_read_only(path):
     attributes = (ctypes.c_uint64 * 4)(_MOUNT_ATTR_RDONLY | _MOUNT_ATTR_NOSUID, 0, 0, 0)
     result = _libc.syscall(
         _SYS_MOUNT_SETATTR,
-        -100,
+        _AT_FDCWD,
         path.encode(),
         _AT_RECURSIVE,
         ctypes.byref(attributes),
@@ -70,11 +70,6 @@ def prctl(option, first=0, second=0):
     _checked(_libc.prctl(option, ctypes.c_ulong(first), ctypes.c_ulong(second), 0, 0), f"prctl {option}")
 
 
-def advise(address, count, advice):
-    """Tells the kernel what these bytes of memory are for; one that does not know the advice does nothing."""
-    _libc.madvise(ctypes.c_void_p(address), ctypes.c_size_t(count), advice)
-
-
 def drop_capabilities():
     header = (ctypes.c_uint32 * 2)(_CAPABILITY_VERSION_3, 0)
     _checked(_libc.capset(header, (ctypes.c_uint32 * 6)()), "dropping capabilities")
@@ -86,9 +81,9 @@ def load_filter(program):
     class Program(ctypes.Structure):
         _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_void_p))
 
-    room = ctypes.create_string_buffer(program, len(program))
-    held = Program(len(program) // 8, ctypes.addressof(room))
-    prctl(PR_SET_SECCOMP, 2, ctypes.addressof(held))
+    instructions = ctypes.create_string_buffer(program, len(program))
+    compiled = Program(len(program) // 8, ctypes.addressof(instructions))
+    prctl(PR_SET_SECCOMP, _SECCOMP_MODE_FILTER, ctypes.addressof(compiled))
 
 
 def on_linux():

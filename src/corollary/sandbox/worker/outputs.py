@@ -16,7 +16,7 @@ class Outputs:
         self.start()
 
     def start(self):
-        self.shown = []
+        self.items = []
         self.left = self.most_bytes
         self.full = False
         self.places = {}
@@ -27,11 +27,11 @@ class Outputs:
         text = self._room_for(clean(text))
         if not text:
             return
-        last = self.shown[-1] if self.shown else {}
+        last = self.items[-1] if self.items else {}
         if last.get("output_type") == "stream" and last["name"] == name:
             last["parts"].append(text)
         else:
-            self.shown.append({"output_type": "stream", "name": name, "parts": [text]})
+            self.items.append({"output_type": "stream", "name": name, "parts": [text]})
 
     def display(self, data, count=None, place=None, update=False):
         """A bundle of mime types; with `count` it is the cell's result, Out[count]."""
@@ -49,25 +49,25 @@ class Outputs:
             if place in self.places:
                 self.places[place]["data"] = bundle
             return
-        shown = {"output_type": "display_data", "data": bundle, "metadata": {}}
+        item = {"output_type": "display_data", "data": bundle, "metadata": {}}
         if count is not None:
-            shown |= {"output_type": "execute_result", "execution_count": count}
+            item |= {"output_type": "execute_result", "execution_count": count}
         if place is not None:
-            self.places[place] = shown
-        self._add(shown)
+            self.places[place] = item
+        self._add(item)
 
     def error(self, name, value, lines):
         name, value = clean(name)[:200], clean(value)[:2000]
         lines = [clean(line)[:2000] for line in lines[-40:]]
-        # The error is told even when the cell has shown too much already: it is what the student must read.
-        self.shown.append({"output_type": "error", "ename": name, "evalue": value, "traceback": lines})
+        # The error is added even when the cell has shown too much already: it is what the student must read.
+        self.items.append({"output_type": "error", "ename": name, "evalue": value, "traceback": lines})
 
     def clear(self):
-        self.shown = []
+        self.items = []
 
-    def _add(self, shown):
-        if len(self.shown) < 500:
-            self.shown.append(shown)
+    def _add(self, item):
+        if len(self.items) < 500:
+            self.items.append(item)
 
     def _room_for(self, text):
         if len(text.encode()) <= self.left:
@@ -82,7 +82,7 @@ class Outputs:
             {**{key: value for key, value in each.items() if key != "parts"}, "text": "".join(each["parts"])}
             if each["output_type"] == "stream"
             else each
-            for each in list(self.shown)
+            for each in list(self.items)
         ]
 
 

@@ -1,4 +1,4 @@
-"""The shell the cells run in: IPython as in a notebook, with nobody at the keyboard and everything shown collected."""
+"""The shell the cells run in: IPython as in a notebook, without a keyboard, its outputs collected."""
 
 import builtins
 import linecache
@@ -18,7 +18,7 @@ from matplotlib_inline.config import InlineBackend
 from traitlets import Type
 from traitlets.config import Config
 
-from . import backend
+from . import figures
 from .outputs import Outputs, Stream
 
 _CELL = re.compile(r'File "<ipython-input-(\d+)-[0-9a-f]+>"')
@@ -98,15 +98,15 @@ class Shell(InteractiveShell):
             if alone
             else traceback.format_exception(kind, error, trace, limit=-10)
         )
-        self._tell(kind, error, lines)
+        self._show_error(kind, error, lines)
 
     def showsyntaxerror(self, filename=None, running_compiled_code=False):
         self.showtraceback(exception_only=True)
 
     def show_usage_error(self, exc):
-        self._tell(type(exc), exc, [f"UsageError: {exc}"])
+        self._show_error(type(exc), exc, [f"UsageError: {exc}"])
 
-    def _tell(self, kind, error, lines):
+    def _show_error(self, kind, error, lines):
         self.outputs.error(
             kind.__name__, words(error), _CELL.sub(r"Cell In[\1]", "".join(lines)).splitlines()
         )
@@ -135,7 +135,7 @@ def new_shell(outputs):
     configurables.append(InlineBackend.instance(parent=shell))
     formatter: Any = shell.display_formatter
     formatter.formatters["image/png"].for_type(Figure, _show_figure)
-    matplotlib.use("module://desk.backend")
+    matplotlib.use("module://sandbox.figures")
     # One backend serves here whatever a script written for a window asks for.
     matplotlib.use = lambda backend, *, force=True: None
     builtins.input = refuse_input
@@ -144,7 +144,7 @@ def new_shell(outputs):
 
 def _show_figure(figure):
     """A figure that is displayed by name; gives its PNG, if one is wanted, for the bundle IPython puts together."""
-    return [take(figure, show=False) for take in backend.shown][-1] if backend.shown else None
+    return [add(figure, display=False) for add in figures.on_show][-1] if figures.on_show else None
 
 
 def refuse_input(prompt=""):
@@ -155,8 +155,8 @@ def streams(outputs):
     return Stream("stdout", outputs), Stream("stderr", outputs)
 
 
-def forget(shell):
-    """After warming up: as if nothing had been run."""
+def reset(shell):
+    """As if nothing had been run."""
     shell.reset(new_session=True)
     shell.execution_count = 1
     linecache.clearcache()
