@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-from corollary.scenes.body import Body
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.contact import Contact
@@ -19,7 +18,7 @@ from corollary.scenes.measure import measured
 from corollary.scenes.observe import MEANING, Observable
 from corollary.scenes.plan import plan, play
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Body, Scene
 
 V = {Observable.VELOCITIES}
 HARD = Contact(1e4, 1.5)

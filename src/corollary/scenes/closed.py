@@ -7,18 +7,18 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from corollary.scenes.collision import CLOSED
-from corollary.scenes.conserved import energy, impulses, momentum
+from corollary.scenes.conserved import impulses, momentum
 from corollary.scenes.definition import Played
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.well import Well
-from corollary.scenes.integrate.equations_of_motion import start_of
+from corollary.scenes.integrate.equations_of_motion import energy
 from corollary.scenes.library.atom import ATOM
 from corollary.scenes.library.spheres import SPHERES
 from corollary.scenes.models.kepler import orbit
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import Observed
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Scene, start_of
 
 OF_A_PAIR = {
     Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.PEAK_FORCE, Observable.ENERGY_RATIO,

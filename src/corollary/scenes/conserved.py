@@ -3,30 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
-from dataclasses import replace
+from collections.abc import Collection
 
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.integrate.equations_of_motion import (
-    kinetic,
-    masses_at,
-    overlap,
-    pairs,
-    potential,
-    start_of,
-    velocity,
-)
+from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, masses_at
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import Observed
-from corollary.scenes.scene import Force, Scene
-
-State = Sequence[float]
+from corollary.scenes.scene import Conserves, Scene, State, overlap, pairs, start_of, velocity
 
 
 def momentum(scene: Scene, time: float, state: State) -> tuple[float, ...]:
@@ -48,35 +30,13 @@ def impulses(scene: Scene, before: State, after: State) -> tuple[float, ...]:
     return tuple(scene.bodies[i].mass * (v - u) for i, u, v in changes)
 
 
-def energy(scene: Scene, time: float, state: State) -> float:
-    """Kinetic energy and the potential energy (J) of all forces that have one, without their drag."""
-    stored = potential(
-        replace(scene, forces=tuple(_without_drag(force) for force in scene.forces if _stores(force))), state
-    )
-    return kinetic(scene, time, state) + (stored or 0.0)
-
-
-def _stores(force: Force) -> bool:
-    return not isinstance(force, (Friction, Thrust, Absorption, HardWall))
-
-
-def _without_drag(force: Force) -> Force:
-    match force:
-        case Contact():
-            return replace(force, eta=0.0)
-        case Spring():
-            return replace(force, damping=0.0)
-        case _:
-            return force
-
-
 def conserved(scene: Scene, observe: Collection[Observable]) -> dict[Observable, Observed]:
     """Those of the things asked for that the start already says: no motion has to be followed for them."""
     start = start_of(scene)
     known: dict[Observable, Observed] = {}
     if Observable.MOMENTUM in observe and _isolated(scene):
         known[Observable.MOMENTUM] = momentum(scene, 0.0, start)
-    if Observable.ENERGY in observe and potential(scene, start) is not None and scene.walls_at_rest:
+    if Observable.ENERGY in observe and keeps_energy(scene):
         known[Observable.ENERGY] = energy(scene, 0.0, start)
     if Observable.ENERGY_RATIO in observe and parts_undamped(scene) and kinetic(scene, 0.0, start) > 0.0:
         known[Observable.ENERGY_RATIO] = 1.0
@@ -87,13 +47,11 @@ def parts_undamped(scene: Scene) -> bool:
     """Whether the scene is undamped contacts that begin at a touch: all they take up they have given back when the bodies part."""
     if scene.until is not None or not scene.forces or not scene.walls_at_rest:
         return False
-    if not all(isinstance(f, Contact) and f.eta == 0.0 for f in scene.forces):
+    if scene.contacts != scene.forces or Conserves.ENERGY not in scene.conserves:
         return False
     return all(overlap(scene, start_of(scene), a, b)[0] <= 0.0 for a, b in pairs(scene))
 
 
 def _isolated(scene: Scene) -> bool:
     """Whether bodies act on each other only, and none of them is a wall."""
-    return scene.has_only(Contact, Spring, InverseSquare) and not any(
-        math.isinf(body.mass) for body in scene.bodies
-    )
+    return Conserves.MOMENTUM in scene.conserves and not any(math.isinf(body.mass) for body in scene.bodies)

@@ -6,25 +6,14 @@ import math
 from collections.abc import Callable, Collection, Sequence
 from typing import assert_never
 
-from corollary.scenes.conserved import energy, impulses, momentum
+from corollary.scenes.conserved import impulses, momentum
 from corollary.scenes.definition import Played
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.well import Well
 from corollary.scenes.integrate.contact_span import contact_span
-from corollary.scenes.integrate.equations_of_motion import (
-    contact_force,
-    kinetic,
-    masses_at,
-    overlap,
-    pairs,
-    place,
-    start_of,
-    velocity,
-)
+from corollary.scenes.integrate.equations_of_motion import energy, kinetic, masses_at
 from corollary.scenes.integrate.motion import Record, integrate
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Outcome
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Scene, overlap, pairs, place, start_of, velocity
 
 Value = Callable[[Sequence[float]], float]
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
@@ -54,16 +43,16 @@ def _outcome(scene: Scene, record: Record) -> Outcome:
     if record.came_to_rest:
         return "sticks"
     if scene.until is not None:
-        return "escaped" if _left_every_well(scene, record.state) else "bound"
+        return "escaped" if _beyond_every_edge(scene, record.state) else "bound"
     return "released" if contact_span(scene, record) else "missed"
 
 
-def _left_every_well(scene: Scene, state: Sequence[float]) -> bool:
-    """Whether the scene has wells, and its bodies are beyond their edges on their way out."""
-    wells = [force for force in scene.forces if isinstance(force, Well)]
+def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
+    """Whether forces of the scene have edges, and its bodies are beyond them on their way out."""
+    edges = [force.edge for force in scene.forces if math.isfinite(force.edge)]
     places = [(place(scene, state, i), velocity(scene, state, i)) for i in range(len(scene.bodies))]
     outward = all(sum(a * b for a, b in zip(x, v, strict=True)) > 0.0 for x, v in places)
-    return bool(wells) and outward and all(math.hypot(*x) >= well.edge for x, _ in places for well in wells)
+    return bool(edges) and outward and all(math.hypot(*x) >= edge for x, _ in places for edge in edges)
 
 
 def _apart(a: Observed, b: Observed) -> float:
@@ -142,10 +131,9 @@ def _state_at(scene: Scene, record: Record, time: float) -> Sequence[float]:
 
 
 def _peak_force(scene: Scene, record: Record) -> float:
-    contacts = [force for force in scene.forces if isinstance(force, Contact)]
     values: list[Value] = [
-        lambda y, f=f, a=a, b=b: math.hypot(*contact_force(f, scene, y, a, b))
-        for f in contacts
+        lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b))
+        for f in scene.contacts
         for a, b in pairs(scene)
     ]
     return max((_largest(record, value) for value in values), default=0.0)

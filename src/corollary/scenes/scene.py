@@ -1,24 +1,114 @@
-"""A scene: bodies, the forces between them, and until when it is watched."""
+"""A scene: bodies, the forces between them, and until when it is watched; and what a force has to say of itself.
+
+A state is a row of numbers: all places, then all velocities, body after body.
+"""
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import assert_never
+from enum import Flag
 
-from corollary.scenes.body import Body
-from corollary.scenes.forces.absorption import Absorption
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.forces.friction import Friction
-from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.thrust import Thrust
-from corollary.scenes.forces.wall import HardWall
-from corollary.scenes.forces.weight import Weight
-from corollary.scenes.forces.well import Well
 from corollary.scenes.run import BadSetting
 
-Force = Weight | Contact | HardWall | Friction | Spring | Well | InverseSquare | Thrust | Absorption
+State = Sequence[float]
+
+
+class Conserves(Flag):
+    """What a force leaves as it is: the momentum of all bodies together, the sum of kinetic and potential energy."""
+
+    NOTHING = 0
+    MOMENTUM = 1
+    ENERGY = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """SI; `place` and `velocity` have one or two components. A body of infinite mass is a wall: it keeps its velocity."""
+
+    mass: float
+    place: tuple[float, ...]
+    velocity: tuple[float, ...]
+    radius: float = 0.0
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Where the law of motion changes: `value` of a state (continuous) changes its sign.
+
+    A step ends just beyond. With `turn`, which gives the new velocity of `body`, the event acts in no time at all, as a hard wall
+    does: the step then ends just before, where `value` is still positive. A body that is turned to rest ends the motion.
+    """
+
+    value: Callable[[State], float]
+    body: int = -1
+    turn: Callable[[State], Sequence[float]] | None = None
+
+
+class Force(ABC):
+    """What acts on the bodies of a scene: one file each, and nothing else has to know it. All numbers are SI.
+
+    Only `act` must be written. A force with a potential says so by `potential` and `conserves`: the energy is then watched along
+    the way. A force that changes abruptly says where by `events`.
+    """
+
+    @abstractmethod
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> Iterable[tuple[int, Sequence[float]]]:
+        """The force (N, by components) on each body it acts on; a body may be named several times.
+
+        `since` is the state with which the present step began: a force that is switched by an event asks there whether it acts, and
+        so keeps its form through the step. `masses` (kg) are those of this moment.
+        """
+
+    def potential(self, scene: Scene, state: State) -> float:
+        """The potential energy (J), none unless a force has one; its zero is the force's own choice."""
+        return 0.0
+
+    def events(self, scene: Scene) -> Iterable[Event]:
+        """Everything that begins or ends at a place or a velocity."""
+        return ()
+
+    @property
+    def conserves(self) -> Conserves:
+        return Conserves.NOTHING
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        """The bodies it names by their places in the scene; none for a force that acts on all."""
+        return ()
+
+    @property
+    def mass_rates(self) -> tuple[tuple[int, float], ...]:
+        """How fast (kg/s) it changes the mass of which body."""
+        return ()
+
+    @property
+    def edge(self) -> float:
+        """The distance (m) from the origin beyond which it does nothing."""
+        return math.inf
+
+
+class ContactForce(Force, ABC):
+    """A force between any two bodies that overlap; a scene with no other force ends when nothing touches and nothing will."""
+
+    @abstractmethod
+    def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
+        """The force (N) on b of its touch with a; a feels the opposite. Zero while they are apart."""
+
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> Iterator[tuple[int, Sequence[float]]]:
+        for a, b in pairs(scene):
+            yield from opposite(a, b, self.between(scene, state, a, b))
+
+    def events(self, scene: Scene) -> Iterator[Event]:
+        for a, b in pairs(scene):
+            yield Event(lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +135,7 @@ class Scene:
                     f"{self.name}: a body needs a mass above zero and a radius of zero or more; {body} has not."
                 )
         for force in self.forces:
-            if any(not 0 <= i < len(self.bodies) for i in bodies_of(force)):
+            if any(not 0 <= i < len(self.bodies) for i in force.bodies):
                 raise BadSetting(
                     f"{self.name}: {force} names a body that is not there; they are counted from 0."
                 )
@@ -61,19 +151,71 @@ class Scene:
         """Whether no body of infinite mass moves; one that does would do work."""
         return not any(math.isinf(body.mass) and any(body.velocity) for body in self.bodies)
 
-    def has_only(self, *kinds: type) -> bool:
+    @property
+    def contacts(self) -> tuple[ContactForce, ...]:
+        """The forces that act only while bodies touch."""
+        return tuple(force for force in self.forces if isinstance(force, ContactForce))
+
+    @property
+    def conserves(self) -> Conserves:
+        """What all forces together leave as it is; a moving wall or a wall at all is not looked at."""
+        kept = Conserves.MOMENTUM | Conserves.ENERGY
+        for force in self.forces:
+            kept &= force.conserves
+        return kept
+
+    def has_only(self, *kinds: type[Force]) -> bool:
         """Whether every force is of one of these kinds."""
         return all(isinstance(force, kinds) for force in self.forces)
 
 
-def bodies_of(force: Force) -> tuple[int, ...]:
-    """The bodies a force names by their places in the scene; most forces act on all of them."""
-    match force:
-        case Spring(ends=ends) | InverseSquare(ends=ends):
-            return ends
-        case Friction(body=i) | Thrust(body=i) | Absorption(body=i):
-            return (i,)
-        case Weight() | Contact() | HardWall() | Well():
-            return ()
-        case _:
-            assert_never(force)
+def start_of(scene: Scene) -> list[float]:
+    """The state at time zero."""
+    return [x for body in scene.bodies for x in body.place] + [
+        v for body in scene.bodies for v in body.velocity
+    ]
+
+
+def place(scene: Scene, state: State, i: int) -> State:
+    return state[scene.axes * i : scene.axes * (i + 1)]
+
+
+def velocity(scene: Scene, state: State, i: int) -> State:
+    start = scene.axes * (len(scene.bodies) + i)
+    return state[start : start + scene.axes]
+
+
+def seen_from(scene: Scene, state: State, a: int, b: int) -> tuple[list[float], list[float]]:
+    """Place and velocity of body b seen from body a."""
+    apart = [y - x for x, y in zip(place(scene, state, a), place(scene, state, b), strict=True)]
+    relative = [y - x for x, y in zip(velocity(scene, state, a), velocity(scene, state, b), strict=True)]
+    return apart, relative
+
+
+def overlap(scene: Scene, state: State, a: int, b: int) -> tuple[float, float]:
+    """How deep two bodies are in each other, and how fast that grows."""
+    apart, relative = seen_from(scene, state, a, b)
+    distance = math.hypot(*apart)
+    growing = -sum(x * v for x, v in zip(apart, relative, strict=True)) / distance if distance else 0.0
+    return scene.bodies[a].radius + scene.bodies[b].radius - distance, growing
+
+
+def pairs(scene: Scene) -> Iterator[tuple[int, int]]:
+    """Every two bodies that can touch."""
+    for a, first in enumerate(scene.bodies):
+        for b, second in enumerate(scene.bodies[a + 1 :], start=a + 1):
+            if first.radius + second.radius > 0.0 and not (
+                math.isinf(first.mass) and math.isinf(second.mass)
+            ):
+                yield a, b
+
+
+def opposite(a: int, b: int, on_b: Sequence[float]) -> tuple[tuple[int, Sequence[float]], ...]:
+    """A force on b and, by Newton's third law, its opposite on a."""
+    return (b, on_b), (a, [-f for f in on_b])
+
+
+def bounced(normal: Sequence[float], velocity: Sequence[float], restitution: float) -> list[float]:
+    """The velocity after a bounce on a plane with this unit normal: what goes into it comes back with the restitution's share."""
+    into = min(sum(n * v for n, v in zip(normal, velocity, strict=True)), 0.0)
+    return [v - (1.0 + restitution) * into * n for n, v in zip(normal, velocity, strict=True)]

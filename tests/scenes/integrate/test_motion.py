@@ -4,13 +4,11 @@ import math
 
 import pytest
 
-from corollary.scenes.body import Body
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.well import Well
-from corollary.scenes.integrate.equations_of_motion import velocity
 from corollary.scenes.integrate.motion import integrate, never_touch
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Body, Scene, velocity
 
 PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
 

@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+
+from corollary.scenes.scene import Force, Scene, State, velocity
 
 
 @dataclass(frozen=True, slots=True)
-class Absorption:
-    """One body takes up mass that moves with `velocity`, at `rate` kg/s (> 0)."""
+class Absorption(Force):
+    """One body takes up mass that moves with `velocity`, at `rate` kg/s (> 0); its force is (u - v) dm/dt."""
 
     body: int
     velocity: tuple[float, ...]
     rate: float
 
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> Iterator[tuple[int, list[float]]]:
+        own = velocity(scene, state, self.body)
+        yield self.body, [self.rate * (u - v) for u, v in zip(self.velocity, own, strict=True)]
 
-def drag(absorption: Absorption, velocity: Sequence[float]) -> list[float]:
-    """The force (N) of the mass taken up: (u - v) dm/dt."""
-    return [absorption.rate * (u - v) for u, v in zip(absorption.velocity, velocity, strict=True)]
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return (self.body,)
+
+    @property
+    def mass_rates(self) -> tuple[tuple[int, float], ...]:
+        return ((self.body, self.rate),)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+
+from corollary.scenes.scene import Conserves, ContactForce, Scene, State, overlap, pairs, seen_from
 
 
 @dataclass(frozen=True, slots=True)
-class Contact:
+class Contact(ContactForce):
     """k in N/m^q, eta in kg/s; the push acts from zero overlap to zero overlap, as in the chapter's programs.
 
     Source: equations (12.23), (12.119) and (12.137).
@@ -15,6 +18,22 @@ class Contact:
     k: float
     q: float = 1.5
     eta: float = 0.0
+
+    def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
+        """The push along the line of centres, the drag along the relative velocity."""
+        depth, _ = overlap(scene, state, a, b)
+        if depth <= 0.0:
+            return [0.0] * scene.axes
+        apart, relative = seen_from(scene, state, a, b)
+        distance, spring = math.hypot(*apart), push(self, depth, 0.0)
+        return [spring * x / distance - self.eta * v for x, v in zip(apart, relative, strict=True)]
+
+    def potential(self, scene: Scene, state: State) -> float:
+        return sum(stored(self, overlap(scene, state, a, b)[0]) for a, b in pairs(scene))
+
+    @property
+    def conserves(self) -> Conserves:
+        return Conserves.MOMENTUM | (Conserves.NOTHING if self.eta else Conserves.ENERGY)
 
 
 def push(contact: Contact, overlap: float, rate: float) -> float:

@@ -6,21 +6,32 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from corollary.scenes.scene import Conserves, Force, Scene, State, opposite, seen_from
+
 
 @dataclass(frozen=True, slots=True)
-class InverseSquare:
+class InverseSquare(Force):
     """Two bodies (places in the scene) attract each other with strength/r^2, in N m^2; they repel when it is negative."""
 
     ends: tuple[int, int]
     strength: float
 
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> Sequence[tuple[int, Sequence[float]]]:
+        apart, _ = seen_from(scene, state, *self.ends)
+        r = math.hypot(*apart)
+        return opposite(self.ends[1], self.ends[0], [self.strength * x / r**3 for x in apart])
 
-def pull(force: InverseSquare, apart: Sequence[float]) -> list[float]:
-    """The force (N) on the first; `apart` is the place of the second seen from it."""
-    r = math.hypot(*apart)
-    return [force.strength * x / r**3 for x in apart]
+    def potential(self, scene: Scene, state: State) -> float:
+        """Zero far apart."""
+        apart, _ = seen_from(scene, state, *self.ends)
+        return -self.strength / math.hypot(*apart)
 
+    @property
+    def conserves(self) -> Conserves:
+        return Conserves.MOMENTUM | Conserves.ENERGY
 
-def stored(force: InverseSquare, apart: Sequence[float]) -> float:
-    """Potential energy (J), zero far apart."""
-    return -force.strength / math.hypot(*apart)
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return self.ends

@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+
+from corollary.scenes.scene import Force, Scene, State
 
 
 @dataclass(frozen=True, slots=True)
-class Thrust:
-    """Exhaust leaves one body with velocity `relative` to it, at the rate of `burn` kg/s (> 0)."""
+class Thrust(Force):
+    """Exhaust leaves one body with velocity `relative` to it, at the rate of `burn` kg/s (> 0).
+
+    Its force is v_rel dm/dt, and dm/dt is negative.
+    """
 
     body: int
     relative: tuple[float, ...]
     burn: float
 
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> Iterator[tuple[int, list[float]]]:
+        yield self.body, [-self.burn * v for v in self.relative]
 
-def push(thrust: Thrust) -> list[float]:
-    """The force (N) of the exhaust: v_rel dm/dt, and dm/dt is negative."""
-    return [-thrust.burn * v for v in thrust.relative]
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return (self.body,)
+
+    @property
+    def mass_rates(self) -> tuple[tuple[int, float], ...]:
+        return ((self.body, -self.burn),)

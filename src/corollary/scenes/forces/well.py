@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+
+from corollary.scenes.scene import Conserves, Event, Force, Scene, State, bounced, place, velocity
 
 
 @dataclass(frozen=True, slots=True)
-class Well:
+class Well(Force):
     """U = k (r - b)^2 / 2 for b - d < r < b + d, k d^2 / 2 farther out, a hard core at b - d; r is the distance from the origin.
 
     Source: equations (12.138) and (12.140).
@@ -26,13 +28,40 @@ class Well:
     def wall(self) -> float:
         return self.b - self.d
 
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> Iterator[tuple[int, list[float]]]:
+        """On the bodies that a step begins with inside the edge.
 
-def pull(well: Well, place: Sequence[float]) -> list[float]:
-    """The force (N) on an atom at a place inside the edge; there is none beyond."""
-    r = math.hypot(*place)
-    return [-well.k * (r - well.b) * x / r for x in place]
+        They feel it to the end of the step: the stages of a step that ends at the edge reach over it, and a force that jumps within
+        a step would cost the method its order.
+        """
+        for i in range(len(scene.bodies)):
+            if math.hypot(*place(scene, since, i)) < self.edge:
+                x = place(scene, state, i)
+                r = math.hypot(*x)
+                yield i, [-self.k * (r - self.b) * c / r for c in x]
 
+    def potential(self, scene: Scene, state: State) -> float:
+        """Zero at the bottom of the well."""
+        places = (place(scene, state, i) for i in range(len(scene.bodies)))
+        return sum(0.5 * self.k * min(math.hypot(*x) - self.b, self.d) ** 2 for x in places)
 
-def stored(well: Well, place: Sequence[float]) -> float:
-    """Potential energy (J), zero at the bottom of the well."""
-    return 0.5 * well.k * min(math.hypot(*place) - well.b, well.d) ** 2
+    def events(self, scene: Scene) -> Iterator[Event]:
+        """A body reaches the edge, or the hard core, which is a wall square to the radius."""
+
+        def turned(y: State, i: int) -> list[float]:
+            x = place(scene, y, i)
+            r = math.hypot(*x)
+            return bounced([c / r for c in x], velocity(scene, y, i), 1.0)
+
+        for i, body in enumerate(scene.bodies):
+            if not math.isinf(body.mass):
+                yield Event(lambda y, i=i: self.edge - math.hypot(*place(scene, y, i)))
+                yield Event(
+                    lambda y, i=i: math.hypot(*place(scene, y, i)) - self.wall, i, lambda y, i=i: turned(y, i)
+                )
+
+    @property
+    def conserves(self) -> Conserves:
+        return Conserves.ENERGY

@@ -6,9 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.integrate.equations_of_motion import overlap, pairs, place
 from corollary.scenes.integrate.motion import Leg, Record
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Scene, overlap, pairs, place
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,23 +6,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.equations_of_motion import (
-    kinetic,
-    law_of_motion,
-    overlap,
-    pairs,
-    potential,
-    seen_from,
-    start_of,
-    velocity,
-)
-from corollary.scenes.integrate.events import Switch, switches_of
+from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, law_of_motion
 from corollary.scenes.integrate.runge_kutta import Slope, doubt, step
 from corollary.scenes.models.pair import hold_apart
 from corollary.scenes.run import BadSetting, GuardFailed
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Event, Scene, overlap, pairs, seen_from, start_of, velocity
 
 MOST_STEPS = 20_000
 # A body that comes back from a wall a millionth as fast as anything in the scene has come to rest.
@@ -74,22 +63,22 @@ def integrate(scene: Scene, tolerance: float) -> Record:
     `tolerance` is the error allowed to a step, relative to the size of the places and velocities met.
     Raises GuardFailed when energy is lost, or the end is not reached.
     """
-    switches = switches_of(scene)
-    if scene.until is None and not (scene.has_only(Contact) and len(scene.bodies) > 1):
+    events = [event for force in scene.forces for event in force.events(scene)]
+    if scene.until is None and not (scene.contacts == scene.forces and len(scene.bodies) > 1):
         raise BadSetting(
             f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
         )
     record = Record(state=start_of(scene))
     scale = _scales(scene, record.state)
     # What touches is to be resolved as finely as at the start, however far it has come by then.
-    touching = any(isinstance(force, Contact) for force in scene.forces)
-    energy = _energy(scene, record)
+    touching = bool(scene.contacts)
+    begun_with = energy(scene, 0.0, record.state) if keeps_energy(scene) else None
     h = _first_step(scene, record.state)
     fastest = max(scale[len(scale) // 2 :])
     for _ in range(MOST_STEPS):
         left = math.inf if scene.until is None else scene.until - record.time
         if left <= 1e-15 * max(record.time, h) or (scene.until is None and _over(scene, record.state)):
-            _guard(scene, energy, record, tolerance)
+            _guard(scene, begun_with, record, tolerance)
             return record
         law = law_of_motion(scene, record.state)
         first = law(record.time, record.state)
@@ -103,8 +92,8 @@ def integrate(scene: Scene, tolerance: float) -> Record:
         if _grazes(scene, leg, after):
             h = 0.5 * leg.h
             continue
-        part, switch = _first_switch(switches, leg, after, record)
-        if switch is not None:
+        part, event = _first_event(events, leg, after, record)
+        if event is not None:
             leg = Leg(law, leg.time, leg.before, first, part * leg.h)
             after, slopes = step(DOP853, law, leg.time, leg.before, leg.h, first)
             record.evaluations += len(DOP853.rows) - 1
@@ -117,11 +106,11 @@ def integrate(scene: Scene, tolerance: float) -> Record:
             record.legs.append(leg)
         record.time, record.state = leg.time + leg.h, after
         scale = scale if touching else _grown(scale, after)
-        if switch is not None and switch.turn is not None and _turn(scene, switch, record, fastest):
+        if event is not None and event.turn is not None and _turn(scene, event, record, fastest):
             return record
         h = (
             leg.h * (min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0)
-            if switch is None
+            if event is None
             else max(leg.h, 0.1 * h)
         )
     raise GuardFailed(
@@ -179,7 +168,7 @@ def _will_meet(scene: Scene, state: Sequence[float], a: int, b: int, within: flo
 
 def _grazes(scene: Scene, leg: Leg, after: Sequence[float]) -> bool:
     """Whether two bodies may touch and part inside a step; judged by straight lines, so it errs on shorter steps."""
-    if not any(isinstance(force, Contact) for force in scene.forces):
+    if not scene.contacts:
         return False
     for a, b in pairs(scene):
         (depth, growing), left = overlap(scene, leg.before, a, b), overlap(scene, after, a, b)[0]
@@ -196,7 +185,7 @@ def _grazes(scene: Scene, leg: Leg, after: Sequence[float]) -> bool:
 
 def _keep_apart(scene: Scene, before: Sequence[float], after: Sequence[float]) -> None:
     """Raises BadSetting when two bodies that touch are so soft that their centres all but meet, or have met within a step."""
-    if not any(isinstance(force, Contact) for force in scene.forces):
+    if not scene.contacts:
         return
     for a, b in pairs(scene):
         depth = overlap(scene, after, a, b)[0]
@@ -207,39 +196,39 @@ def _keep_apart(scene: Scene, before: Sequence[float], after: Sequence[float]) -
             hold_apart(reach if met else depth, reach)
 
 
-def _first_switch(
-    switches: list[Switch], leg: Leg, after: list[float], record: Record
-) -> tuple[float, Switch | None]:
-    """The part of the step at which the first switch goes over, by false position, and which it is.
+def _first_event(
+    events: list[Event], leg: Leg, after: list[float], record: Record
+) -> tuple[float, Event | None]:
+    """The part of the step at which the first event happens, by false position, and which it is.
 
-    A step ends just beyond a switch, so that the next one begins under the new law; but just before a wall, on the right side.
+    A step ends just beyond an event, so that the next one begins under the new law; but just before a wall, on the right side.
     """
     best, which = 1.0, None
-    for switch in switches:
-        old, new = switch.value(leg.before), switch.value(after)
-        wall = switch.turn is not None
+    for event in events:
+        old, new = event.value(leg.before), event.value(after)
+        wall = event.turn is not None
         if (not (old >= 0.0 > new)) if wall else (old == 0.0 or old * new >= 0.0):
             continue
         left, right, f, g, side = 0.0, 1.0, old, new, 0
         while right - left > 1e-14:
             middle = left + (right - left) * f / (f - g) if f != g else left
             middle = middle if left < middle < right else 0.5 * (left + right)
-            value = switch.value(leg.part_way(middle))
+            value = event.value(leg.part_way(middle))
             record.evaluations += len(DOP853.rows) - 1
             if value * new <= 0.0:
                 left, f, g, side = middle, value, g * (0.5 if side > 0 else 1.0), 1
             else:
                 right, g, f, side = middle, value, f * (0.5 if side < 0 else 1.0), -1
         if (left if wall else right) < best:
-            best, which = (left if wall else right), switch
+            best, which = (left if wall else right), event
     return best, which
 
 
-def _turn(scene: Scene, switch: Switch, record: Record, fastest: float) -> bool:
+def _turn(scene: Scene, event: Event, record: Record, fastest: float) -> bool:
     """Give the body its new velocity; true when that is as good as none."""
-    new = switch.turn(record.state) if switch.turn else []
-    start = scene.axes * (len(scene.bodies) + switch.body)
-    old = velocity(scene, record.state, switch.body)
+    new = event.turn(record.state) if event.turn else []
+    start = scene.axes * (len(scene.bodies) + event.body)
+    old = velocity(scene, record.state, event.body)
     changed = math.dist(new, old)
     away = sum(v * (v - u) for u, v in zip(old, new, strict=True)) / changed if changed else 0.0
     record.came_to_rest = away < REST * fastest
@@ -250,19 +239,10 @@ def _turn(scene: Scene, switch: Switch, record: Record, fastest: float) -> bool:
     return record.came_to_rest
 
 
-def _energy(scene: Scene, record: Record) -> float | None:
-    stored = potential(scene, record.state)
-    return (
-        None
-        if stored is None or not scene.walls_at_rest
-        else kinetic(scene, record.time, record.state) + stored
-    )
-
-
 def _guard(scene: Scene, before: float | None, record: Record, tolerance: float) -> None:
-    after = _energy(scene, record)
-    if before is None or after is None:
+    if before is None:
         return
+    after = energy(scene, record.time, record.state)
     size = max(abs(before), kinetic(scene, record.time, record.state), 1e-300)
     allowed = 1e4 * tolerance + 1e-15 * record.evaluations
     if abs(after - before) > allowed * size:

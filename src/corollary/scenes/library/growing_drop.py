@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.scenes.body import Body
 from corollary.scenes.definition import Played, SceneDefinition
 from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import Observed
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Body, Scene
 from corollary.scenes.setting import Setting, one
 
 SETTINGS = (

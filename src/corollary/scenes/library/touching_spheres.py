@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.body import Body
 from corollary.scenes.definition import Played, SceneDefinition
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
@@ -13,7 +12,7 @@ from corollary.scenes.measure import measured
 from corollary.scenes.models.pair import hold_apart
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.scene import Scene
+from corollary.scenes.scene import Body, Scene
 from corollary.scenes.setting import Setting, one, row
 
 SETTINGS = (
