@@ -11,19 +11,19 @@ import math
 import numpy as np
 from numba import njit  # pyright: ignore[reportMissingImports]
 
+from corollary.scenes.integrate import controller
 from corollary.scenes.integrate.compiled_step import STAGES, TIME, slope, step
 from corollary.scenes.integrate.contact_events import CLOSE
 from corollary.scenes.integrate.regularised import (
-    CAREFUL,
     FIRST_STRIDE,
     LEAST_STRIDE,
-    MOST_GROWTH,
     MOST_TRIALS,
 )
 from corollary.scenes.integrate.step import EVALUATIONS
 
 MOST_STEPS = 600_000
 GRAZING = -2
+factor = njit(cache=True)(controller.factor)
 RELEASED, MISSED, TOO_LONG, NO_STEP, STILL = 0, 1, 2, 3, 4
 
 
@@ -237,7 +237,7 @@ def follow(state, inverse, terms, crests, tolerance):
             size = step(clock, x, h, y, slopes, ends, touching, inverse, terms) / tolerance
             evaluations += EVALUATIONS
             if not size <= 1.0:
-                stride = h * (max(0.2, CAREFUL * size**-0.125) if size < math.inf else 0.2)
+                stride = h * factor(size)
                 if landing and trial > 20:
                     clock, landing, stride = TIME, False, 0.1 * lasted
                 continue
@@ -254,7 +254,7 @@ def follow(state, inverse, terms, crests, tolerance):
             if touching[j] and base[j] > 0.0 >= _closing(after, j) and state[1 + j] >= 0.0 <= after[1 + j]:
                 overlap, spent = _top(j, clock, power, x, h, y, ends, slopes, touching, inverse, terms)
                 crests[j], evaluations = max(crests[j], overlap), evaluations + spent
-        grown = min(MOST_GROWTH, CAREFUL * size**-0.125) if size > 0.0 else MOST_GROWTH
+        grown = factor(size)
         now = max((after[0] - state[0]) * grown, LEAST_STRIDE)
         lasted, landing = max(now, lasted) if lands else now, landing and not lands
         last_stride, last_clock = (0.0, TIME) if lands else (h * grown, clock)

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.integrate.contact_events import due, first_crossing, grazes, nears_zero
+from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.extrema import Crests
 from corollary.scenes.integrate.row_motion import closing_speed, closing_speeds, overlaps, velocities
 from corollary.scenes.integrate.step import EVALUATIONS, Step, attempt
@@ -33,8 +34,6 @@ from corollary.scenes.run import GuardFailed, Outcome
 MOST_STEPS, MOST_STEPS_OF_A_LONG_ROW = 50_000, 20_000
 MOST_TRIALS = 80
 FIRST_STRIDE, LEAST_STRIDE = 0.05, 1e-12
-# A step is made a little shorter than the error of the last one allows, and at most so much longer than the last.
-CAREFUL, MOST_GROWTH = 0.87, 3.0
 
 
 @dataclass(slots=True)
@@ -148,7 +147,7 @@ def _advance(way: Course, motion: Motion, crests: Crests) -> None:
         crests.onset(state, touching)
     trial, landing = _accepted(way, motion, base)
     crests.passed(state, trial, touching, base, in_time)
-    growth = min(MOST_GROWTH, CAREFUL * trial.size**-0.125) if trial.size > 0.0 else MOST_GROWTH
+    growth = factor(trial.size)
     motion.clock, motion.landing, motion.stride = trial.clock, landing and not trial.lands, trial.h * growth
     lasted = max((trial.after[0] - state[0]) * growth, LEAST_STRIDE)
     motion.lasted = max(lasted, motion.lasted) if trial.lands else lasted
@@ -177,7 +176,7 @@ def _accepted(way: Course, motion: Motion, base: Sequence[float]) -> tuple[Step,
         trial = attempt(way.step, clock, way.law(touching, clock), state, base, stride, way.tolerance)
         motion.evaluations += EVALUATIONS
         if not trial.size <= 1.0:
-            stride = trial.h * (max(0.2, CAREFUL * trial.size**-0.125) if trial.size < math.inf else 0.2)
+            stride = trial.h * factor(trial.size)
             if landing and count > 20:  # the speed turns before the bodies part: there is nowhere to land
                 clock, landing = TIME, False
                 stride = 0.1 * motion.lasted

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from corollary.scenes.collision import CLOSED
 from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.runge_kutta import doubt, step
 from corollary.scenes.models.flow import faded_time
@@ -99,7 +100,7 @@ def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[fl
             state, now = after, now + h
             if now >= dt:
                 return state, spent
-        h *= min(5.0, max(0.2, 0.9 * size**-0.125)) if size > 0.0 else 5.0
+        h *= factor(size)
     raise GuardFailed(
         f"ballistic_pendulum: the bullet was not followed to its stop within {MOST_STEPS} steps. Choose milder settings."
     )
