@@ -43,6 +43,8 @@ def gap_of(scene):
 @example(3.0, 0.0, 0.206, 2.0, 1e-4)
 @example(1.0, 0.0, 0.01, 0.0, 1e-4)
 @example(3.0, 1e-17, 2.0, 1.0, 1e-10)
+@example(3.0, 0.0, 10.0**-0.671875, 0.0, 1e-4)
+@example(3.0, 10.0**-1.5625, 0.01, 0.0, 1e-4)
 @settings(max_examples=40, deadline=None)
 def test_a_duration_is_as_exact_as_it_says(q, gap, speed, turned, tolerance):
     scene = two_balls(q, gap, speed, turned=turned)

@@ -10,7 +10,7 @@ from corollary.scenes.conserved import impulses, momentum
 from corollary.scenes.definition import Played
 from corollary.scenes.integrate.contact_span import contact_span
 from corollary.scenes.integrate.equations_of_motion import energy, kinetic, masses_at
-from corollary.scenes.integrate.motion import Record, integrate
+from corollary.scenes.integrate.motion import Trajectory, integrate
 from corollary.scenes.observe import Observable
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Outcome
 from corollary.scenes.scene import Scene, overlap, pairs, place, start_of, velocity
@@ -34,17 +34,19 @@ def measured(
     span = contact_span(scene, fine) if Observable.DURATION in observe else None
     if span is not None:
         duration = Observable.DURATION.value
-        errors[duration] = max(errors[duration], min(span.doubt / span.lasts, 1.0) if span.lasts else 1.0)
+        errors[duration] = max(
+            errors[duration], min(span.error_estimate / span.lasts, 1.0) if span.lasts else 1.0
+        )
     spent = coarse.evaluations + fine.evaluations
     return Played(observed, errors, "integration", why, spent, _outcome(scene, fine))
 
 
-def _outcome(scene: Scene, record: Record) -> Outcome:
-    if record.came_to_rest:
+def _outcome(scene: Scene, path: Trajectory) -> Outcome:
+    if path.came_to_rest:
         return "sticks"
     if scene.until is not None:
-        return "escaped" if _beyond_every_edge(scene, record.state) else "bound"
-    return "released" if contact_span(scene, record) else "missed"
+        return "escaped" if _beyond_every_edge(scene, path.state) else "bound"
+    return "released" if contact_span(scene, path) else "missed"
 
 
 def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
@@ -63,37 +65,37 @@ def _apart(a: Observed, b: Observed) -> float:
     return max((abs(x - y) / size for x, y in zip(rough, fine, strict=True) if x != y), default=2e-15)
 
 
-def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]) -> Observed:
+def _look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float]) -> Observed:
     match what:
         case Observable.VELOCITIES:
-            return tuple(v for i in range(len(scene.bodies)) for v in velocity(scene, record.state, i))
+            return tuple(v for i in range(len(scene.bodies)) for v in velocity(scene, path.state, i))
         case Observable.ENERGY_RATIO:
             before = kinetic(scene, 0.0, start_of(scene))
-            return kinetic(scene, record.time, record.state) / before if before else math.inf
+            return kinetic(scene, path.time, path.state) / before if before else math.inf
         case Observable.LARGEST_OVERLAP:
             return max(
                 [
                     0.0,
                     *(
-                        _largest(record, lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
+                        _largest(path, lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
                         for a, b in pairs(scene)
                     ),
                 ]
             )
         case Observable.PEAK_FORCE:
-            return _peak_force(scene, record)
+            return _peak_force(scene, path)
         case Observable.DURATION:
-            span = contact_span(scene, record)
+            span = contact_span(scene, path)
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
-            turns = _turns(scene, record)
+            turns = _turns(scene, path)
             return (
                 tuple(sorted({min(turns, key=lambda t: t[1])[1], max(turns, key=lambda t: t[1])[1]}))
                 if turns
                 else ()
             )
         case Observable.PERIOD:
-            inner = [time for time, _, inward in _turns(scene, record) if inward]
+            inner = [time for time, _, inward in _turns(scene, path) if inward]
             if len(inner) < 2:
                 raise BadSetting(
                     f"{scene.name}: the distance did not return twice before until = {scene.until} s."
@@ -104,75 +106,75 @@ def _look(scene: Scene, record: Record, what: Observable, times: Sequence[float]
                 raise BadSetting(
                     f"{scene.name}: the impulse on a body whose mass changes is not its change of momentum; ask for velocities."
                 )
-            return impulses(scene, start_of(scene), record.state)
+            return impulses(scene, start_of(scene), path.state)
         case Observable.MOMENTUM:
-            return momentum(scene, record.time, record.state)
+            return momentum(scene, path.time, path.state)
         case Observable.ENERGY:
-            return energy(scene, record.time, record.state)
+            return energy(scene, path.time, path.state)
         case Observable.TRAJECTORY:
             return tuple(
-                x for time in times for x in _state_at(scene, record, time)[: scene.axes * len(scene.bodies)]
+                x for time in times for x in _state_at(scene, path, time)[: scene.axes * len(scene.bodies)]
             )
         case _:
             assert_never(what)
 
 
-def _state_at(scene: Scene, record: Record, time: float) -> Sequence[float]:
+def _state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:
     """The state at any time from the start on; after the end of a motion that no time ends, bodies go on straight."""
-    if time <= record.time:
-        return record.at(time) if record.legs else record.state
+    if time <= path.time:
+        return path.at(time) if path.steps else path.state
     half = scene.axes * len(scene.bodies)
-    places, velocities = record.state[:half], record.state[half:]
-    if record.came_to_rest and any(velocities):
+    places, velocities = path.state[:half], path.state[half:]
+    if path.came_to_rest and any(velocities):
         raise GuardFailed(
-            f"{scene.name}: a body came to rest at {record.time:.6g} s while others moved; ask for earlier times only."
+            f"{scene.name}: a body came to rest at {path.time:.6g} s while others moved; ask for earlier times only."
         )
-    return [*(x + v * (time - record.time) for x, v in zip(places, velocities, strict=True)), *velocities]
+    return [*(x + v * (time - path.time) for x, v in zip(places, velocities, strict=True)), *velocities]
 
 
-def _peak_force(scene: Scene, record: Record) -> float:
+def _peak_force(scene: Scene, path: Trajectory) -> float:
     values: list[Value] = [
         lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b))
         for f in scene.contacts
         for a, b in pairs(scene)
     ]
-    return max((_largest(record, value) for value in values), default=0.0)
+    return max((_largest(path, value) for value in values), default=0.0)
 
 
-def _largest(record: Record, value: Value) -> float:
+def _largest(path: Trajectory, value: Value) -> float:
     """The largest value at any moment: the best step's neighbourhood, narrowed by golden sections."""
-    samples = [value(leg.before) for leg in record.legs] + [value(record.state)]
+    samples = [value(step.before) for step in path.steps] + [value(path.state)]
     best = max(range(len(samples)), key=samples.__getitem__)
     top = samples[best]
-    for leg in record.legs[max(best - 1, 0) : best + 1]:
+    for step in path.steps[max(best - 1, 0) : best + 1]:
         left, right = 0.0, 1.0
         while right - left > 1e-8:
             a, b = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
-            left, right = (left, b) if value(leg.part_way(a)) > value(leg.part_way(b)) else (a, right)
-        top = max(top, value(leg.part_way(0.5 * (left + right))))
+            left, right = (left, b) if value(step.part_way(a)) > value(step.part_way(b)) else (a, right)
+        top = max(top, value(step.part_way(0.5 * (left + right))))
     return top
 
 
-def _turns(scene: Scene, record: Record) -> list[tuple[float, float, bool]]:
+def _turns(scene: Scene, path: Trajectory) -> list[tuple[float, float, bool]]:
     """Times and distances from the origin at which the first body turns, and whether it had come inward."""
 
     def along(y: Sequence[float]) -> float:
         return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
 
     found, last = [], 0.0
-    for leg in record.legs:
-        before, after = along(leg.before), along(leg.part_way(1.0))
+    for step in path.steps:
+        before, after = along(step.before), along(step.after)
         if last * before < 0.0:  # turned in no time, by a wall or the hard core
-            found.append((leg.time, math.hypot(*place(scene, leg.before, 0)), last < 0.0))
+            found.append((step.x, math.hypot(*place(scene, step.before, 0)), last < 0.0))
         last = after
-        if before * after >= 0.0 and not (before == 0.0 and not found and leg is record.legs[0]):
+        if before * after >= 0.0 and not (before == 0.0 and not found and step is path.steps[0]):
             continue
         left, right = 0.0, 1.0
         if before == 0.0:
             right = 0.0
         while right - left > 1e-15:
             middle = 0.5 * (left + right)
-            left, right = (middle, right) if along(leg.part_way(middle)) * before > 0.0 else (left, middle)
-        r = math.hypot(*place(scene, leg.part_way(right), 0))
-        found.append((leg.time + right * leg.h, r, before < 0.0 or (before == 0.0 and after > 0.0)))
+            left, right = (middle, right) if along(step.part_way(middle)) * before > 0.0 else (left, middle)
+        r = math.hypot(*place(scene, step.part_way(right), 0))
+        found.append((step.x + right * step.h, r, before < 0.0 or (before == 0.0 and after > 0.0)))
     return found

@@ -1,4 +1,7 @@
-"""Bodies in a row, each touching only its neighbours; a wall or a floor is a body of infinite mass."""
+"""Bodies in a row, each touching only its neighbours; a wall or a floor is a body of infinite mass.
+
+The state of a row in motion is (time, overlaps, velocities).
+"""
 
 from __future__ import annotations
 
@@ -116,6 +119,25 @@ def in_si(passage: RowResult, units: Units) -> RowResult:
         evaluations=passage.evaluations,
         openings=passage.openings,
     )
+
+
+def overlaps(line: Row, state: Sequence[float]) -> Sequence[float]:
+    return state[1 : len(line.masses)]
+
+
+def velocities(line: Row, state: Sequence[float]) -> Sequence[float]:
+    return state[len(line.masses) :]
+
+
+def closing_speeds(line: Row, state: Sequence[float]) -> list[float]:
+    """How fast the overlap of each contact grows."""
+    return [a - b for a, b in pairwise(state[len(line.masses) :])]
+
+
+def closing_speed(line: Row, state: Sequence[float], contact: int) -> float:
+    """How fast the overlap of a contact grows."""
+    left = len(line.masses) + contact
+    return state[left] - state[left + 1]
 
 
 def energy(line: Row, overlaps: Sequence[float], velocities: Sequence[float]) -> float:

@@ -7,7 +7,9 @@ import pytest
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.well import Well
+from corollary.scenes.integrate import motion
 from corollary.scenes.integrate.motion import integrate, never_touch
+from corollary.scenes.run import GuardFailed
 from corollary.scenes.scene import Body, Scene, velocity
 
 PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
@@ -17,9 +19,9 @@ PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 
 @pytest.mark.parametrize("tolerance", [1e-8, 1e-10, 1e-11, 1e-12, 1e-13])
 def test_a_contact_ends_as_exactly_as_it_was_followed(q, tolerance):
     k = 2e4 * 0.005 ** (1.5 - q)
-    record = integrate(Scene(PAIR, (Contact(k, q),)), tolerance)
+    path = integrate(Scene(PAIR, (Contact(k, q),)), tolerance)
     exact = run("spheres", {"eta": 0.0, "q": q, "k": k}).observed["velocities"]
-    found = (*velocity(Scene(PAIR, ()), record.state, 0), *velocity(Scene(PAIR, ()), record.state, 1))
+    found = (*velocity(Scene(PAIR, ()), path.state, 0), *velocity(Scene(PAIR, ()), path.state, 1))
     assert math.dist(found, exact) < 10.0 * tolerance
 
 
@@ -28,20 +30,36 @@ def test_a_contact_ends_as_exactly_as_it_was_followed(q, tolerance):
     ("place", "speed"), [((2.0, 0.3), (-5.0, 0.0)), ((1.0, 0.0), (0.0, 9.0)), ((2.0, 0.0), (-5.0, 0.0))]
 )
 def test_a_force_that_ends_at_an_edge_costs_no_accuracy(place, speed, tolerance):
-    record = integrate(Scene((Body(2.0, place, speed),), (Well(100.0, 1.0, 0.4),), until=2.0), tolerance)
+    path = integrate(Scene((Body(2.0, place, speed),), (Well(100.0, 1.0, 0.4),), until=2.0), tolerance)
     exact = run("atom", {"r0": place, "v0": speed}).observed["velocities"]
-    assert math.dist(record.state[2:], exact) < 50.0 * tolerance * math.hypot(*speed)
+    assert math.dist(path.state[2:], exact) < 50.0 * tolerance * math.hypot(*speed)
 
 
 def test_any_moment_can_be_looked_up():
-    record = integrate(Scene(PAIR, (Contact(2e4),)), 1e-12)
-    legs = record.legs
-    assert record.at(0.0) == list(legs[0].before)
-    for leg in legs[1:]:
-        assert record.at(leg.time) == pytest.approx(leg.before, abs=1e-14)
-    assert record.at(0.5 * legs[0].h)[:2] == pytest.approx((0.5 * legs[0].h, 0.0), abs=1e-14)
+    path = integrate(Scene(PAIR, (Contact(2e4),)), 1e-12)
+    steps = path.steps
+    assert path.at(0.0) == list(steps[0].before)
+    for step in steps[1:]:
+        assert path.at(step.x) == pytest.approx(step.before, abs=1e-14)
+    assert path.at(0.5 * steps[0].h)[:2] == pytest.approx((0.5 * steps[0].h, 0.0), abs=1e-14)
 
 
 def test_what_never_touches_is_seen_at_the_start():
     assert not never_touch(Scene(PAIR, (Contact(1.0),)))
     assert never_touch(Scene((PAIR[0], Body(0.1, (0.08, 0.041), (0.0, 0.0), 0.02)), (Contact(1.0),)))
+
+
+@pytest.mark.parametrize("wrong", [3e-5, -3e-5])
+def test_a_motion_whose_steps_are_wrong_is_not_handed_out(monkeypatch, wrong):
+    """Each step makes all velocities a little too large or too small and does not know it: energy tells."""
+    right = motion.tried
+
+    def badly_tried(*arguments, **more):
+        step = right(*arguments, **more)
+        half = len(step.after) // 2
+        step.after[half:] = [v * (1.0 + wrong) for v in step.after[half:]]
+        return step
+
+    monkeypatch.setattr(motion, "tried", badly_tried)
+    with pytest.raises(GuardFailed, match="the energy changed by"):
+        integrate(Scene(PAIR, (Contact(2e4),)), 1e-10)

@@ -10,9 +10,11 @@ from hypothesis import strategies as st
 
 from corollary.scenes import collision
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.integrate import regularised
 from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.models import beta, modal
 from corollary.scenes.row import Row, energy
+from corollary.scenes.run import GuardFailed
 
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
 
@@ -196,3 +198,33 @@ def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight,
 
     (less, error), (more, _) = kept(1.001), kept(1.0)
     assert -10.0 * (error + tolerance) <= more - less <= 0.01 + 10.0 * (error + tolerance)
+
+
+def with_wrong_steps(monkeypatch, change):
+    """Every step's velocities are changed, and the step does not know it."""
+    right = regularised.attempt
+
+    def badly_tried(*arguments):
+        step = right(*arguments)
+        step.after[3:] = change(*step.after[3:])
+        return step
+
+    monkeypatch.setattr(regularised, "attempt", badly_tried)
+
+
+THREE = Row((1.0, 1.0, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2)
+
+
+def test_steps_that_lose_momentum_but_no_energy_are_found_out(monkeypatch):
+    """Turning the velocities of equal masses, as if they were one vector, leaves their squares as they are."""
+    c, s = math.cos(1e-7), math.sin(1e-7)
+    with_wrong_steps(monkeypatch, lambda u, v, w: (c * u - s * v, s * u + c * v, w))
+    with pytest.raises(GuardFailed, match="the momentum by"):
+        collide(THREE)
+
+
+@pytest.mark.parametrize("wrong", [1e-6, -1e-6])
+def test_steps_that_gain_or_lose_energy_are_found_out(monkeypatch, wrong):
+    with_wrong_steps(monkeypatch, lambda *speeds: [v * (1.0 + wrong) for v in speeds])
+    with pytest.raises(GuardFailed, match="the energy by"):
+        collide(THREE)

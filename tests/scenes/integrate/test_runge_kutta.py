@@ -5,7 +5,7 @@ import math
 import pytest
 
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.runge_kutta import doubt, step
+from corollary.scenes.integrate.runge_kutta import error_estimate, step
 from corollary.scenes.integrate.tableau import RK4
 
 
@@ -48,11 +48,11 @@ def test_the_doubt_bounds_the_error_of_a_step_without_being_absurd():
     for h in (0.5, 1.0):
         after, slopes = step(DOP853, swing, 0.0, y, h, swing(0.0, y))
         error = math.hypot(after[0] - math.cos(h), after[1] + math.sin(h))
-        size = doubt(DOP853, slopes, h, [1.0, 1.0])
+        size = error_estimate(DOP853, slopes, h, [1.0, 1.0])
         assert error < size < 1e5 * error
 
 
 def test_no_force_no_doubt():
     after, slopes = step(DOP853, lambda _, y: [0.0], 0.0, [3.0], 0.7, [0.0])
     assert after == [3.0]
-    assert doubt(DOP853, slopes, 0.7, [1.0]) == 0.0
+    assert error_estimate(DOP853, slopes, 0.7, [1.0]) == 0.0

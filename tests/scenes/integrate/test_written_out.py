@@ -7,13 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from corollary.scenes.forces.contact import Contact, push
-from corollary.scenes.integrate import long_row, row_motion
+from corollary.scenes.integrate import long_row, written_out
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.row_motion import in_time, on_clock, power_text
-from corollary.scenes.integrate.runge_kutta import doubt, step
-from corollary.scenes.integrate.step import error_size
-from corollary.scenes.integrate.time_variable import TIME, Clock
-from corollary.scenes.integrate.written_out import written_out
+from corollary.scenes.integrate.row_problem import error_size
+from corollary.scenes.integrate.runge_kutta import error_estimate, step
+from corollary.scenes.integrate.time_variable import TIME, TimeVariable, beside, in_time
+from corollary.scenes.integrate.written_out import power_text
 from corollary.scenes.row import Row
 
 lines = st.integers(2, 5).flatmap(
@@ -62,28 +61,28 @@ def test_the_law_written_out_is_the_push_of_the_contacts(line, data):
     touching = data.draw(st.tuples(*[st.booleans()] * len(line.gaps)))
     state = [0.3, *(-gap for gap in line.gaps), *line.velocities]
     true = newton(line, state, touching)
-    for law in (row_motion.law_of_motion, long_row.law_of_motion):
+    for law in (written_out.law_of_motion, long_row.law_of_motion):
         close(law(line, touching)(0.3, state[1:]), true)
 
 
 @given(lines, st.data(), st.floats(0.01, 0.9), st.sampled_from([1, 2, 4]))
 @settings(max_examples=40, deadline=None)
-def test_on_the_clock_of_a_contact_the_law_is_only_stretched(line, data, w, power):
+def test_in_the_variable_of_a_contact_the_law_is_only_stretched(line, data, w, power):
     contact = data.draw(st.integers(0, len(line.gaps) - 1))
-    clock = Clock(contact, power)
+    variable = TimeVariable(contact, power)
     state = [0.3, *(-gap for gap in line.gaps), *line.velocities]
-    state[1 + contact] = clock.overlap(w)
+    state[1 + contact] = variable.overlap(w)
     touching = [True] * len(line.gaps)
     true = newton(line, state, touching)
     if abs(true[contact]) < 1e-3:
         return
     stretch = power * w ** (power - 1) / true[contact]
     stretched = [stretch * rate for rate in true]
-    stretched[contact] = stretch  # the time takes the place of the overlap that is the clock
-    for law in (row_motion.law_of_motion, long_row.law_of_motion):
-        close(law(line, touching, clock)(w, on_clock(clock, state)), stretched)
-    close(in_time(clock, w, on_clock(clock, state)), state)
-    assert in_time(TIME, 0.3, on_clock(TIME, state)) == state
+    stretched[contact] = stretch  # the time takes the place of the overlap that is the variable
+    for law in (written_out.law_of_motion, long_row.law_of_motion):
+        close(law(line, touching, variable)(w, beside(variable, state)), stretched)
+    close(in_time(variable, w, beside(variable, state)), state)
+    assert in_time(TIME, 0.3, beside(TIME, state)) == state
 
 
 def pendulums(x, y):
@@ -97,11 +96,11 @@ def test_a_step_written_out_is_the_step_of_the_table(count, h):
     y = [0.1 * i - 0.2 for i in range(count)]
     first = pendulums(0.7, y)
     after, slopes = step(DOP853, pendulums, 0.7, y, h, first)
-    for taken in (written_out(DOP853, count), long_row.step):
+    for taken in (written_out.step(DOP853, count), long_row.step):
         found, fifth, third = taken(pendulums, 0.7, h, y, first)
         assert list(found) == pytest.approx(after, rel=1e-14)
         assert error_size(fifth, third, h, count) == pytest.approx(
-            doubt(DOP853, slopes, h, [1.0] * count), rel=1e-6
+            error_estimate(DOP853, slopes, h, [1.0] * count), rel=1e-6
         )
 
 

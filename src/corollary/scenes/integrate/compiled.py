@@ -8,9 +8,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numba import njit  # pyright: ignore[reportMissingImports]
 
-from corollary.scenes.integrate import compiled_loop
-from corollary.scenes.integrate.compiled_loop import MOST_STEPS, NO_STEP, RELEASED, TOO_LONG
+from corollary.scenes.integrate.compiled_loop import MOST_STEPS, NO_STEP, RELEASED, STILL, TOO_LONG, follow
 from corollary.scenes.integrate.time_variable import smoothing_powers
 from corollary.scenes.row import Row, RowResult
 from corollary.scenes.run import GuardFailed
@@ -25,9 +25,7 @@ def collide(line: Row, tolerance: float = 1e-13) -> RowResult:
     terms = np.array(
         [(c.k, c.q, power) for c, power in zip(line.contacts, smoothing_powers(line), strict=True)]
     )
-    end, duration, openings, evaluations, gained, shift = compiled_loop.collide(
-        masses, velocities, gaps, terms, tolerance
-    )
+    end, duration, openings, evaluations, gained, shift = _collide(masses, velocities, gaps, terms, tolerance)
     if not math.isfinite(gained):
         raise OverflowError("a number of the collision is too large or too small")
     if end == TOO_LONG:
@@ -51,4 +49,65 @@ def collide(line: Row, tolerance: float = 1e-13) -> RowResult:
         outcome="released" if met else "missed",
         evaluations=evaluations,
         openings=openings,
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def _energy(state, inverse, terms):
+    total, count = 0.0, len(terms)
+    for i in range(count + 1):
+        if inverse[i] > 0.0:
+            total += 0.5 * state[count + 1 + i] ** 2 / inverse[i]
+    for j in range(count):
+        if state[1 + j] > 0.0:
+            total += terms[j, 0] * state[1 + j] ** (terms[j, 1] + 1.0) / (terms[j, 1] + 1.0)
+    return total
+
+
+@njit(cache=True, error_model="numpy")
+def _collide(masses, velocities, gaps, terms, tolerance):
+    """The whole collision, SI in and SI out, as `regularised.collide` does it.
+
+    `velocities` become those after, `gaps` the largest overlaps; `terms` is changed, too. Gives how it ended, the duration, the
+    openings, the evaluations, and by how much of itself energy and momentum have changed.
+    """
+    count, inverse = len(gaps), 1.0 / masses
+    mass = speed = size = 0.0
+    for j in range(count):
+        mass = max(mass, 1.0 / (inverse[j] + inverse[j + 1]))
+    for j in range(count):
+        q, squeezed = terms[j, 1], max(-gaps[j], 0.0)
+        stored = 2.0 * terms[j, 0] * squeezed ** (q + 1.0) / (q + 1.0) / mass
+        speed = max(speed, abs(velocities[j] - velocities[j + 1]), math.sqrt(stored))
+    if speed == 0.0:
+        gaps[:] = 0.0
+        return STILL, 0.0, 0, 0, 0.0, 0.0
+    for j in range(count):
+        size = max(size, (mass * speed**2 / terms[j, 0]) ** (1.0 / (terms[j, 1] + 1.0)))
+    if not 0.0 < size < math.inf:
+        return NO_STEP, 0.0, 0, 0, math.nan, 0.0
+    inverse *= mass
+    terms[:, 0] *= size ** terms[:, 1] * size / (mass * speed**2)
+    state = np.zeros(2 * count + 2)
+    state[1 : count + 1], state[count + 1 :] = -gaps / size, velocities / speed
+    gaps[:] = np.maximum(state[1 : count + 1], 0.0)
+    before = _energy(state, inverse, terms)
+    end, began, ended, openings, evaluations = follow(state, inverse, terms, gaps, tolerance)
+    gained = (_energy(state, inverse, terms) - before) / max(1.0, before)
+    shift = moved = 0.0
+    for i in range(count + 1):
+        if inverse[i] == 0.0:
+            shift = moved = 0.0  # a wall takes momentum
+            break
+        old, new = velocities[i] / speed / inverse[i], state[count + 1 + i] / inverse[i]
+        shift, moved = shift + (new - old), moved + abs(old) + abs(new)
+    velocities[:] = state[count + 1 :] * speed
+    gaps *= size
+    return (
+        end,
+        (ended - began) * size / speed,
+        openings,
+        evaluations,
+        gained,
+        shift / moved if moved > 0.0 else 0.0,
     )

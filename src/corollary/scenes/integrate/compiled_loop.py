@@ -34,19 +34,19 @@ def _closing(state, j):
 
 
 @njit(cache=True, error_model="numpy")
-def _reading(state, clock, power):
-    if clock == TIME:
+def _reading(state, variable, power):
+    if variable == TIME:
         return state[0]
-    return state[1 + clock] if power == 1 else max(state[1 + clock], 0.0) ** (1.0 / power)
+    return state[1 + variable] if power == 1 else max(state[1 + variable], 0.0) ** (1.0 / power)
 
 
 @njit(cache=True, error_model="numpy")
-def _enter(clock, power, w, y, state):
-    """From (overlaps, velocities) on a clock that shows w to the state."""
+def _enter(variable, power, w, y, state):
+    """From (overlaps, velocities) on a variable that shows w to the state."""
     state[1:] = y
     state[0] = w
-    if clock != TIME:
-        state[0], state[1 + clock] = y[clock], w**power
+    if variable != TIME:
+        state[0], state[1 + variable] = y[variable], w**power
 
 
 @njit(cache=True, error_model="numpy")
@@ -96,7 +96,7 @@ def _due(state, base, touching, lasting, noise):
 
 @njit(cache=True, error_model="numpy")
 def _suited(state, base, touching, lasting, terms, noise):
-    """The young or ending contact that is the best clock, or the time."""
+    """The young or ending contact that is the best variable, or the time."""
     count, best, nearest = len(touching), TIME, 2.0 * lasting
     for j in range(count):
         overlap, speed = state[1 + j], base[j]
@@ -116,20 +116,20 @@ def _turns(state, base, j):
 
 
 @njit(cache=True, error_model="numpy")
-def _crossing(clock, state, base, after, touching, terms, noise, tolerance):
+def _crossing(variable, state, base, after, touching, terms, noise, tolerance):
     """The contact that begins or ends first between two states; TIME for none, GRAZING where one may have grazed."""
     first, when, grazed = TIME, 2.0, False
     for j in range(len(touching)):
         old, new, sign = state[1 + j], after[1 + j], 1.0 if touching[j] else -1.0
         before, then = sign * _closing(state, j), sign * _closing(after, j)
-        near = clock == TIME and terms[j, 2] > 1.0 and then < 0.0 and new < CLOSE * old
+        near = variable == TIME and terms[j, 2] > 1.0 and then < 0.0 and new < CLOSE * old
         near = (
             near
             and terms[j, 0] * old ** terms[j, 1] * (after[0] - state[0]) > tolerance
             and not _turns(state, base, j)
         )
         ends = (new < 0.0 < old or near) if touching[j] else new > 0.0
-        if j != clock and ends and max(abs(before), abs(then)) > noise:
+        if j != variable and ends and max(abs(before), abs(then)) > noise:
             if old / (old - new) < when:
                 first, when = j, old / (old - new)
         elif before < 0.0 < then and sign * old < 0.5 * before**2 * (after[0] - state[0]) / (then - before):
@@ -138,11 +138,11 @@ def _crossing(clock, state, base, after, touching, terms, noise, tolerance):
 
 
 @njit(cache=True, error_model="numpy")
-def _top(j, clock, power, x, h, y, ends, slopes, touching, inverse, terms):
+def _top(j, variable, power, x, h, y, ends, slopes, touching, inverse, terms):
     """The largest overlap of a contact whose closing speed falls through zero in a step to `ends`, and evaluations spent."""
     left = len(touching) + j
     work, here, state, own = np.empty_like(y), np.empty_like(y), np.empty(len(y) + 1), slopes.copy()
-    slope(clock, x + h, ends, here, touching, inverse, terms)
+    slope(variable, x + h, ends, here, touching, inverse, terms)
     before, after = y[left] - y[left + 1], ends[left] - ends[left + 1]
     rise, fall = h * (slopes[0, left] - slopes[0, left + 1]), h * (here[left] - here[left + 1])
     low, high, overlap, spent = 0.0, 1.0, 0.0, 1
@@ -155,11 +155,11 @@ def _top(j, clock, power, x, h, y, ends, slopes, touching, inverse, terms):
         low, high = (s, high) if value > 0.0 else (low, s)
     part = 0.5 * (low + high)
     for _ in range(4):
-        step(clock, x, part * h, y, own, work, touching, inverse, terms)
-        slope(clock, x + part * h, work, here, touching, inverse, terms)
-        _enter(clock, power, x + part * h, work, state)
+        step(variable, x, part * h, y, own, work, touching, inverse, terms)
+        slope(variable, x + part * h, work, here, touching, inverse, terms)
+        _enter(variable, power, x + part * h, work, state)
         speed, growth = _closing(state, j), here[left] - here[left + 1]
-        stretch = 1.0 if clock == TIME else here[clock]
+        stretch = 1.0 if variable == TIME else here[variable]
         overlap = state[1 + j] - (0.5 * speed * speed * stretch / growth if growth * stretch < 0.0 else 0.0)
         spent += EVALUATIONS + 1
         if abs(speed) <= 3e-5 * max(before, -after) or growth * h >= 0.0:
@@ -169,9 +169,9 @@ def _top(j, clock, power, x, h, y, ends, slopes, touching, inverse, terms):
 
 
 @njit(cache=True, error_model="numpy")
-def follow(state, inverse, terms, crests, tolerance):
+def follow(state, inverse, terms, extrema, tolerance):
     """Moves the state to the end of the collision; says how it ended, when it began and ended, its openings and evaluations."""
-    count, noise = len(crests), max(1e-14, 3.0 * tolerance)
+    count, noise = len(extrema), max(1e-14, 3.0 * tolerance)
     touching = state[1 : count + 1] >= 0.0
     y, ends, base, after = (
         np.empty(2 * count + 1),
@@ -181,7 +181,7 @@ def follow(state, inverse, terms, crests, tolerance):
     )
     slopes = np.empty((STAGES, 2 * count + 1))
     began, ended, openings, evaluations = math.inf, 0.0, 0, 0
-    lasted, landing, last_stride, last_clock = FIRST_STRIDE, False, 0.0, TIME
+    lasted, landing, last_stride, last_variable = FIRST_STRIDE, False, 0.0, TIME
     for _ in range(MOST_STEPS):
         for j in range(count):
             if state[1 + j] == 0.0:
@@ -198,131 +198,70 @@ def follow(state, inverse, terms, crests, tolerance):
                     if began <= ended
                     else (MISSED, 0.0, 0.0, 0, evaluations)
                 )
-            lasted, landing, last_stride, last_clock = FIRST_STRIDE, False, 0.0, TIME
+            lasted, landing, last_stride, last_variable = FIRST_STRIDE, False, 0.0, TIME
         began = min(began, state[0])
         y[:] = state[1:]
         slope(TIME, state[0], y, base, touching, inverse, terms)
         if landing:  # its speed may have faded or turned on the way
-            heads = abs(base[last_clock]) > noise and (base[last_clock] < 0.0) == (
-                state[1 + last_clock] > 0.0
+            heads = abs(base[last_variable]) > noise and (base[last_variable] < 0.0) == (
+                state[1 + last_variable] > 0.0
             )
-            landing = heads and not _turns(state, base, last_clock)
-        clock = last_clock if landing else _suited(state, base, touching, lasted, terms, noise)
-        if clock == TIME:
-            clock = _due(state, base, touching, lasted, noise)
-            landing = clock != TIME
+            landing = heads and not _turns(state, base, last_variable)
+        variable = last_variable if landing else _suited(state, base, touching, lasted, terms, noise)
+        if variable == TIME:
+            variable = _due(state, base, touching, lasted, noise)
+            landing = variable != TIME
         stride = lasted
-        if clock != TIME:
-            ahead = max(state[1 + clock] + base[clock] * lasted, 0.0)
-            power = int(terms[clock, 2]) if touching[clock] else 1
-            stride = ahead ** (1.0 / power) - _reading(state, clock, power)
-        if clock == last_clock and 0.0 < abs(last_stride) < abs(stride):
+        if variable != TIME:
+            ahead = max(state[1 + variable] + base[variable] * lasted, 0.0)
+            power = int(terms[variable, 2]) if touching[variable] else 1
+            stride = ahead ** (1.0 / power) - _reading(state, variable, power)
+        if variable == last_variable and 0.0 < abs(last_stride) < abs(stride):
             stride = last_stride
-        if stride == 0.0:  # too short for this clock to tick
-            clock, landing, stride = TIME, False, lasted
+        if stride == 0.0:  # too short for this variable to tick
+            variable, landing, stride = TIME, False, lasted
         x, h, size, lands, power = 0.0, 0.0, math.inf, False, 1
         for trial in range(MOST_TRIALS + 1):
             if trial == MOST_TRIALS:
                 return NO_STEP, began, ended, openings, evaluations
-            power = int(terms[clock, 2]) if clock != TIME and touching[clock] else 1
-            x = _reading(state, clock, power)
-            lands = clock != TIME and x * stride < 0.0 and abs(stride) >= abs(x)
+            power = int(terms[variable, 2]) if variable != TIME and touching[variable] else 1
+            x = _reading(state, variable, power)
+            lands = variable != TIME and x * stride < 0.0 and abs(stride) >= abs(x)
             h = -x if lands else stride
             y[:], slopes[0] = state[1:], base
-            if clock != TIME:
-                y[clock] = state[0]
-                stretch = power * x ** (power - 1) / base[clock]
+            if variable != TIME:
+                y[variable] = state[0]
+                stretch = power * x ** (power - 1) / base[variable]
                 slopes[0] *= stretch
-                slopes[0, clock] = stretch
-            size = step(clock, x, h, y, slopes, ends, touching, inverse, terms) / tolerance
+                slopes[0, variable] = stretch
+            size = step(variable, x, h, y, slopes, ends, touching, inverse, terms) / tolerance
             evaluations += EVALUATIONS
             if not size <= 1.0:
                 stride = h * factor(size)
                 if landing and trial > 20:
-                    clock, landing, stride = TIME, False, 0.1 * lasted
+                    variable, landing, stride = TIME, False, 0.1 * lasted
                 continue
-            _enter(clock, power, 0.0 if lands else x + h, ends, after)
-            crossing = _crossing(clock, state, base, after, touching, terms, noise, tolerance)
+            _enter(variable, power, 0.0 if lands else x + h, ends, after)
+            crossing = _crossing(variable, state, base, after, touching, terms, noise, tolerance)
             if crossing == TIME or trial > 60 or (crossing == GRAZING and trial >= 60):
                 break
             if crossing != GRAZING and base[crossing] != 0.0 and (base[crossing] < 0.0) == touching[crossing]:
-                clock, landing = crossing, True
-                stride = -_reading(state, clock, int(terms[clock, 2]) if touching[clock] else 1)
+                variable, landing = crossing, True
+                stride = -_reading(state, variable, int(terms[variable, 2]) if touching[variable] else 1)
             else:
                 stride = 0.5 * h
         for j in range(count):
             if touching[j] and base[j] > 0.0 >= _closing(after, j) and state[1 + j] >= 0.0 <= after[1 + j]:
-                overlap, spent = _top(j, clock, power, x, h, y, ends, slopes, touching, inverse, terms)
-                crests[j], evaluations = max(crests[j], overlap), evaluations + spent
+                overlap, spent = _top(j, variable, power, x, h, y, ends, slopes, touching, inverse, terms)
+                extrema[j], evaluations = max(extrema[j], overlap), evaluations + spent
         grown = factor(size)
         now = max((after[0] - state[0]) * grown, LEAST_STRIDE)
         lasted, landing = max(now, lasted) if lands else now, landing and not lands
-        last_stride, last_clock = (0.0, TIME) if lands else (h * grown, clock)
+        last_stride, last_variable = (0.0, TIME) if lands else (h * grown, variable)
         state[:], evaluations = after, evaluations + 1
         for j in range(count):
-            if touching[j] and (state[1 + j] < 0.0 or (lands and j == clock)):
+            if touching[j] and (state[1 + j] < 0.0 or (lands and j == variable)):
                 touching[j], ended, openings = False, state[0], openings + 1
-            elif not touching[j] and (state[1 + j] > 0.0 or (lands and j == clock)):
+            elif not touching[j] and (state[1 + j] > 0.0 or (lands and j == variable)):
                 touching[j] = True
     return TOO_LONG, began, ended, openings, evaluations
-
-
-@njit(cache=True, error_model="numpy")
-def _energy(state, inverse, terms):
-    total, count = 0.0, len(terms)
-    for i in range(count + 1):
-        if inverse[i] > 0.0:
-            total += 0.5 * state[count + 1 + i] ** 2 / inverse[i]
-    for j in range(count):
-        if state[1 + j] > 0.0:
-            total += terms[j, 0] * state[1 + j] ** (terms[j, 1] + 1.0) / (terms[j, 1] + 1.0)
-    return total
-
-
-@njit(cache=True, error_model="numpy")
-def collide(masses, velocities, gaps, terms, tolerance):
-    """The whole collision, SI in and SI out, as `regularised.collide` does it.
-
-    `velocities` become those after, `gaps` the largest overlaps; `terms` is changed, too. Gives how it ended, the duration, the
-    openings, the evaluations, and by how much of itself energy and momentum have changed.
-    """
-    count, inverse = len(gaps), 1.0 / masses
-    mass = speed = size = 0.0
-    for j in range(count):
-        mass = max(mass, 1.0 / (inverse[j] + inverse[j + 1]))
-    for j in range(count):
-        q, squeezed = terms[j, 1], max(-gaps[j], 0.0)
-        stored = 2.0 * terms[j, 0] * squeezed ** (q + 1.0) / (q + 1.0) / mass
-        speed = max(speed, abs(velocities[j] - velocities[j + 1]), math.sqrt(stored))
-    if speed == 0.0:
-        gaps[:] = 0.0
-        return STILL, 0.0, 0, 0, 0.0, 0.0
-    for j in range(count):
-        size = max(size, (mass * speed**2 / terms[j, 0]) ** (1.0 / (terms[j, 1] + 1.0)))
-    if not 0.0 < size < math.inf:
-        return NO_STEP, 0.0, 0, 0, math.nan, 0.0
-    inverse *= mass
-    terms[:, 0] *= size ** terms[:, 1] * size / (mass * speed**2)
-    state = np.zeros(2 * count + 2)
-    state[1 : count + 1], state[count + 1 :] = -gaps / size, velocities / speed
-    gaps[:] = np.maximum(state[1 : count + 1], 0.0)
-    before = _energy(state, inverse, terms)
-    end, began, ended, openings, evaluations = follow(state, inverse, terms, gaps, tolerance)
-    gained = (_energy(state, inverse, terms) - before) / max(1.0, before)
-    shift = moved = 0.0
-    for i in range(count + 1):
-        if inverse[i] == 0.0:
-            shift = moved = 0.0  # a wall takes momentum
-            break
-        old, new = velocities[i] / speed / inverse[i], state[count + 1 + i] / inverse[i]
-        shift, moved = shift + (new - old), moved + abs(old) + abs(new)
-    velocities[:] = state[count + 1 :] * speed
-    gaps *= size
-    return (
-        end,
-        (ended - began) * size / speed,
-        openings,
-        evaluations,
-        gained,
-        shift / moved if moved > 0.0 else 0.0,
-    )

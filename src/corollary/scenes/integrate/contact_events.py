@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from corollary.scenes.forces.contact import push
+from corollary.scenes.integrate.row_problem import RowProblem
 from corollary.scenes.integrate.step import Step
-from corollary.scenes.integrate.time_variable import TIME, Clock
-from corollary.scenes.integrate.trajectory import Course
+from corollary.scenes.integrate.time_variable import TIME, TimeVariable
 
 # A step in time must leave so much of an overlap whose force is not smooth where it ends: nearer to the end the error of the step
-# would not be known. The contact's own clock takes over.
+# would not be known. The contact's own variable takes over.
 CLOSE = 0.3
 
 
 def first_crossing(
-    way: Course,
+    problem: RowProblem,
     state: list[float],
     base: Sequence[float],
-    trial: Step,
+    step: Step,
     speeds: Sequence[float],
     touching: Sequence[bool],
 ) -> int | None:
@@ -26,18 +26,18 @@ def first_crossing(
 
     `base` and `speeds` hold the closing speeds before and after.
     """
-    first, when, noise = None, 2.0, way.noise
+    first, when, noise = None, 2.0, problem.noise
     for j, on in enumerate(touching):
-        before, after = state[1 + j], trial.after[1 + j]
+        before, after = state[1 + j], step.after[1 + j]
         near = (
             before > 0.0
             and speeds[j] < 0.0
             and after < CLOSE * before
-            and _rough(way, state, trial, j)
+            and _rough(problem, state, step, j)
             and not turns(state, base, j)
         )
         ends = after < 0.0 < before or near
-        if j == trial.clock.contact or not (ends if on else after > 0.0):
+        if j == step.variable.contact or not (ends if on else after > 0.0):
             continue
         if abs(base[j]) <= noise and abs(speeds[j]) <= noise:
             continue
@@ -46,22 +46,22 @@ def first_crossing(
     return first
 
 
-def _rough(way: Course, state: list[float], trial: Step, j: int) -> bool:
+def _rough(problem: RowProblem, state: list[float], step: Step, j: int) -> bool:
     """Whether the end of a contact can be felt in a step in time: its force is not smooth there, and not too faint to matter."""
-    pushed = push(way.line.contacts[j], state[1 + j], 0.0) * (trial.after[0] - state[0])
-    return trial.clock is TIME and way.powers[j] > 1 and pushed > way.tolerance
+    pushed = push(problem.line.contacts[j], state[1 + j], 0.0) * (step.after[0] - state[0])
+    return step.variable is TIME and problem.powers[j] > 1 and pushed > problem.tolerance
 
 
 def grazes(
-    way: Course,
+    problem: RowProblem,
     state: list[float],
     base: Sequence[float],
-    trial: Step,
+    step: Step,
     speeds: Sequence[float],
     touching: Sequence[bool],
 ) -> bool:
     """Whether an overlap may pass zero and come back inside a step; judged by a parabola, so it errs on shorter steps."""
-    lasted = trial.after[0] - state[0]
+    lasted = step.after[0] - state[0]
     for j, on in enumerate(touching):
         sign = 1.0 if on else -1.0
         before, after = sign * base[j], sign * speeds[j]
@@ -71,13 +71,13 @@ def grazes(
 
 
 def due(
-    way: Course, state: list[float], base: Sequence[float], lasting: float, touching: Sequence[bool]
+    problem: RowProblem, state: list[float], base: Sequence[float], lasting: float, touching: Sequence[bool]
 ) -> int | None:
     """The contact that is sure to begin or end next, within so long; none when its speed may turn before."""
     count, first, soonest = len(touching), None, lasting
     for j, on in enumerate(touching):
         overlap, speed = state[1 + j], base[j]
-        if (overlap > 0.0 and speed < -way.noise) if on else (overlap < 0.0 and speed > way.noise):
+        if (overlap > 0.0 and speed < -problem.noise) if on else (overlap < 0.0 and speed > problem.noise):
             after = -overlap / speed
             if (
                 after < soonest
@@ -87,12 +87,14 @@ def due(
     return first
 
 
-def nears_zero(way: Course, state: list[float], base: Sequence[float], clock: Clock) -> bool:
-    """Whether the overlap that is the clock still moves toward zero; its speed may have faded or turned on the way."""
-    j = clock.contact
+def nears_zero(
+    problem: RowProblem, state: list[float], base: Sequence[float], variable: TimeVariable
+) -> bool:
+    """Whether the overlap that is the variable still moves toward zero; its speed may have faded or turned on the problem."""
+    j = variable.contact
     return (
         j is not None
-        and abs(base[j]) > way.noise
+        and abs(base[j]) > problem.noise
         and (base[j] < 0.0) == (state[1 + j] > 0.0)
         and not turns(state, base, j)
     )

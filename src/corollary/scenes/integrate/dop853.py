@@ -137,7 +137,7 @@ FIFTH = Coefficients(
     ),
 )
 
-# The weights of the embedded method of order 3; its doubt is the difference from the result.
+# The weights of the embedded method of order 3; its estimate is the difference from the result.
 THIRD = {
     0: 0.244094488188976377952755905512,
     8: 0.733846688281611857341361741547,
@@ -149,7 +149,7 @@ DOP853 = Tableau(
     nodes=NODES,
     rows=ROWS,
     result=RESULT,
-    doubts=(
+    estimates=(
         FIFTH,
         Coefficients(
             RESULT.stages,

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from corollary.scenes.forces.contact import push
-from corollary.scenes.integrate.row_motion import closing_speed, on_clock
+from corollary.scenes.integrate.runge_kutta import Slope
 from corollary.scenes.integrate.step import EVALUATIONS, Step
-from corollary.scenes.integrate.written_out import Slope
-from corollary.scenes.row import Row
+from corollary.scenes.integrate.time_variable import beside
+from corollary.scenes.row import Row, closing_speed
 
 
-class Crests:
+class Extrema:
     """Keeps the greatest overlap and force met by each contact; told of every step of a motion."""
 
     def __init__(self, line: Row) -> None:
@@ -29,17 +29,17 @@ class Crests:
                 self.forces[j] = max(self.forces[j], force)
 
     def passed(
-        self, state: list[float], trial: Step, touching: Sequence[bool], base: Sequence[float], in_time: Slope
+        self, state: list[float], step: Step, touching: Sequence[bool], base: Sequence[float], in_time: Slope
     ) -> None:
         """Look for a crest within a step from a state; `base` is the slope there, `in_time` the law that gave it."""
-        after, count = trial.after, len(self.overlaps)
+        after, count = step.after, len(self.overlaps)
         for j, on in enumerate(touching):
             if (
                 on
                 and base[j] > 0.0 >= after[1 + count + j] - after[2 + count + j]
                 and state[1 + j] >= 0.0 <= after[1 + j]
             ):
-                overlap, spent = top(trial, j)
+                overlap, spent = top(step, j)
                 self.evaluations += spent
                 if overlap > self.overlaps[j]:
                     self.overlaps[j] = overlap
@@ -47,18 +47,18 @@ class Crests:
                         self.forces[j] = push(self.line.contacts[j], overlap, 0.0)
         for j in self.damped:
             if touching[j] and state[1 + j] >= 0.0 <= after[1 + j]:
-                self._peak(state, trial, base, in_time, j)
+                self._peak(state, step, base, in_time, j)
 
-    def _peak(self, state: list[float], trial: Step, base: Sequence[float], in_time: Slope, j: int) -> None:
+    def _peak(self, state: list[float], step: Step, base: Sequence[float], in_time: Slope, j: int) -> None:
         """The largest force of a damped contact within a step."""
 
         def growth(y: list[float]) -> float:
             return self._growth(y, in_time(y[0], y[1:]), j)
 
-        rising, falling = self._growth(state, base, j), growth(trial.after)
+        rising, falling = self._growth(state, base, j), growth(step.after)
         self.evaluations += 1
         if rising > 0.0 >= falling:
-            best, spent = top_between(rising, falling, trial.part_way, growth)
+            best, spent = top_between(rising, falling, step.part_way, growth)
             self.evaluations += spent
             force = push(self.line.contacts[j], best[1 + j], closing_speed(self.line, best, j))
             self.forces[j] = max(self.forces[j], force)
@@ -72,31 +72,31 @@ class Crests:
         )
 
 
-def top(trial: Step, j: int) -> tuple[float, int]:
+def top(step: Step, j: int) -> tuple[float, int]:
     """The largest overlap of a contact within a step in which its closing speed falls through zero; and the evaluations spent.
 
     A cubic through the closing speeds at both ends says where; there the overlap still missing is speed^2/(2 deceleration).
     """
-    left = len(trial.before) // 2 + j
-    last = on_clock(trial.clock, trial.after)
-    before, after = trial.before[left] - trial.before[left + 1], last[left] - last[left + 1]
-    end = trial.slope(trial.x + trial.h, last)
-    rise, fall = trial.first[left] - trial.first[left + 1], end[left] - end[left + 1]
-    part, least, spent = _zero(before, after, trial.h * rise, trial.h * fall), 3e-5 * max(before, -after), 1
+    left = len(step.before) // 2 + j
+    last = beside(step.variable, step.after)
+    before, after = step.before[left] - step.before[left + 1], last[left] - last[left + 1]
+    end = step.slope(step.x + step.h, last)
+    rise, fall = step.first[left] - step.first[left + 1], end[left] - end[left + 1]
+    part, least, spent = _zero(before, after, step.h * rise, step.h * fall), 3e-5 * max(before, -after), 1
     overlap = 0.0
     for _ in range(4):
-        state = trial.part_way(part)
+        state = step.part_way(part)
         speed = state[left + 1] - state[left + 2]
-        slopes = trial.slope(trial.x + part * trial.h, on_clock(trial.clock, state))
+        slopes = step.slope(step.x + part * step.h, beside(step.variable, state))
         growth, stretch = (
             slopes[left] - slopes[left + 1],
-            1.0 if trial.clock.contact is None else slopes[trial.clock.contact],
+            1.0 if step.variable.contact is None else slopes[step.variable.contact],
         )
         overlap = state[1 + j] - (0.5 * speed * speed * stretch / growth if growth * stretch < 0.0 else 0.0)
         spent += EVALUATIONS + 1
-        if abs(speed) <= least or growth * trial.h >= 0.0:
+        if abs(speed) <= least or growth * step.h >= 0.0:
             break
-        part = min(max(part - speed / (growth * trial.h), 0.0), 1.0)
+        part = min(max(part - speed / (growth * step.h), 0.0), 1.0)
     return overlap, spent
 
 

@@ -9,17 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.runge_kutta import Coefficients
-from corollary.scenes.integrate.time_variable import TIME, Clock
-from corollary.scenes.integrate.written_out import Slope
+from corollary.scenes.integrate.runge_kutta import Coefficients, Slope
+from corollary.scenes.integrate.time_variable import TIME, TimeVariable
 from corollary.scenes.row import Row
 
 Array = NDArray[np.float64]
 
 
-def law_of_motion(line: Row, touching: Sequence[bool], clock: Clock = TIME) -> Slope:
+def law_of_motion(line: Row, touching: Sequence[bool], variable: TimeVariable = TIME) -> Slope:
     """The same as `line_motion.law_of_motion`."""
-    count, contact, power = len(line.contacts), clock.contact, clock.power
+    count, contact, power = len(line.contacts), variable.contact, variable.power
     on = np.array(touching)
     stiffness, exponents = np.array([c.k for c in line.contacts]) * on, np.array([c.q for c in line.contacts])
     drags = np.array([c.eta for c in line.contacts]) * on
@@ -70,7 +69,7 @@ def _dense(row: Coefficients) -> Array:
 
 
 ROWS = [_dense(row) for row in DOP853.rows]
-RESULT, FIFTH, THIRD = (_dense(row) for row in (DOP853.result, *DOP853.doubts))
+RESULT, FIFTH, THIRD = (_dense(row) for row in (DOP853.result, *DOP853.estimates))
 
 
 def step(

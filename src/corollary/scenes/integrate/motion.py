@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, law_of_motion
-from corollary.scenes.integrate.runge_kutta import Slope, doubt, step
+from corollary.scenes.integrate.step import EVALUATIONS, Step, tried
 from corollary.scenes.models.pair import hold_apart
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.scene import Event, Scene, overlap, pairs, seen_from, start_of, velocity
@@ -18,46 +18,33 @@ MOST_STEPS = 20_000
 REST = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
-class Leg:
-    """One step: from a time and state on, for `h`."""
-
-    slope: Slope
-    time: float
-    before: list[float]
-    first: list[float]
-    h: float
-
-    def part_way(self, part: float) -> list[float]:
-        """The state after a part (0 to 1) of the step."""
-        return step(DOP853, self.slope, self.time, self.before, part * self.h, self.first)[0]
-
-
 @dataclass(slots=True)
-class Record:
+class Trajectory:
     """The whole motion, step by step; any moment can be looked up again.
 
-    `dropped` is the speed taken for none when a body came to rest at a wall, in units of the fastest there was.
+    `dropped` is the speed taken for none when a body came to rest at a wall, in units of the fastest there was. `allowed` is the error
+    (m) that one step was allowed to make in a place.
     """
 
-    legs: list[Leg] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
     time: float = 0.0
     state: list[float] = field(default_factory=list)
     evaluations: int = 0
     came_to_rest: bool = False
     dropped: float = 0.0
+    allowed: float = 0.0
 
     def at(self, time: float) -> list[float]:
         """The state at a time between the start and the end."""
-        low, high = 0, len(self.legs) - 1
+        low, high = 0, len(self.steps) - 1
         while low < high:
             middle = (low + high + 1) // 2
-            low, high = (middle, high) if self.legs[middle].time <= time else (low, middle - 1)
-        leg = self.legs[low]
-        return leg.part_way((time - leg.time) / leg.h)
+            low, high = (middle, high) if self.steps[middle].x <= time else (low, middle - 1)
+        step = self.steps[low]
+        return step.part_way((time - step.x) / step.h)
 
 
-def integrate(scene: Scene, tolerance: float) -> Record:
+def integrate(scene: Scene, tolerance: float) -> Trajectory:
     """The scene from its start to `until`, or until nothing touches and nothing will.
 
     `tolerance` is the error allowed to a step, relative to the size of the places and velocities met.
@@ -68,50 +55,51 @@ def integrate(scene: Scene, tolerance: float) -> Record:
         raise BadSetting(
             f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
         )
-    record = Record(state=start_of(scene))
-    scale = _scales(scene, record.state)
+    path = Trajectory(state=start_of(scene))
+    scale = _scales(scene, path.state)
     # What touches is to be resolved as finely as at the start, however far it has come by then.
     touching = bool(scene.contacts)
-    begun_with = energy(scene, 0.0, record.state) if keeps_energy(scene) else None
-    h = _first_step(scene, record.state)
+    begun_with = energy(scene, 0.0, path.state) if keeps_energy(scene) else None
+    h = _first_step(scene, path.state)
     fastest = max(scale[len(scale) // 2 :])
     for _ in range(MOST_STEPS):
-        left = math.inf if scene.until is None else scene.until - record.time
-        if left <= 1e-15 * max(record.time, h) or (scene.until is None and _over(scene, record.state)):
-            _guard(scene, begun_with, record, tolerance)
-            return record
-        law = law_of_motion(scene, record.state)
-        first = law(record.time, record.state)
-        leg = Leg(law, record.time, record.state, first, min(h, left))
-        after, slopes = step(DOP853, law, leg.time, leg.before, leg.h, first)
-        size = doubt(DOP853, slopes, leg.h, [tolerance * s for s in scale])
-        record.evaluations += len(DOP853.rows)
-        if not size <= 1.0:
-            h = leg.h * (max(0.2, 0.9 * size**-0.125) if size < math.inf else 0.2)
+        left = math.inf if scene.until is None else scene.until - path.time
+        if left <= 1e-15 * max(path.time, h) or (scene.until is None and _over(scene, path.state)):
+            _guard(scene, begun_with, path, tolerance)
+            return path
+        law = law_of_motion(scene, path.state)
+        allowed = [tolerance * s for s in scale]
+        path.allowed = allowed[0]
+        step = tried(law, path.time, path.state, min(h, left), allowed)
+        path.evaluations += EVALUATIONS + 1
+        if not step.size <= 1.0:
+            h = step.h * factor(step.size)
             continue
-        if _grazes(scene, leg, after):
-            h = 0.5 * leg.h
+        if _grazes(scene, step):
+            h = 0.5 * step.h
             continue
-        part, event = _first_event(events, leg, after, record)
+        size = step.size
+        part, event = _first_event(events, step, path)
         if event is not None:
-            leg = Leg(law, leg.time, leg.before, first, part * leg.h)
-            after, slopes = step(DOP853, law, leg.time, leg.before, leg.h, first)
-            record.evaluations += len(DOP853.rows) - 1
+            step = tried(law, path.time, path.state, part * step.h, allowed)
+            path.evaluations += EVALUATIONS
             # What the whole step said of its error is not what its part says: a contact's force is least smooth where it ends.
-            if not doubt(DOP853, slopes, leg.h, [tolerance * s for s in scale]) <= 1.0:
-                h = 0.5 * leg.h
+            if not step.size <= 1.0:
+                h = 0.5 * step.h
                 continue
-        _keep_apart(scene, leg.before, after)
-        if leg.h > 0.0:
-            record.legs.append(leg)
-        record.time, record.state = leg.time + leg.h, after
-        scale = scale if touching else _grown(scale, after)
-        if event is not None and event.turn is not None and _turn(scene, event, record, fastest):
-            return record
+        _keep_apart(scene, step)
+        if step.h > 0.0:
+            path.steps.append(step)
+        path.time, path.state = step.x + step.h, step.after
+        scale = scale if touching else _grown(scale, step.after)
+        if event is not None and event.turn is not None and _turn(scene, event, path, fastest):
+            return path
+        # A law that has just begun to act may be much shorter than the step before: a hard contact throws a stage of too long a step
+        # so far out that the later stages, the only ones that count in DOP853, feel nothing, and its error looks like zero.
         h = (
-            leg.h * (min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0)
+            step.h * factor(size)
             if event is None
-            else max(leg.h, 0.1 * h)
+            else min(max(step.h, 0.1 * h), _first_step(scene, path.state))
         )
     raise GuardFailed(
         f"{scene.name}: the end was not reached within {MOST_STEPS} steps. Watch for a shorter time."
@@ -166,46 +154,44 @@ def _will_meet(scene: Scene, state: Sequence[float], a: int, b: int, within: flo
     return nearest < scene.bodies[a].radius + scene.bodies[b].radius
 
 
-def _grazes(scene: Scene, leg: Leg, after: Sequence[float]) -> bool:
+def _grazes(scene: Scene, step: Step) -> bool:
     """Whether two bodies may touch and part inside a step; judged by straight lines, so it errs on shorter steps."""
     if not scene.contacts:
         return False
     for a, b in pairs(scene):
-        (depth, growing), left = overlap(scene, leg.before, a, b), overlap(scene, after, a, b)[0]
+        (depth, growing), left = overlap(scene, step.before, a, b), overlap(scene, step.after, a, b)[0]
         if depth == 0.0 and growing > 0.0 > left:  # the whole contact would be leapt over
             return True
         if (
             depth < 0.0
             and left < 0.0
-            and (_will_meet(scene, leg.before, a, b, leg.h) or _will_meet(scene, after, a, b, -leg.h))
+            and (_will_meet(scene, step.before, a, b, step.h) or _will_meet(scene, step.after, a, b, -step.h))
         ):
             return True
     return False
 
 
-def _keep_apart(scene: Scene, before: Sequence[float], after: Sequence[float]) -> None:
+def _keep_apart(scene: Scene, step: Step) -> None:
     """Raises BadSetting when two bodies that touch are so soft that their centres all but meet, or have met within a step."""
     if not scene.contacts:
         return
     for a, b in pairs(scene):
-        depth = overlap(scene, after, a, b)[0]
+        depth = overlap(scene, step.after, a, b)[0]
         if depth > 0.0:
-            (was, _), (now, _) = seen_from(scene, before, a, b), seen_from(scene, after, a, b)
+            (was, _), (now, _) = seen_from(scene, step.before, a, b), seen_from(scene, step.after, a, b)
             reach = scene.bodies[a].radius + scene.bodies[b].radius
             met = sum(x * y for x, y in zip(was, now, strict=True)) <= 0.0
             hold_apart(reach if met else depth, reach)
 
 
-def _first_event(
-    events: list[Event], leg: Leg, after: list[float], record: Record
-) -> tuple[float, Event | None]:
+def _first_event(events: list[Event], step: Step, path: Trajectory) -> tuple[float, Event | None]:
     """The part of the step at which the first event happens, by false position, and which it is.
 
     A step ends just beyond an event, so that the next one begins under the new law; but just before a wall, on the right side.
     """
     best, which = 1.0, None
     for event in events:
-        old, new = event.value(leg.before), event.value(after)
+        old, new = event.value(step.before), event.value(step.after)
         wall = event.turn is not None
         if (not (old >= 0.0 > new)) if wall else (old == 0.0 or old * new >= 0.0):
             continue
@@ -213,8 +199,8 @@ def _first_event(
         while right - left > 1e-14:
             middle = left + (right - left) * f / (f - g) if f != g else left
             middle = middle if left < middle < right else 0.5 * (left + right)
-            value = event.value(leg.part_way(middle))
-            record.evaluations += len(DOP853.rows) - 1
+            value = event.value(step.part_way(middle))
+            path.evaluations += EVALUATIONS
             if value * new <= 0.0:
                 left, f, g, side = middle, value, g * (0.5 if side > 0 else 1.0), 1
             else:
@@ -224,27 +210,27 @@ def _first_event(
     return best, which
 
 
-def _turn(scene: Scene, event: Event, record: Record, fastest: float) -> bool:
+def _turn(scene: Scene, event: Event, path: Trajectory, fastest: float) -> bool:
     """Give the body its new velocity; true when that is as good as none."""
-    new = event.turn(record.state) if event.turn else []
+    new = event.turn(path.state) if event.turn else []
     start = scene.axes * (len(scene.bodies) + event.body)
-    old = velocity(scene, record.state, event.body)
+    old = velocity(scene, path.state, event.body)
     changed = math.dist(new, old)
     away = sum(v * (v - u) for u, v in zip(old, new, strict=True)) / changed if changed else 0.0
-    record.came_to_rest = away < REST * fastest
-    if record.came_to_rest and away > 0.0:
-        record.dropped = away / fastest
+    path.came_to_rest = away < REST * fastest
+    if path.came_to_rest and away > 0.0:
+        path.dropped = away / fastest
         new = [v - away * (v - u) / changed for u, v in zip(old, new, strict=True)]
-    record.state = [*record.state[:start], *new, *record.state[start + scene.axes :]]
-    return record.came_to_rest
+    path.state = [*path.state[:start], *new, *path.state[start + scene.axes :]]
+    return path.came_to_rest
 
 
-def _guard(scene: Scene, before: float | None, record: Record, tolerance: float) -> None:
+def _guard(scene: Scene, before: float | None, path: Trajectory, tolerance: float) -> None:
     if before is None:
         return
-    after = energy(scene, record.time, record.state)
-    size = max(abs(before), kinetic(scene, record.time, record.state), 1e-300)
-    allowed = 1e4 * tolerance + 1e-15 * record.evaluations
+    after = energy(scene, path.time, path.state)
+    size = max(abs(before), kinetic(scene, path.time, path.state), 1e-300)
+    allowed = 1e4 * tolerance + 1e-15 * path.evaluations
     if abs(after - before) > allowed * size:
         changed = (after - before) / size
         raise GuardFailed(

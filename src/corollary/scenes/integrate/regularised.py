@@ -1,7 +1,7 @@
-"""Collisions on a line, each touch followed on its own clock, so that a method of high order keeps its order.
+"""Collisions on a line, each touch followed on its own variable, so that a method of high order keeps its order.
 
 A contact force k overlap^(3/2) has no second derivative where it begins; in w, overlap = w^2, it is a polynomial. So w is the
-clock while a contact is young or about to end, which also lets the last step end exactly where the bodies part.
+variable while a contact is young or about to end, which also lets the last step end exactly where the bodies part.
 """
 
 from __future__ import annotations
@@ -12,21 +12,32 @@ from dataclasses import dataclass
 
 from corollary.scenes.integrate.contact_events import due, first_crossing, grazes, nears_zero
 from corollary.scenes.integrate.controller import factor
-from corollary.scenes.integrate.extrema import Crests
-from corollary.scenes.integrate.row_motion import closing_speed, closing_speeds, overlaps, velocities
-from corollary.scenes.integrate.step import EVALUATIONS, Step, attempt
+from corollary.scenes.integrate.extrema import Extrema
+from corollary.scenes.integrate.row_problem import LONG, RowProblem, attempt, row_problem
+from corollary.scenes.integrate.step import EVALUATIONS, Step
 from corollary.scenes.integrate.time_variable import (
     TIME,
-    Clock,
-    landing_clock,
+    TimeVariable,
+    landing_variable,
     reading,
     stride_for,
-    suited_clock,
+    suited_variable,
 )
-from corollary.scenes.integrate.trajectory import LONG, Course, course
 from corollary.scenes.models.flight import asleep, first_touch, flown
 from corollary.scenes.models.sticking import common_velocities, resting_overlaps, stays
-from corollary.scenes.row import Row, RowResult, energy, guard, in_si, in_units, natural_units
+from corollary.scenes.row import (
+    Row,
+    RowResult,
+    closing_speed,
+    closing_speeds,
+    energy,
+    guard,
+    in_si,
+    in_units,
+    natural_units,
+    overlaps,
+    velocities,
+)
 from corollary.scenes.run import GuardFailed, Outcome
 
 # A middle ball 1e-6 as heavy as its neighbours takes 45 000 steps; 1e-7 as heavy would take 150 000, and a step of a long row
@@ -42,7 +53,7 @@ class Motion:
 
     state: list[float]
     touching: list[bool]
-    clock: Clock = TIME
+    variable: TimeVariable = TIME
     landing: bool = False
     stride: float = 0.0
     lasted: float = FIRST_STRIDE
@@ -61,30 +72,32 @@ def collide(line: Row, tolerance: float = 1e-13) -> RowResult:
     if units is None:
         still = (0.0,) * len(line.gaps)
         return RowResult(line.velocities, 0.0, still, still, "missed", 0)
-    return in_si(_follow(course(in_units(line, units), tolerance)), units)
+    return in_si(_follow(row_problem(in_units(line, units), tolerance)), units)
 
 
-def _follow(way: Course) -> RowResult:
-    line = way.line
+def _follow(problem: RowProblem) -> RowResult:
+    line = problem.line
     motion = Motion([0.0, *(-gap for gap in line.gaps), *line.velocities], [gap <= 0.0 for gap in line.gaps])
-    crests = Crests(line)
+    extrema = Extrema(line)
     most = MOST_STEPS if len(line.masses) < LONG else MOST_STEPS_OF_A_LONG_ROW
     for _ in range(most):
         _settle(line, motion)
         # Before the sleepers: a contact that its damping holds for ever soon has too little in it to be seen.
-        if way.damped and stays(line, motion.state, motion.touching, way.tolerance):
-            return _arrived(way, motion, crests, "sticks")
-        if asleep(line, motion.state, motion.touching, way.noise):
-            _let_go(line, motion, way.noise)
-            meeting = first_touch(line, motion.state, way.noise, bounced=motion.began is not None)
+        if problem.damped and stays(line, motion.state, motion.touching, problem.tolerance):
+            return _arrived(problem, motion, extrema, "sticks")
+        if asleep(line, motion.state, motion.touching, problem.noise):
+            _let_go(line, motion, problem.noise)
+            meeting = first_touch(line, motion.state, problem.noise, bounced=motion.began is not None)
             if meeting is None:
-                return _arrived(way, motion, crests, "released" if motion.began is not None else "missed")
+                return _arrived(
+                    problem, motion, extrema, "released" if motion.began is not None else "missed"
+                )
             motion.state = flown(line, motion.state, meeting)
             motion.touching = [j == meeting.contact for j in range(len(line.gaps))]
-            motion.clock, motion.landing, motion.lasted = TIME, False, FIRST_STRIDE
+            motion.variable, motion.landing, motion.lasted = TIME, False, FIRST_STRIDE
         if motion.began is None:
             motion.began = motion.state[0]
-        _advance(way, motion, crests)
+        _advance(problem, motion, extrema)
     raise GuardFailed(
         f"The collision did not end within {most} steps. Make the masses less unequal or the balls fewer."
     )
@@ -111,8 +124,8 @@ def _let_go(line: Row, motion: Motion, noise: float) -> None:
             motion.touching[j], motion.state[1 + j] = False, 0.0
 
 
-def _arrived(way: Course, motion: Motion, crests: Crests, outcome: Outcome) -> RowResult:
-    line, lost = way.line, 1e3 * way.tolerance + 1e-15 * motion.evaluations
+def _arrived(problem: RowProblem, motion: Motion, extrema: Extrema, outcome: Outcome) -> RowResult:
+    line, lost = problem.line, 1e3 * problem.tolerance + 1e-15 * motion.evaluations
     guard(
         line,
         energy(line, overlaps(line, motion.state), velocities(line, motion.state)),
@@ -122,7 +135,7 @@ def _arrived(way: Course, motion: Motion, crests: Crests, outcome: Outcome) -> R
     speeds, duration, deepest = (
         tuple(velocities(line, motion.state)),
         motion.ended - (motion.began or 0.0),
-        crests.overlaps,
+        extrema.overlaps,
     )
     if outcome == "sticks":
         speeds, duration = common_velocities(line, motion.state, motion.touching), math.inf
@@ -131,74 +144,80 @@ def _arrived(way: Course, motion: Motion, crests: Crests, outcome: Outcome) -> R
         velocities=speeds,
         duration=duration,
         overlaps=tuple(deepest),
-        forces=tuple(crests.forces),
+        forces=tuple(extrema.forces),
         outcome=outcome,
-        evaluations=motion.evaluations + crests.evaluations,
+        evaluations=motion.evaluations + extrema.evaluations,
         openings=motion.openings,
     )
 
 
-def _advance(way: Course, motion: Motion, crests: Crests) -> None:
-    """One accepted step, on the clock that suits it, ending at latest where a contact begins or ends."""
+def _advance(problem: RowProblem, motion: Motion, extrema: Extrema) -> None:
+    """One accepted step, on the variable that suits it, ending at latest where a contact begins or ends."""
     state, touching = motion.state, motion.touching
-    in_time = way.law(touching, TIME)
+    in_time = problem.law(touching, TIME)
     base = in_time(state[0], state[1:])
-    if way.damped:
-        crests.onset(state, touching)
-    trial, landing = _accepted(way, motion, base)
-    crests.passed(state, trial, touching, base, in_time)
-    growth = factor(trial.size)
-    motion.clock, motion.landing, motion.stride = trial.clock, landing and not trial.lands, trial.h * growth
-    lasted = max((trial.after[0] - state[0]) * growth, LEAST_STRIDE)
-    motion.lasted = max(lasted, motion.lasted) if trial.lands else lasted
-    motion.state = trial.after
-    motion.evaluations += 1
-    _note_touches(motion, trial.clock.contact if trial.lands else None)
-
-
-def _accepted(way: Course, motion: Motion, base: Sequence[float]) -> tuple[Step, bool]:
-    """The first trial that is exact enough and crosses no beginning or end of a contact; and whether it is on its way to one."""
-    state, touching = motion.state, motion.touching
-    landing = motion.landing and nears_zero(way, state, base, motion.clock)
-    clock = (
-        motion.clock if landing else suited_clock(way.powers, state, base, touching, motion.lasted, way.noise)
+    if problem.damped:
+        extrema.onset(state, touching)
+    tried, landing = _accepted(problem, motion, base)
+    extrema.passed(state, tried, touching, base, in_time)
+    growth = factor(tried.size)
+    motion.variable, motion.landing, motion.stride = (
+        tried.variable,
+        landing and not tried.lands,
+        tried.h * growth,
     )
-    if clock is TIME:
-        next_touch = due(way, state, base, motion.lasted, touching)
+    lasted = max((tried.after[0] - state[0]) * growth, LEAST_STRIDE)
+    motion.lasted = max(lasted, motion.lasted) if tried.lands else lasted
+    motion.state = tried.after
+    motion.evaluations += 1
+    _note_touches(motion, tried.variable.contact if tried.lands else None)
+
+
+def _accepted(problem: RowProblem, motion: Motion, base: Sequence[float]) -> tuple[Step, bool]:
+    """The first tried that is exact enough and crosses no beginning or end of a contact; and whether it is on its way to one."""
+    state, touching = motion.state, motion.touching
+    landing = motion.landing and nears_zero(problem, state, base, motion.variable)
+    variable = (
+        motion.variable
+        if landing
+        else suited_variable(problem.powers, state, base, touching, motion.lasted, problem.noise)
+    )
+    if variable is TIME:
+        next_touch = due(problem, state, base, motion.lasted, touching)
         if next_touch is not None:
-            clock, landing = landing_clock(way.powers, next_touch, touching), True
-    stride = stride_for(state, base, clock, motion.lasted)
-    if clock is motion.clock and motion.stride and abs(motion.stride) < abs(stride):
+            variable, landing = landing_variable(problem.powers, next_touch, touching), True
+    stride = stride_for(state, base, variable, motion.lasted)
+    if variable is motion.variable and motion.stride and abs(motion.stride) < abs(stride):
         stride = motion.stride
-    if stride == 0.0:  # too short for this clock to tick
-        clock, landing, stride = TIME, False, motion.lasted
+    if stride == 0.0:  # too short for this variable to tick
+        variable, landing, stride = TIME, False, motion.lasted
     for count in range(MOST_TRIALS):
-        trial = attempt(way.step, clock, way.law(touching, clock), state, base, stride, way.tolerance)
+        tried = attempt(problem, variable, touching, state, base, stride)
         motion.evaluations += EVALUATIONS
-        if not trial.size <= 1.0:
-            stride = trial.h * factor(trial.size)
+        if not tried.size <= 1.0:
+            stride = tried.h * factor(tried.size)
             if landing and count > 20:  # the speed turns before the bodies part: there is nowhere to land
-                clock, landing = TIME, False
+                variable, landing = TIME, False
                 stride = 0.1 * motion.lasted
             continue
-        speeds = closing_speeds(way.line, trial.after)
-        own = trial.clock.contact
+        speeds = closing_speeds(problem.line, tried.after)
+        own = tried.variable.contact
         if (
             own is not None and speeds[own] * base[own] < 0.0
-        ):  # its clock stood still on the way: beyond, time would run back
-            stride = 0.2 * trial.h
+        ):  # its variable stood still on the way: beyond, time would run back
+            stride = 0.2 * tried.h
             continue
-        crossing = first_crossing(way, state, base, trial, speeds, touching)
-        if count < 60 and crossing is None and grazes(way, state, base, trial, speeds, touching):
-            stride = 0.5 * trial.h
+        crossing = first_crossing(problem, state, base, tried, speeds, touching)
+        if count < 60 and crossing is None and grazes(problem, state, base, tried, speeds, touching):
+            stride = 0.5 * tried.h
             continue
         if crossing is None or count > 60:
-            return trial, landing
+            return tried, landing
         if base[crossing] != 0.0 and (base[crossing] < 0.0) == touching[crossing]:
-            clock, landing = landing_clock(way.powers, crossing, touching), True
-            stride = -reading(clock, state)
+            variable, landing = landing_variable(problem.powers, crossing, touching), True
+            stride = -reading(variable, state)
         else:
-            stride = 0.5 * trial.h
+            stride = 0.5 * tried.h
     raise GuardFailed("No step is small enough to follow the collision. Make the settings less extreme.")
 
 
@@ -214,4 +233,4 @@ def _note_touches(motion: Motion, landed: int | None) -> None:
         elif not on and (overlap > 0.0 or j == landed):
             touching[j] = True
     if landed is not None:
-        motion.clock, motion.stride = TIME, 0.0
+        motion.variable, motion.stride = TIME, 0.0

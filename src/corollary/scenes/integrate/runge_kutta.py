@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from operator import mul
 
-Slope = Callable[[float, Sequence[float]], list[float]]
+Slope = Callable[[float, Sequence[float]], Sequence[float]]
+"""The rate of change of the state, given x and the state."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,15 +22,15 @@ class Coefficients:
 class Tableau:
     """An explicit method: row i gives the state at which slope i is taken, `result` the state after the step.
 
-    `doubts` are sums of slopes that vanish for an exact step, the most sensitive first; a method without any has no
-    opinion about its own error.
+    `estimates` are sums of slopes that vanish for an exact step (differences from embedded methods), the most sensitive first; a
+    method without any does not estimate its own error.
     """
 
     order: int
     nodes: tuple[float, ...]
     rows: tuple[Coefficients, ...]
     result: Coefficients
-    doubts: tuple[Coefficients, ...] = ()
+    estimates: tuple[Coefficients, ...] = ()
 
 
 def weighted(row: Coefficients, slopes: Sequence[Sequence[float]]) -> list[float]:
@@ -40,23 +41,26 @@ def weighted(row: Coefficients, slopes: Sequence[Sequence[float]]) -> list[float
 
 
 def step(
-    table: Tableau, slope: Slope, x: float, y: Sequence[float], h: float, first: list[float]
-) -> tuple[list[float], list[list[float]]]:
+    table: Tableau, slope: Slope, x: float, y: Sequence[float], h: float, first: Sequence[float]
+) -> tuple[list[float], list[Sequence[float]]]:
     """The state after a step h from (x, y), and the slopes met on the way; `first` is the slope at (x, y)."""
-    slopes = [first]
+    slopes: list[Sequence[float]] = [first]
     for node, row in zip(table.nodes[1:], table.rows[1:], strict=True):
         slopes.append(slope(x + node * h, [a + h * b for a, b in zip(y, weighted(row, slopes), strict=True)]))
     return [a + h * b for a, b in zip(y, weighted(table.result, slopes), strict=True)], slopes
 
 
-def doubt(table: Tableau, slopes: Sequence[Sequence[float]], h: float, scale: Sequence[float]) -> float:
+def error_estimate(
+    table: Tableau, slopes: Sequence[Sequence[float]], h: float, scale: Sequence[float]
+) -> float:
     """How large the error of the step is, in units of `scale` (root mean square over the components).
 
-    With two doubts they are combined as Hairer, Norsett and Wanner do (II.10): the smaller one leads as long as the
+    Two estimates are combined as Hairer, Norsett and Wanner do (II.10): the smaller one leads as long as the
     larger agrees that the step is in the asymptotic range.
     """
     sums = [
-        sum((d / s) ** 2 for d, s in zip(weighted(row, slopes), scale, strict=True)) for row in table.doubts
+        sum((d / s) ** 2 for d, s in zip(weighted(row, slopes), scale, strict=True))
+        for row in table.estimates
     ]
     if sums[0] == 0.0:
         return 0.0

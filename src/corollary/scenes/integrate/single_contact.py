@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from corollary.scenes.forces.contact import smoothing_power
+from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.extrema import top_between
-from corollary.scenes.integrate.runge_kutta import Slope, doubt, step
+from corollary.scenes.integrate.step import Step, tried
 from corollary.scenes.models.pair import Pair, Parting, Touching, deepest, hold_apart, loaded_speed
 from corollary.scenes.models.sticking import never_faster
 from corollary.scenes.run import GuardFailed
@@ -139,7 +140,7 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
         size, new = trial.size, trial.after
         spent += len(DOP853.rows)
         if not size <= 1.0 or (new[W] <= 0.0 and not trial.lands):
-            h *= min(0.5, max(0.2, 0.9 * size**-0.125)) if 0.0 < size < math.inf else 0.2
+            h *= min(0.5, factor(size))
             continue
         if state[P] > 0.0 >= new[P]:
             top, cost = top_between(state[P], new[P], trial.part_way, lambda y: y[P])
@@ -151,49 +152,22 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
             top, cost = top_between(rising, falling, trial.part_way, groups.force_growth)
             top_force, spent = max(top_force, groups.force(top)), spent + cost
         state, ended = new, trial.lands
-        h *= min(5.0, 0.9 * size**-0.125) if size > 0.0 else 5.0
+        h *= factor(size)
     remedy = "Choose less damping." if groups.drag > 0.0 else "Start the spheres apart, or faster."
     raise GuardFailed(f"The contact did not end within {MOST_STEPS} steps. {remedy}")
 
 
-@dataclass(frozen=True, slots=True)
-class Trial:
-    """A step tried: what it leads to, its error in units of the tolerance, and whether it ends at the release."""
-
-    slope: Slope
-    x: float
-    before: list[float]
-    first: list[float]
-    h: float
-    after: list[float]
-    size: float
-    lands: bool
-
-    def part_way(self, part: float) -> list[float]:
-        return step(DOP853, self.slope, self.x, self.before, part * self.h, self.first)[0]
-
-
-def _try(groups: Groups, state: list[float], h: float, tolerance: float) -> Trial:
+def _try(groups: Groups, state: list[float], h: float, tolerance: float) -> Step:
     """One step in stretched time; when that would pass the release, one with w as the clock that ends there."""
-    tried = _tried(groups.slope, 0.0, state, h, tolerance, lands=False)
-    if tried.after[W] > 0.0 or state[P] >= 0.0 or state[W] == 0.0:
-        return tried
+    allowed = [tolerance] * len(state)
+    stepped = tried(groups.slope, 0.0, state, h, allowed)
+    if stepped.after[W] > 0.0 or state[P] >= 0.0 or state[W] == 0.0:
+        return stepped
 
     def by_root(w: float, y: Sequence[float]) -> list[float]:
         rates = groups.slope(0.0, [w, *y[1:]])
         return [rate / rates[W] for rate in rates]
 
-    landed = _tried(by_root, state[W], state, -state[W], tolerance, lands=True)
+    landed = tried(by_root, state[W], state, -state[W], allowed, lands=True)
     landed.after[W] = 0.0
     return landed
-
-
-def _tried(slope: Slope, x: float, state: list[float], h: float, tolerance: float, lands: bool) -> Trial:
-    try:
-        first = slope(x, state)
-        after, slopes = step(DOP853, slope, x, state, h, first)
-        return Trial(
-            slope, x, state, first, h, after, doubt(DOP853, slopes, h, [tolerance] * len(state)), lands
-        )
-    except (OverflowError, ZeroDivisionError):
-        return Trial(slope, x, state, state, h, list(state), math.inf, lands)

@@ -1,78 +1,63 @@
-"""One step of a collision tried on a clock, with what it would lead to and how far it is off."""
+"""One step of a method, tried: where it would lead, how far it is off, and any state on its way."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.row_motion import in_time, on_clock
-from corollary.scenes.integrate.time_variable import Clock, reading
-from corollary.scenes.integrate.written_out import Slope, StepFunction
+from corollary.scenes.integrate.runge_kutta import Slope, error_estimate, step
+from corollary.scenes.integrate.time_variable import TIME, TimeVariable, in_time
 
 EVALUATIONS = len(DOP853.rows) - 1
-# Errors are averaged over the variables, but in a long row only about so many are at work at a time.
-AT_WORK = 12
+"""What a step costs when the slope at its start is known."""
+
+
+def from_table(
+    slope: Slope, x: float, h: float, y: Sequence[float], first: Sequence[float]
+) -> tuple[list[float], list[Sequence[float]]]:
+    """The state after a step of DOP853 and the slopes on the way, for any number of variables."""
+    return step(DOP853, slope, x, y, h, first)
 
 
 @dataclass(slots=True)
 class Step:
-    """`size` is the error of the step in units of the tolerance; `lands` says that the clock ends at zero.
+    """From `before` at x over h to `after`; `size` is the estimate of its error in units of the tolerance.
 
-    `before` and `first` are (overlaps, velocities) on the clock and their slope; `after` is a state.
+    `first` is the slope at the start. `lands` says that x ends at zero, where a contact begins or ends. In a row of bodies x is the
+    `variable`; `before` and `first` are what it does not show, while `after` is a state of the row, its time included.
     """
 
-    clock: Clock
-    step: StepFunction
     slope: Slope
     x: float
     h: float
     before: list[float]
-    first: list[float]
-    lands: bool
+    first: Sequence[float]
     after: list[float]
     size: float
+    lands: bool = False
+    variable: TimeVariable = TIME
+    of_a_row: bool = False
+    method: (
+        Callable[..., tuple[Sequence[float], object]] | Callable[..., tuple[Sequence[float], float, float]]
+    ) = from_table
 
     def part_way(self, part: float) -> list[float]:
         """The state after a part (0 to 1) of the step."""
-        y = self.step(self.slope, self.x, part * self.h, self.before, self.first)[0]
-        return in_time(self.clock, self.x + part * self.h, y)
+        h = part * self.h
+        y = self.method(self.slope, self.x, h, self.before, self.first)[0]
+        return in_time(self.variable, self.x + h, y) if self.of_a_row else list(y)
 
 
-def attempt(
-    step: StepFunction,
-    clock: Clock,
-    slope: Slope,
-    state: list[float],
-    base: Sequence[float],
-    stride: float,
-    tolerance: float,
+def tried(
+    slope: Slope, x: float, before: list[float], h: float, allowed: Sequence[float], lands: bool = False
 ) -> Step:
-    """Try a step of about `stride`; a step toward zero ends there at most. A step out of all range has an infinite size.
-
-    `base` is the slope of (overlaps, velocities) in time.
-    """
-    x = reading(clock, state)
-    lands = clock.contact is not None and x * stride < 0.0 and abs(stride) >= abs(x)
-    h = -x if lands else stride
-    before = on_clock(clock, state)
+    """A step of DOP853; `allowed` is the error allowed to each component. A step out of all range has an infinite size."""
     try:
-        stretch = clock.stretch(x, base)
-        first = [stretch * rate for rate in base]
-        if clock.contact is not None:
-            first[clock.contact] = stretch
-        y, fifth, third = step(slope, x, h, before, first)
-        size = error_size(fifth, third, h, len(before)) / tolerance
-    except ArithmeticError:
-        return Step(clock, step, slope, x, h, before, [], lands, state, math.inf)
-    return Step(
-        clock, step, slope, x, h, before, first, lands, in_time(clock, 0.0 if lands else x + h, y), size
-    )
-
-
-def error_size(fifth: float, third: float, h: float, count: int) -> float:
-    """The error of a step from the sums of squares of its two doubts (Hairer, Norsett and Wanner, II.10)."""
-    if fifth == 0.0:
-        return 0.0
-    return abs(h) * fifth / math.sqrt((fifth + 0.01 * third) * min(count, AT_WORK))
+        first = slope(x, before)
+        after, slopes = from_table(slope, x, h, before, first)
+        size = error_estimate(DOP853, slopes, h, allowed)
+    except (OverflowError, ZeroDivisionError):
+        return Step(slope, x, h, before, before, list(before), math.inf, lands)
+    return Step(slope, x, h, before, first, after, size, lands)

@@ -11,7 +11,7 @@ from corollary.scenes.row import Row
 
 
 @dataclass(frozen=True, slots=True)
-class Clock:
+class TimeVariable:
     """The time (contact None), or w of one contact, with overlap = w^power.
 
     A power of one serves a gap that closes as well: the overlap then runs from below up to zero.
@@ -21,7 +21,7 @@ class Clock:
     power: int = 1
 
     def overlap(self, w: float) -> float:
-        """The overlap when the clock shows w."""
+        """The overlap when the variable shows w."""
         return w**self.power
 
     def stretch(self, w: float, rates: Sequence[float]) -> float:
@@ -29,21 +29,21 @@ class Clock:
         return 1.0 if self.contact is None else self.power * w ** (self.power - 1) / rates[self.contact]
 
 
-TIME = Clock()
+TIME = TimeVariable()
 
 
 @lru_cache(maxsize=1024)
-def clock_of(contact: int, power: int) -> Clock:
-    """The clock of a contact; one of each kind is enough."""
-    return Clock(contact, power)
+def variable_of(contact: int, power: int) -> TimeVariable:
+    """The variable of a contact; one of each kind is enough."""
+    return TimeVariable(contact, power)
 
 
-def reading(clock: Clock, state: Sequence[float]) -> float:
-    """What the clock shows."""
-    if clock.contact is None:
+def reading(variable: TimeVariable, state: Sequence[float]) -> float:
+    """What the variable shows."""
+    if variable.contact is None:
         return state[0]
-    overlap = state[1 + clock.contact]
-    return overlap if clock.power == 1 else max(overlap, 0.0) ** (1.0 / clock.power)
+    overlap = state[1 + variable.contact]
+    return overlap if variable.power == 1 else max(overlap, 0.0) ** (1.0 / variable.power)
 
 
 def smoothing_powers(line: Row) -> tuple[int, ...]:
@@ -52,14 +52,14 @@ def smoothing_powers(line: Row) -> tuple[int, ...]:
     return tuple(known[contact] for contact in line.contacts)
 
 
-def suited_clock(
+def suited_variable(
     powers: Sequence[int],
     state: Sequence[float],
     base: Sequence[float],
     touching: Sequence[bool],
     lasting: float,
     noise: float,
-) -> Clock:
+) -> TimeVariable:
     """The overlap that is nearest in time to its beginning or end, if its speed will not turn soon; else the time.
 
     Further off than two steps (`lasting` each) the beginning or end is not felt: the time does as well and costs less.
@@ -75,18 +75,37 @@ def suited_clock(
         if overlap * abs(
             base[count + j] - base[count + j + 1]
         ) < 0.3 * speed * speed and overlap < nearest * abs(speed):
-            best, nearest = clock_of(j, power), overlap / abs(speed)
+            best, nearest = variable_of(j, power), overlap / abs(speed)
     return best
 
 
-def landing_clock(powers: Sequence[int], contact: int, touching: Sequence[bool]) -> Clock:
-    """The clock that reaches zero exactly when a contact ends or begins (Henon's device)."""
-    return clock_of(contact, powers[contact] if touching[contact] else 1)
+def landing_variable(powers: Sequence[int], contact: int, touching: Sequence[bool]) -> TimeVariable:
+    """The variable that reaches zero exactly when a contact ends or begins (Henon's device)."""
+    return variable_of(contact, powers[contact] if touching[contact] else 1)
 
 
-def stride_for(state: Sequence[float], base: Sequence[float], clock: Clock, lasting: float) -> float:
-    """The step on this clock that lasts about so long."""
-    if clock.contact is None:
+def stride_for(
+    state: Sequence[float], base: Sequence[float], variable: TimeVariable, lasting: float
+) -> float:
+    """The step on this variable that lasts about so long."""
+    if variable.contact is None:
         return lasting
-    ahead = state[1 + clock.contact] + base[clock.contact] * lasting
-    return max(ahead, 0.0) ** (1.0 / clock.power) - reading(clock, state)
+    ahead = state[1 + variable.contact] + base[variable.contact] * lasting
+    return max(ahead, 0.0) ** (1.0 / variable.power) - reading(variable, state)
+
+
+def beside(variable: TimeVariable, state: Sequence[float]) -> list[float]:
+    """What the variable does not show: (overlaps, velocities), the time in the place of the variable's own overlap."""
+    y = list(state[1:])
+    if variable.contact is not None:
+        y[variable.contact] = state[0]
+    return y
+
+
+def in_time(variable: TimeVariable, w: float, y: Sequence[float]) -> list[float]:
+    """The state, when the variable shows w."""
+    if variable.contact is None:
+        return [w, *y]
+    state = [y[variable.contact], *y]
+    state[1 + variable.contact] = variable.overlap(w)
+    return state

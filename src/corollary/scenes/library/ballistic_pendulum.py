@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 from corollary.scenes.collision import CLOSED
 from corollary.scenes.definition import Played, SceneDefinition
 from corollary.scenes.integrate.controller import factor
-from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.runge_kutta import doubt, step
+from corollary.scenes.integrate.step import EVALUATIONS, tried
 from corollary.scenes.models.flow import faded_time
 from corollary.scenes.run import BadSetting, GuardFailed, Observed
 from corollary.scenes.setting import Setting, one
@@ -92,15 +91,13 @@ def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[fl
     scale = [tolerance * size for size in (common * dt, v * dt, common, v)]
     state, now, h, spent = [0.0, 0.0, 0.0, v], 0.0, 1e-3 * dt, 0
     for _ in range(MOST_STEPS):
-        h = min(h, dt - now)
-        after, slopes = step(DOP853, slope, now, state, h, slope(now, state))
-        spent += len(DOP853.rows)
-        size = doubt(DOP853, slopes, h, scale)
-        if size <= 1.0:
-            state, now = after, now + h
+        step = tried(slope, now, state, min(h, dt - now), scale)
+        spent += EVALUATIONS + 1
+        if step.size <= 1.0:
+            state, now = step.after, now + step.h
             if now >= dt:
                 return state, spent
-        h *= factor(size)
+        h = step.h * factor(step.size)
     raise GuardFailed(
         f"ballistic_pendulum: the bullet was not followed to its stop within {MOST_STEPS} steps. Choose milder settings."
     )
