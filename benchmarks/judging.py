@@ -23,7 +23,8 @@ from rich.table import Table
 from students import FIXED, SORTS, Tallies, simulate, wild
 
 from corollary.answers.equality import Different, Equal, Undecided, compare
-from corollary.answers.registry import KINDS
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type
 from corollary.derive.load import NotDerivable
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError
@@ -194,7 +195,9 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
 
 def one_verdict(key: Key, part: Part, answer: Value) -> object:
     """Reading and judging, without the other parts."""
-    return verdict_on(key, part, KINDS[part.kind].read(answer, part, key.variant.problem), {})
+    return verdict_on(
+        key, part, answer_type(part.kind).read(answer, question_of(key.variant.problem, part)), {}
+    )
 
 
 def _median(run: Callable[[], object]) -> float:

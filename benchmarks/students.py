@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from corollary.answers.verdict import Follows, Mistaken, Right, word
 from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
@@ -19,7 +20,6 @@ from corollary.grading.closeness import within
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.replay import Values, WhatIf, number, replay
-from corollary.grading.verdict import Follows, Mistaken, Right, word
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.units.unit import canonical

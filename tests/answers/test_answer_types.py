@@ -7,14 +7,14 @@ import time
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
-from typing import get_args
 
 import pytest
 
 from corollary.answers.answer import Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
-from corollary.answers.registry import KINDS
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type, judging
 from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text
-from corollary.problem.part import KindName, Option
+from corollary.problem.part import Option
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit
 
@@ -30,15 +30,11 @@ WORDS = replace(VALUE, kinds=("explain",))
 
 
 def read(given, part=VALUE):
-    return KINDS[part.kind].read(given, part, PROBLEM)
+    return answer_type(part.kind).read(given, question_of(PROBLEM, part))
 
 
 def items(*each):
     return Items(tuple(Text(one) if isinstance(one, str) else Real(one) for one in each), (len(each),))
-
-
-def test_every_kind_is_there():
-    assert set(KINDS) == set(get_args(KindName))
 
 
 @pytest.mark.parametrize(
@@ -67,18 +63,18 @@ def test_one_quantity(given, value, figures):
     assert isinstance(found, Numbers)
     assert found.values == pytest.approx((value,), rel=1e-15)
     assert found.figures == (figures,)
-    assert not found.unitless
+    assert not found.missing
     assert not found.misfit
 
 
 def test_a_unit_that_is_missing_or_another_one_is_said():
     missing, other, none = read(Text("8.6")), read(Text("8.6 J")), read(Text("0"))
     assert isinstance(missing, Numbers)
-    assert missing.unitless
+    assert missing.missing == "the unit is missing; write for example 8.6 kg m/s"
     assert isinstance(other, Numbers)
     assert "is an energy" in other.misfit
     assert isinstance(none, Numbers)
-    assert not none.unitless
+    assert not none.missing
 
 
 @pytest.mark.parametrize("part", [VALUE, PLANE, FORMULA, LETTER, OWN, PROOF, WORDS])
@@ -231,7 +227,7 @@ def test_lists_in_lists_however_deep():
 def test_samples_are_read_as_they_are_named(part, truth):
     from corollary.grading.from_json import plainly
 
-    samples = KINDS[part.kind].samples(truth, part)
+    samples = judging(part.kind).samples(truth, question_of(PROBLEM, part))
     assert {"unread"} < {sample.verdict for sample in samples}
     for sample in samples:
         found = read(plainly(sample.answer), part)

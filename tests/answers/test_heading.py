@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from corollary.answers.answer import Formulas, Numbers, Unclear
-from corollary.answers.registry import KINDS
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type
 from corollary.formula.value import Text
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit
@@ -18,7 +19,7 @@ VALUE = PROBLEM.part("a")
 
 
 def read(typed, part=VALUE):
-    return KINDS[part.kind].read(Text(typed), part, PROBLEM)
+    return answer_type(part.kind).read(Text(typed), question_of(PROBLEM, part))
 
 
 @pytest.mark.parametrize(

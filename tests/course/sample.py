@@ -8,8 +8,8 @@ from html.parser import HTMLParser
 from pathlib import Path
 from textwrap import dedent
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong
 from corollary.grading.grade import Grade, Marked, PartGrade
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student

@@ -15,10 +15,10 @@ from typing import Any, cast
 
 import pytest
 
+from corollary.answers.verdict import Unmarked
 from corollary.course.submission import GradedSubmission, GradingContext, Submission
 from corollary.course.workers import Execute, here, in_turn, side_by_side
 from corollary.grading.solutions import Solutions
-from corollary.grading.verdict import Unmarked
 from corollary.sandbox.isolation import WeakIsolation
 from corollary.sandbox.job import Job
 from corollary.sandbox.runner import Runner

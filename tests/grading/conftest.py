@@ -10,12 +10,12 @@ from typing import Any
 
 import pytest
 
+from corollary.answers.verdict import Verdict
 from corollary.derive.solution import Solution
 from corollary.grading.from_json import plainly
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.solutions import Solutions
-from corollary.grading.verdict import Verdict
 from corollary.problem.bank import home
 from corollary.problem.variant import chosen
 

@@ -6,6 +6,7 @@ from textwrap import dedent
 
 import pytest
 
+from corollary.answers.verdict import Follows, Right
 from corollary.formula.value import Real
 from corollary.grading.assign import admitted, assign_variant, collisions
 from corollary.grading.judge import judge
@@ -13,7 +14,6 @@ from corollary.grading.key import make_key
 from corollary.grading.replay import WhatIf, replay
 from corollary.grading.solutions import Solutions
 from corollary.grading.tolerance import MOST
-from corollary.grading.verdict import Follows, Right
 from corollary.problem.bank import home
 from corollary.problem.sampling import sample
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
 from corollary.grading.from_json import plainly
 from corollary.grading.judge import judge
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
 
 # the same right answer, 8.6 kg m/s in the positive direction, by many hands
 MOMENTUM = """8,6 kg·m/s|8.6kgm/s|8.6 kg*m*s^-1|8.6 kg m s⁻¹|8.6 kg.m.s-1|8.6 N-s|8.6 Newton seconds|8.6 kilogram meters per second

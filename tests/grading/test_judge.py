@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
 from corollary.grading.from_json import plainly
 from corollary.grading.judge import judge
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
 
 SINGLE = [
     # the answer alone, and what a good marker says: the verdict, and a word of what is told

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong
 from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
 from corollary.grading.judge import judge
 from corollary.grading.key import make_key
 from corollary.grading.points import grade
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong
 from corollary.problem.variant import at, first_broken, size
 
 QUICK = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])

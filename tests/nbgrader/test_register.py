@@ -23,8 +23,8 @@ pytest.importorskip("nbgrader")
 
 from nbgrader.api import Gradebook
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
 from corollary.grading.grade import Grade, Marked, PartGrade
-from corollary.grading.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
 from corollary.nbgrader.register import (
     GradebookLocked,
     NotOurs,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from corollary.answers.verdict import Right, Verdict, Wrong
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.record import marked_record
-from corollary.grading.verdict import Right, Verdict, Wrong
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
+from corollary.answers.verdict import Right
 from corollary.grading.grade import Grade
-from corollary.grading.verdict import Right
 from corollary.records.report import as_json, handed_in, report, rows, summary, terminal
 from corollary.records.report_model import HandedIn, Row
 from corollary.render.verdict_look import LOOKS

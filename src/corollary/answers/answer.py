@@ -11,8 +11,8 @@ from corollary.formula.ast import Expr, Relation
 class Numbers:
     """Values in SI, one for each component; `figures` as written (0: a machine number with many digits).
 
-    `unitless` tells that a unit was needed and none was written; the values then take the part's unit. `misfit` is a
-    sentence when the unit measures something else than was asked for. `in_words`: the sign comes from a direction in words.
+    `missing` is a sentence when a unit was needed and none was written; the values then take the part's unit. `misfit` is
+    one when the unit measures something else than was asked for. `in_words`: the sign comes from a direction in words.
     `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none).
     `polar` are the length and the angle of a vector that was written so: its components have no figures of their own.
     """
@@ -20,7 +20,7 @@ class Numbers:
     values: tuple[float, ...]
     figures: tuple[int, ...]
     shown: str
-    unitless: bool = False
+    missing: str = ""
     misfit: str = ""
     in_words: bool = False
     sizes: tuple[float, ...] = ()
@@ -29,12 +29,16 @@ class Numbers:
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
+    """One formula for each component, in the symbols of the problem."""
+
     trees: tuple[Expr, ...]
     shown: str
 
 
 @dataclass(frozen=True, slots=True)
 class Letter:
+    """The option chosen."""
+
     letter: str
     shown: str
 
@@ -49,6 +53,8 @@ class Chain:
 
 @dataclass(frozen=True, slots=True)
 class Prose:
+    """Words for a person to read."""
+
     text: str
 
     @property

@@ -1,40 +1,110 @@
-"""What words behind a number say of its direction: in `0.43 m/s to the left` they are its sign."""
+"""What a text says of directions: axes of its own (`x to the left`) turn components, words behind a number (`to the left`) are its sign."""
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
-from corollary.answers.remark import LONGEST
+from corollary.answers.answer import Answer, Formulas, Numbers, Unclear
+from corollary.answers.question import Question
+from corollary.formula.ast import Negative
+from corollary.formula.value import Text, Value
+from corollary.messages import catalogue
+from corollary.units.unit import unit
 
-WAYS = {  # to the right, up and forwards are positive in every figure of the chapter; where they are not, a person decides
-    "right": 1, "up": 1, "upward": 1, "upwards": 1, "forward": 1, "forwards": 1, "positive": 1,
-    "left": -1, "down": -1, "downward": -1, "downwards": -1, "backward": -1, "backwards": -1, "back": -1, "negative": -1,
-    "opposite": -1,
-}  # fmt: skip
-HEADING = re.compile(
+_ = catalogue(__name__)
+
+LONGEST = 200
+# A mass or an energy turns with no axis.
+DIRECTED = frozenset(unit(text).dimension for text in ("m/s", "m/s^2", "kg*m/s", "N"))
+AXES = re.compile(
+    r"[\s,;]\s*\(?(?:with |where |taking )?(?P<axis>[xyz+]|positive)(?:[ -](?:axis|direction|component))?"
+    r"(?: is| points?| pointing| taken)?(?: to)?(?: the)? (?P<way>left|right|up|down|upwards?|downwards?|reversed"
+    r"|other way|opposite way|opposite)\)?\.?\s*$",
+    re.IGNORECASE,
+)
+# x points to the right and y up, as in every figure of the chapter.
+USUAL = frozenset({"right", "up", "upward", "upwards"})
+AXIS_OF: dict[str, str] = dict.fromkeys(["left", "right"], "x") | dict.fromkeys(
+    ["up", "upward", "upwards", "down", "downward", "downwards"], "y"
+)
+# To the right, up and forwards are positive in every figure of the chapter; where they are not, a person decides.
+SIGNS: dict[str, int] = dict.fromkeys(
+    ["right", "up", "upward", "upwards", "forward", "forwards", "positive"], 1
+) | dict.fromkeys(
+    ["left", "down", "downward", "downwards", "backward", "backwards", "back", "negative", "opposite"], -1
+)
+ALONG = re.compile(
     r"[\s,;(]+(?:(?:pointing|directed|moving|going|acting|pushing) )?"
-    rf"(?:(?:(?:in|along|to|towards) )?(?:the )?(?P<way>{'|'.join(sorted(WAYS, key=len, reverse=True))})(?: [xy])?"
+    rf"(?:(?:(?:in|along|to|towards) )?(?:the )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?: [xy])?"
     r"|(?:in|along) (?:the )?(?P<sign>[+−–-])[xy])(?:[ -](?:axis|direction))?\)?\.?\s*$",
     re.IGNORECASE,
 )
 TOWARDS = re.compile(
-    r"(?<=[A-Za-z0-9²)])[\s,;(]+(?P<said>(?:in|towards?|away from|against|from|opposite to|along) (?:the|my|his|its|our|your) [a-z' ]{2,60})\)?\.?\s*$",
+    r"(?<=[A-Za-z0-9²)])[\s,;(]+(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:the|my|his|its|our|your) [a-z' ]{2,60})\)?\.?\s*$",
     re.IGNORECASE,
 )
 LOST = re.compile(
     r"^\s*(?:(?:a|the|it)\s+)?(?P<before>loss of|decrease of|drop of|loses|lost)\s+|\s+(?P<behind>lost|loss|less)\.?\s*$",
-    re.I,
+    re.IGNORECASE,
 )
 
 
 @dataclass(frozen=True, slots=True)
+class Axes:
+    """A text without its remarks on axes; the sign that takes each component to the usual axes; the remarks as written."""
+
+    text: str
+    signs: tuple[int, ...]
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
 class Direction:
-    """A text without its words on direction; the sign they give, none where they alone do not tell it; the words."""
+    """A text without its words on direction; the sign they give, None where they alone do not tell it; the words."""
 
     text: str
     sign: int | None
-    said: str
+    words: str
+
+
+def directed(question: Question) -> bool:
+    """Whether what is asked for turns with the axes, so that a remark on them means something."""
+    return bool(question.components) or question.unit.dimension in DIRECTED
+
+
+def on_usual_axes(value: Value, question: Question, read: Callable[[Value], Answer]) -> Answer:
+    """The answer on the problem's axes, when a text names others; `read` reads what stands beside the remark."""
+    if not isinstance(value, Text) or not directed(question):
+        return read(value)
+    axes = axes_of(value.text, question.components)
+    return _turned(read(Text(axes.text)), axes) if axes.words else read(value)
+
+
+def with_direction(value: Value, question: Question, read: Callable[[Value], Answer]) -> Answer:
+    """One number with the sign that its words give; two readings where the words alone do not tell it."""
+    found = direction_of(value.text, directed(question)) if isinstance(value, Text) else None
+    if found is None:
+        return read(value)
+    answer = read(Text(found.text))
+    return _either(answer, found.words) if found.sign is None else _signed(answer, found.sign, found.words)
+
+
+def axes_of(text: str, components: tuple[str, ...]) -> Axes:
+    """What a text says of axes. A remark on an axis that the answer does not have stays in the text, as in a text too long."""
+    signs: list[int] = [1] * max(1, len(components))
+    words: list[str] = []
+    while len(text) <= LONGEST and (remark := AXES.search(text)) is not None:
+        places = _places(remark["axis"].lower(), remark["way"].lower(), tuple(map(str.lower, components)))
+        if not places:
+            break
+        if remark["way"].lower() not in USUAL:
+            for place in places:
+                signs[place] = -signs[place]
+        words.insert(0, text[remark.start("axis") :].strip(" ,;().\t\n"))
+        text = text[: remark.start()]
+    return Axes(text.rstrip(" ,;") if words else text, tuple(signs), ", ".join(words))
 
 
 def direction_of(text: str, directed: bool) -> Direction | None:
@@ -45,9 +115,61 @@ def direction_of(text: str, directed: bool) -> Direction | None:
         return Direction(LOST.sub("", text), None, (lost["before"] or lost["behind"]).strip())
     if not directed:
         return None
-    if found := HEADING.search(text):
-        sign = WAYS[found["way"].lower()] if found["way"] else 1 if found["sign"] == "+" else -1
+    if found := ALONG.search(text):
+        sign = SIGNS[found["way"].lower()] if found["way"] else 1 if found["sign"] == "+" else -1
         return Direction(text[: found.start()], sign, found[0].strip(" ,;().\t\n"))
     if found := TOWARDS.search(text):
-        return Direction(text[: found.start()], None, found["said"].strip())
+        return Direction(text[: found.start()], None, found["words"].strip())
     return None
+
+
+def _places(axis: str, way: str, components: tuple[str, ...]) -> list[int]:
+    """The components a remark is about. Where they are bodies on one line, or there is but one, it is about them all."""
+    if not {"x", "y", "z"} & set(components):
+        return list(range(max(1, len(components))))
+    letter = axis if axis in {"x", "y", "z"} else AXIS_OF.get(way)
+    return [place for place, name in enumerate(components) if letter in (None, name)]
+
+
+def _turned(answer: Answer, axes: Axes) -> Answer:
+    """An answer taken to the usual axes."""
+    match answer:
+        case Numbers() if len(answer.values) == len(axes.signs):
+            values = tuple(sign * value + 0.0 for sign, value in zip(axes.signs, answer.values, strict=True))
+            return replace(answer, values=values, shown=f"{answer.shown}, {axes.words}")
+        case Formulas(trees, shown) if len(trees) == len(axes.signs):
+            there = (
+                tree if sign > 0 else Negative(tree) for sign, tree in zip(axes.signs, trees, strict=True)
+            )
+            return Formulas(tuple(there), f"{shown}, {axes.words}")
+        case Unclear(readings=readings):
+            found = (_turned(each, axes) for each in readings)
+            return replace(answer, readings=tuple(each for each in found if isinstance(each, Numbers)))
+        case _:
+            return answer
+
+
+def _signed(answer: Answer, sign: int, words: str) -> Answer:
+    match answer:
+        case Numbers((value,)) if value * sign < 0 < sign:
+            return _either(answer, words)
+        case Numbers((value,)):
+            return replace(
+                answer, values=(sign * abs(value),), shown=f"{answer.shown} {words}", in_words=True
+            )
+        case Formulas((tree,), shown) if sign < 0:
+            return Formulas((Negative(tree),), f"{shown} {words}")
+        case _:
+            return answer
+
+
+def _either(answer: Answer, words: str) -> Answer:
+    match answer:
+        case Numbers((value,)) if value:
+            why = _(
+                "it is not clear which sign \u201c{words}\u201d gives; write the number with its sign",
+                words=words,
+            )
+            return Unclear(why, f"{answer.shown} {words}", (answer, replace(answer, values=(-value,))))
+        case _:
+            return answer

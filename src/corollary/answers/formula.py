@@ -1,53 +1,78 @@
-"""Formulas out of what a student typed: in the letters of the problem, with the dimension asked for."""
+"""Formulas out of what a student typed: in the symbols of the problem, with the dimension asked for."""
 
 from __future__ import annotations
 
 from corollary.answers.answer import Formulas, Unclear
 from corollary.answers.preamble import answer_in
+from corollary.answers.question import Question
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.numerals import LONGEST, PLAIN
 from corollary.formula.parser import Lean
 from corollary.formula.syntax import parse
 from corollary.formula.tex import without_tex
-from corollary.problem.problem import Problem
+from corollary.formula.text import text as formula_text
+from corollary.messages import catalogue
 from corollary.units.dimensions import dimension_of
-from corollary.units.unit import Dimension, Unit
+from corollary.units.unit import Dimension, Unit, called, show
+
+_ = catalogue(__name__)
 
 LONGEST_SHOWN = 80
 
 
-def formula(text: str, problem: Problem, lean: Lean = "ask") -> Expr | ParseError:
-    """A formula that uses at least one given."""
-    letters = [given.symbol for given in problem.givens]
-    tree = parse(text, letters, lean=lean)
+def formula(text: str, question: Question, lean: Lean = "ask") -> Expr | ParseError:
+    """A formula that uses at least one symbol of the problem."""
+    tree = parse(text, question.symbol_names, lean=lean)
     if isinstance(tree, ParseError) and len(text) <= LONGEST:
-        bare, _ = answer_in(without_tex(text).translate(PLAIN))
-        again = parse(bare, letters, lean=lean) if bare.strip() != text.strip() else tree
+        bare, _skipped = answer_in(without_tex(text).translate(PLAIN))
+        again = parse(bare, question.symbol_names, lean=lean) if bare.strip() != text.strip() else tree
         tree = tree if isinstance(again, ParseError) and again.status != "asked" else again
     if not isinstance(tree, ParseError) and not names(tree) - {"pi"}:
-        return refused("this has no letters of the problem in it")
+        return refused(_("this has no letters of the problem in it"))
     return tree
 
 
-def fitting(text: str, unit: Unit, problem: Problem) -> Expr | Unclear | None:
+def fitting(text: str, question: Question) -> Expr | Unclear | None:
     """Of the readings of `m v cos θ/M`, the one with the dimension asked for; both, when both have it."""
-    trees = [formula(text, problem, lean) for lean in ("near", "far")]
+    trees = [formula(text, question, lean) for lean in ("near", "far")]
     good = [
         tree
         for tree in trees
-        if not isinstance(tree, ParseError) and dimension_in(tree, problem) == unit.dimension
+        if not isinstance(tree, ParseError) and dimension_in(tree, question) == question.unit.dimension
     ]
     if len(good) < 2:
         return good[0] if good else None
-    asked = formula(text, problem)
-    why = sentence(asked) if isinstance(asked, ParseError) else "this formula can be read in two ways"
-    return Unclear(why, as_typed(text), tuple(Formulas((tree,), text.strip()) for tree in good))
+    asked = formula(text, question)
+    why = sentence(asked) if isinstance(asked, ParseError) else _("this formula can be read in two ways")
+    return Unclear(why, as_typed(text), tuple(formulas(tree) for tree in good))
 
 
-def dimension_in(tree: Expr, problem: Problem) -> Dimension | ParseError:
-    """What a formula of the problem's letters measures."""
-    return dimension_of(tree, {given.symbol: given.unit.dimension for given in problem.givens})
+def formulas(*trees: Expr) -> Formulas:
+    """The answer, shown as it was read: `2mv` is 2*m*v."""
+    texts = ", ".join(map(formula_text, trees))
+    return Formulas(trees, texts if len(trees) == 1 else f"({texts})")
+
+
+def dimension_in(tree: Expr, question: Question) -> Dimension | ParseError:
+    """What a formula of the problem's symbols measures."""
+    return dimension_of(tree, question.dimensions)
+
+
+def other_dimension(tree: Expr, dimension: Dimension, unit: Unit) -> str:
+    """What is said of a formula that measures something else than was asked for."""
+    return _(
+        "{formula} is not in {unit}: it is {kind}",
+        formula=as_typed(formula_text(tree)),
+        unit=show(unit) or _("plain numbers"),
+        kind=called(dimension),
+    )
+
+
+def symbols_note(question: Question, more: str = "") -> str:
+    """How each symbol is typed and what it stands for, below a question that is answered in formulas."""
+    known = ", ".join(f"`{symbol.name}` ({symbol.meaning})" for symbol in question.symbols)
+    return _("Letters: {known}{more}. Write `*` for a product and `^` for a power.", known=known, more=more)
 
 
 def as_typed(text: str) -> str:

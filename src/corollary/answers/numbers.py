@@ -10,14 +10,17 @@ from itertools import product
 
 from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
 from corollary.answers.components import place_named
-from corollary.answers.formula import as_typed, dimension_in, fitting, formula
+from corollary.answers.formula import as_typed, dimension_in, fitting, formula, formulas, other_dimension
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
+from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.numerals import decimal_text
 from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
-from corollary.problem.problem import Problem
+from corollary.messages import catalogue
 from corollary.units.unit import ONE, Unit, show
+
+_ = catalogue(__name__)
 
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
 FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
@@ -25,83 +28,102 @@ AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
 COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
 
 
-def scalar(given: Value, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
     """One number in SI, or a formula of the givens when the text is one."""
-    while isinstance(given, Items) and len(given.items) == 1:
-        given = given.items[0]
-    match given:
+    unit = question.unit
+    while isinstance(value, Items) and len(value.items) == 1:
+        value = value.items[0]
+    match value:
         case Nothing():
             return Blank()
-        case Real(value):
-            return machine((value,), unit)
-        case Exact(value):
-            return exact(value, unit)
+        case Real(number):
+            return machine((number,), unit)
+        case Exact(number):
+            return exact(number, unit)
         case Complex(real, imaginary):
             if abs(imaginary) <= 1e-12 * abs(real) or imaginary == 0:
                 return machine((real,), unit)
             return Unclear(
-                "this is a complex number; a measured quantity is real", f"{real:g} + {imaginary:g}i"
+                _("this is a complex number; a measured quantity is real"), f"{real:g} + {imaginary:g}i"
             )
-        case Measured(value, of):
-            return typed(f"{value!r} {of}", unit, problem)
+        case Measured(number, of):
+            return typed(f"{number!r} {of}", question)
         case Text(text):
-            return typed(text, unit, problem)
-        case Items(items, _):
-            return Unclear(f"one number is asked for, not {len(items)}", "a list")
-        case Refused(why, shown):
-            return Unclear(why, shown)
+            return typed(text, question)
+        case Items(items, _shape):
+            return Unclear(_("one number is asked for, not {count}", count=len(items)), _("a list"))
+        case Refused():
+            return turned_away(value)
 
 
-def vector(
-    given: Value, unit: Unit, names: int | tuple[str, ...], problem: Problem
-) -> Numbers | Formulas | Blank | Unclear:
-    """As many numbers as there are components (their count, or their names: then an answer may name them in another order)."""
-    count, called = (names, ()) if isinstance(names, int) else (len(names), names)
-    match given:
+def turned_away(value: Refused) -> Unclear:
+    """A value from which no answer can be read; what is wrong with it is a predicate, `is a set`."""
+    return Unclear(_("it {predicate}", predicate=value.why), value.shown)
+
+
+def vector(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
+    """As many numbers as there are components; texts may name theirs, and then stand in another order."""
+    count, names = len(question.components), ", ".join(question.components)
+    match value:
         case Nothing():
             return Blank()
         case Text(text) if text.strip() in PLACEHOLDERS:
             return Blank()
         case Text(text):
-            return _in_one_text(text, unit, count, called, problem)
-        case Items((Text(length), Text(angle)), _) if count == 2 and _is_angle(angle, unit):
-            return vector(Text(f"{length} at {angle}"), unit, names, problem)
+            return _in_one_text(text, question)
+        case Items((Text(length), Text(angle)), _shape) if count == 2 and _is_angle(angle, question.unit):
+            return vector(Text(f"{length} at {angle}"), question)
         case Items(items, shape):
             if all(isinstance(item, Nothing) for item in items):
                 return Blank()
-            items = _flat(items, unit, count)
-            if isinstance(items, Unclear):
-                return items
+            items = _flat(items, count)
             if any(isinstance(item, Items) and len(item.items) != 1 for item in items):
                 return Unclear(
-                    f"a list of {count} numbers is asked for, not a table of {' by '.join(map(str, shape))}",
-                    "an array",
+                    _(
+                        "a list of {count} numbers is asked for, [{names}], not a table of {sides}",
+                        count=count,
+                        names=names,
+                        sides=_(" by ").join(map(str, shape)),
+                    ),
+                    _("an array"),
                 )
             if len(items) != count:
                 return Unclear(
-                    f"{count} components are asked for, not {len(items)}", f"a list of {len(items)}"
+                    _(
+                        "{count} components are asked for, [{names}], not {given}",
+                        count=count,
+                        names=names,
+                        given=len(items),
+                    ),
+                    _("a list of {count}", count=len(items)),
                 )
-            return _together([scalar(item, unit, problem) for item in _in_order(items, called)])
-        case Refused(why, shown):
-            return Unclear(why, shown)
+            return _together([scalar(item, question) for item in _in_order(items, question.components)])
+        case Refused():
+            return turned_away(value)
         case _:
-            return Unclear(f"{count} components are asked for: write them as a list", "one number")
+            return Unclear(
+                _(
+                    "{count} components are asked for: write them as a list, [{names}]",
+                    count=count,
+                    names=names,
+                ),
+                _("one number"),
+            )
 
 
-def _in_one_text(
-    text: str, unit: Unit, count: int, names: tuple[str, ...], problem: Problem
-) -> Numbers | Formulas | Blank | Unclear:
-    found = read_quantities(text, unit, count, names)
+def _in_one_text(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear:
+    count = len(question.components)
+    found = read_quantities(text, question.unit, count, question.components)
     if not isinstance(found, ParseError):
-        return _together([_reading(each, unit) for each in found])
-    pieces = components_in(text, count, names)
-    each = [typed(piece, unit, problem) for piece in pieces] if isinstance(pieces, list) else []
+        return _together([_reading(each, question.unit) for each in found])
+    pieces = components_in(text, count, question.components)
+    each = [typed(piece, question) for piece in pieces] if isinstance(pieces, list) else []
     if each and (found.status == "asked" or not any(isinstance(one, (Unclear, Blank)) for one in each)):
         return _together(each)
     return Unclear(sentence(found), as_typed(text))
 
 
-def _flat(items: tuple[Value, ...], unit: Unit, count: int) -> tuple[Value, ...] | Unclear:
+def _flat(items: tuple[Value, ...], count: int) -> tuple[Value, ...]:
     """Lists within a list, and pairs in one text, opened where that gives the components one after the other."""
     opened: list[Value] = []
     for item in items:
@@ -132,7 +154,8 @@ def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
     for value in values:
         if math.isnan(value) or math.isinf(value):
             return Unclear(
-                "the result is not a number" if math.isnan(value) else "the result is infinite", str(value)
+                _("the result is not a number") if math.isnan(value) else _("the result is infinite"),
+                str(value),
             )
     size = float(unit.factor) * math.pi**unit.pi
     digits = [
@@ -154,7 +177,7 @@ def exact(value: Fraction, unit: Unit) -> Numbers | Unclear:
         number = float(value * size) * math.pi**unit.pi
     except OverflowError:
         number = math.inf if value > 0 else -math.inf
-        return Numbers((number,), (0,), "a number too large to show")
+        return Numbers((number,), (0,), _("a number too large to show"))
     whole = str(abs(value.numerator)) if value.denominator == 1 and abs(value) < 10**9 else ""
     digits = sure(len(whole.rstrip("0")), len(whole)) if value else 0
     shown = (
@@ -170,31 +193,33 @@ def sure(least: int, most: int) -> int:
     return least if least > 1 else most
 
 
-def typed(text: str, unit: Unit, problem: Problem) -> Numbers | Formulas | Blank | Unclear:
+def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear:
     """A text: a number with a unit; else a formula of the givens, if its dimension is what is asked for."""
     if text.strip() in PLACEHOLDERS:
         return Blank()
+    unit = question.unit
     found = read_quantity(text, unit)
     if isinstance(found, Reading) and found.fit != "wrong dimension":
         return _reading(found, unit)
-    tree = formula(text, problem)
+    tree = formula(text, question)
     if isinstance(tree, ParseError) and tree.status == "asked":
-        tree = fitting(text, unit, problem) or tree
+        tree = fitting(text, question) or tree
     if isinstance(tree, Unclear):
         return tree
+    looks_like_one = FORMULA.search(text) and not OWN_NUMBER.search(text)
     if not isinstance(tree, ParseError):
-        dimension = dimension_in(tree, problem)
+        dimension = dimension_in(tree, question)
         if dimension == unit.dimension:
-            return Formulas((tree,), text.strip())
-        if isinstance(found, ParseError) or (FORMULA.search(text) and not OWN_NUMBER.search(text)):
+            return formulas(tree)
+        if isinstance(found, ParseError) or looks_like_one:
             why = (
                 sentence(dimension)
                 if isinstance(dimension, ParseError)
-                else f"this formula is not in {show(unit) or 'plain numbers'}"
+                else other_dimension(tree, dimension, unit)
             )
             return Unclear(why, as_typed(text))
     if isinstance(found, ParseError):
-        if isinstance(tree, ParseError) and FORMULA.search(text) and not OWN_NUMBER.search(text):
+        if isinstance(tree, ParseError) and looks_like_one:
             return Unclear(sentence(tree), as_typed(text))
         return Unclear(sentence(found), as_typed(text), meanings(found, text, unit))
     return _reading(found, unit)
@@ -229,19 +254,18 @@ def _is_angle(text: str, unit: Unit) -> bool:
 
 def _reading(found: Reading, unit: Unit) -> Numbers:
     ratio, pi = found.si
-    unitless = found.fit == "unit missing"
-    if unitless:
+    if found.fit == "unit missing":
         ratio, pi = ratio * unit.factor, pi + unit.pi
     try:
         value = float(ratio) * math.pi**pi
     except OverflowError:
         value = math.inf if ratio > 0 else -math.inf
     size = (float(found.unit.factor) * math.pi**found.unit.pi,) if found.unit is not None else ()
-    why = found.why if found.fit == "wrong dimension" else ""
+    missing = found.why if found.fit == "unit missing" else ""
+    misfit = found.why if found.fit == "wrong dimension" else ""
     polar = (_reading(found.polar[0], unit), _reading(found.polar[1], unit)) if found.polar else None
-    return Numbers(
-        (value,), (sure(found.least, found.figures),), found.shown, unitless, why, sizes=size, polar=polar
-    )
+    figures = (sure(found.least, found.figures),)
+    return Numbers((value,), figures, found.shown, missing, misfit, sizes=size, polar=polar)
 
 
 def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
@@ -249,7 +273,7 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
         if isinstance(each, Unclear):
             return replace(each, readings=_combined(found))
     if any(isinstance(each, Blank) for each in found):
-        return Unclear("a component is missing", ", ".join(each.shown or "—" for each in found))
+        return Unclear(_("a component is missing"), ", ".join(each.shown or "—" for each in found))
     shown = f"({', '.join(each.shown for each in found)})"
     numbers = [each for each in found if isinstance(each, Numbers)]
     if len(numbers) == len(found):
@@ -257,11 +281,11 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
             tuple(each.values[0] for each in numbers),
             tuple(each.figures[0] for each in numbers),
         )
-        unitless = any(each.unitless and each.values[0] != 0 for each in numbers)
+        missing = next((each.missing for each in numbers if each.missing and each.values[0] != 0), "")
         sizes = tuple(size for each in numbers for size in each.sizes)
         misfit = next((each.misfit for each in numbers if each.misfit), "")
         sizes = sizes if len(sizes) == len(values) else ()
-        return Numbers(values, figures, shown, unitless, misfit, sizes=sizes, polar=numbers[0].polar)
+        return Numbers(values, figures, shown, missing, misfit, sizes=sizes, polar=numbers[0].polar)
     trees = [_tree(each) for each in found]
     return Formulas(tuple(trees), shown)
 
@@ -280,9 +304,9 @@ def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Number
 
 def _tree(each: Numbers | Formulas | Blank | Unclear) -> Expr:
     match each:
-        case Formulas(trees, _):
+        case Formulas(trees):
             return trees[0]
-        case Numbers(values, _, _):
+        case Numbers(values):
             return Number(Fraction(values[0]))
         case _:
             raise AssertionError("blank and unclear components were turned away before")

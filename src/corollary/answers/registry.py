@@ -1,25 +1,58 @@
-"""Every kind by its name."""
+"""Every answer type by its name: those of this package, and what other packages bring under `corollary.answers`."""
 
 from __future__ import annotations
 
-from corollary.answers.answer_type import AnswerType
-from corollary.answers.choice import ChoiceType
-from corollary.answers.example import ExampleType
-from corollary.answers.expression import ExpressionType
-from corollary.answers.proof import ProofType
-from corollary.answers.prose import TextType
-from corollary.answers.value import ValueType
-from corollary.answers.vector import VectorType
-from corollary.problem.part import KindName
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib import import_module
+from typing import Protocol
 
-KINDS: dict[KindName, AnswerType] = {
-    "value": ValueType(),
-    "vector": VectorType(),
-    "expression": ExpressionType(),
-    "choice": ChoiceType(),
-    "example": ExampleType(),
-    "proof": ProofType(),
-    "explain": TextType(),
-    "code": TextType(),
-    "plot": TextType(),
-}
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.question import Question
+from corollary.answers.sample import Sample, Truth
+
+GROUP = "corollary.answers"
+BUILT_IN = ("value", "vector", "expression", "choice", "example", "code", "plot", "explain", "proof")
+
+
+class UnknownAnswerType(LookupError):
+    """No package that is installed brings an answer type of this name."""
+
+
+class Judging(Protocol):
+    """What `judging.py` of an answer type holds."""
+
+    def samples(self, truth: Truth, question: Question) -> Sequence[Sample]: ...
+
+
+def folder(name: str) -> str:
+    """The package that holds an answer type: `corollary.answers.value`. Raises UnknownAnswerType."""
+    found = f"{GROUP}.{name}" if name in BUILT_IN else _brought().get(name)
+    if found is None:
+        raise UnknownAnswerType(f"there is no answer type {name}; there are {', '.join(known())}")
+    return found
+
+
+def known() -> tuple[str, ...]:
+    """The names of all answer types."""
+    return (*BUILT_IN, *sorted(_brought()))
+
+
+@cache
+def answer_type(name: str) -> AnswerType:
+    """How such an answer is asked for and read. Raises UnknownAnswerType."""
+    return import_module(f"{folder(name)}.reading").TYPE
+
+
+@cache
+def judging(name: str) -> Judging:
+    """How such an answer is judged; loaded only when something is judged. Raises UnknownAnswerType."""
+    return import_module(f"{folder(name)}.judging")  # type: ignore[return-value]
+
+
+@cache
+def _brought() -> Mapping[str, str]:
+    """Answer types of other packages, each with the folder that its entry point names."""
+    from importlib.metadata import entry_points  # slow, and needed only for a name that is not built in
+
+    return {point.name: point.value for point in entry_points(group=GROUP)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from corollary.answers.questions import checked
 from corollary.cli.failure import HOLDS, answer
 from corollary.problem.bank import load, open_bank
 from corollary.problem.count import variants, written
@@ -11,7 +12,7 @@ from corollary.units.unit import canonical, show
 
 
 def run(bank: Path | None, json: bool) -> int:
-    problems = load(open_bank(bank))
+    problems = [checked(problem) for problem in load(open_bank(bank))]
     counted = {problem.code: variants(problem) for problem in problems}
     if json:
         answer([

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from corollary.answers.preview import BadCase, read_case
+from corollary.answers.read_case import BadCase, read_case
 from corollary.cli.failure import FAILS, HOLDS, answer, refuse
 from corollary.cli.given import read_cases
 

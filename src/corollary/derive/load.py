@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from corollary.answers.questions import checked
 from corollary.derive.statements import SOLUTION, Derivation
 from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
@@ -60,7 +61,11 @@ def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
 
 
 def load(bank: Bank, problem: Problem) -> Loaded:
-    """The derivation of a problem. Raises NotDerivable when the file is missing, fails, or asks for givens that are not there."""
+    """The derivation of a problem. Raises NotDerivable when the file is missing, fails, or asks for givens that are not there.
+
+    Raises Malformed when a part's heading does not fit its answer type.
+    """
+    checked(problem)
     path = bank.solution(problem)
     if not path.is_file():
         raise NotDerivable(

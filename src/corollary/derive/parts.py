@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
+from corollary.answers.registry import answer_type
 from corollary.derive.solution import Unsolved
 from corollary.derive.statements import (
     Derivation,
@@ -17,13 +18,8 @@ from corollary.derive.statements import (
     Simulated,
     Step,
 )
-from corollary.problem.part import KindName
+from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-
-WORDS: dict[KindName, str] = {
-    "value": "step", "vector": "step", "expression": "step", "choice": "choice", "example": "example", "code": "code", "plot": "plot",
-    "explain": "explain", "proof": "proof",
-}  # fmt: skip
 
 
 def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:
@@ -49,7 +45,7 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
         if not isinstance(entry, Printed | Neglected)
     )
     for part in problem.parts:
-        for word in {WORDS[kind] for kind in part.kinds}:
+        for word in _stated_by(part):
             if not given[part.id, word]:
                 yield (
                     f"answers no part {part.id}; each part of {problem.path.name} needs an entry, here {word}(…)",
@@ -62,8 +58,8 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
 
 def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
     part = problem.part(id)
-    wanted = [WORDS[kind] for kind in part.kinds]
-    if isinstance(entry, Neglected) and part.kind not in {"value", "vector", "expression"}:
+    wanted = _stated_by(part)
+    if isinstance(entry, Neglected) and wanted != ["step"]:
         yield f"part {id} is .{part.kind}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
         yield f"part {id} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
@@ -72,6 +68,11 @@ def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
     ):
         asked = f"components {', '.join(part.components)}" if part.components else "one number"
         yield f"part {id} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
+
+
+def _stated_by(part: Part) -> list[str]:
+    """The author's words that answer a part: one, or `code` and `plot`."""
+    return [answer_type(name).stated_by for name in part.kinds]
 
 
 def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:

@@ -6,12 +6,12 @@ import math
 from collections.abc import Mapping
 
 from corollary.answers.answer import Numbers
+from corollary.answers.verdict import Right, Unread, Verdict, Wrong
 from corollary.formula.ast import Expr, Negative, Product, Quotient, Relation, Sum
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.grading.closeness import within
 from corollary.grading.key import Key, named
 from corollary.grading.replay import as_exact, number
-from corollary.grading.verdict import Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 
 TOLERANCE = 0.01

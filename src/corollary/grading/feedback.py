@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import assert_never
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.units.unit import show
 

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 
 from corollary.answers.answer import Formulas, Numbers
 from corollary.answers.equality import Different, Equal, Undecided, compare, hint
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.derive.solution import ClosedForms, Rule
 from corollary.formula.ast import Expr, Name, Number, names, substitute, walk
 from corollary.formula.ball import RationalPi, Undefined, certified
@@ -14,7 +16,6 @@ from corollary.grading.closeness import within
 from corollary.grading.key import Key
 from corollary.grading.numbers import judge_numbers
 from corollary.grading.replay import Values, ancestors, number
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 
@@ -35,7 +36,10 @@ def judge_formulas(key: Key, part: Part, answer: Formulas, earlier: Mapping[str,
         return Unmarked(
             "The machine can neither show that this formula is right nor that it is wrong; a person will look at it."
         )
-    if part.kind != "expression" and (verdict := _by_value(key, part, answer, closed, earlier)) is not None:
+    if (
+        not answer_type(part.kind).in_symbols
+        and (verdict := _by_value(key, part, answer, closed, earlier)) is not None
+    ):
         return verdict
     for wrong, said in wrong_forms(key, truth.place):
         if all(

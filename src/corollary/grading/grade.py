@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from corollary.grading.verdict import Unmarked, Verdict
+from corollary.answers.verdict import Unmarked, Verdict
 from corollary.problem.part import Part
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from corollary.answers.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
-from corollary.answers.registry import KINDS
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.derive.statements import Explain
 from corollary.formula.value import Nothing, Value
 from corollary.grading.examples import judge_example
@@ -17,7 +19,6 @@ from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import code_of, judge_code, judge_plot, plot_of
 from corollary.grading.proof import judge_proof
 from corollary.grading.replay import Values
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 
 NOTHING_RAN = ProgramRun()
@@ -35,14 +36,16 @@ def judge(
     earlier: dict[str, Values] = {}
     told: set[str] = set()
     result = {}
-    for part in key.variant.problem.parts:
-        if "code" in part.kinds or "plot" in part.kinds:
+    problem = key.variant.problem
+    for part in problem.parts:
+        its_type = answer_type(part.kind)
+        if its_type.found_in in ("function", "figure"):
             result[part.id] = (
                 _programs(key, part, (shown or {}).get(part.id, NOTHING_RAN), secret, student),
                 part.signature,
             )
             continue
-        answer = KINDS[part.kind].read(answers.get(part.id, Nothing()), part, key.variant.problem)
+        answer = its_type.read(answers.get(part.id, Nothing()), question_of(problem, part))
         verdict = _once(verdict_on(key, part, answer, earlier), told)
         if part.id in key.truths:
             values = (
@@ -69,7 +72,7 @@ def verdict_on(key: Key, part: Part, answer: Answer, earlier: Mapping[str, Value
                     f"This can be read in two ways, and one of them is right: a person will decide. ({why[0].upper()}{why[1:]}.)"
                 )
             return Unread(f"This could not be read: {why}{'' if why.endswith(('.', '?')) else '.'}")
-        case Numbers() if part.kind == "example":
+        case Numbers() if part.id in key.solution.examples:
             return judge_example(key, part, answer)
         case Numbers():
             return judge_numbers(key, part, answer, earlier)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Unmarked, Unread
 from corollary.formula.value import Nothing, Text, Value
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.judge import judge
@@ -12,7 +14,6 @@ from corollary.grading.key import Key
 from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
-from corollary.grading.verdict import Unmarked, Unread
 from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
 from corollary.notebook.notebook import notebook as handed_out
 from corollary.notebook.worksheet import Prompt, Worksheet
@@ -47,7 +48,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
     calls = [
         ask
         for prompt in sheet.prompts
-        if "code" in prompt.part.kinds
+        if answer_type(prompt.part.kind).found_in == "function"
         for ask in asks(
             keys[prompt.problem.code].solution,
             keys[prompt.problem.code].variant,
@@ -58,7 +59,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
     ]
     cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, handed_out(sheet)))
     names = tuple(
-        prompt.name for prompt in sheet.prompts if not {"code", "plot", "explain"} & set(prompt.part.kinds)
+        prompt.name for prompt in sheet.prompts if answer_type(prompt.part.kind).found_in == "variable"
     )
     return Job(cells, names, tuple(calls))
 
@@ -96,7 +97,7 @@ def _grade(
 
 
 def _answer(prompt: Prompt, notebook: Notebook, taken: ExecutionResult) -> Value:
-    if prompt.part.kind == "explain":
+    if answer_type(prompt.part.kind).found_in == "cell":
         text = explain_text(notebook.node, prompt.key)
         return Text(text) if text else Nothing()
     return taken.values.get(prompt.name, Nothing())

@@ -7,13 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.answer import Numbers
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.formula.ball import Undefined
 from corollary.grading.closeness import coarse, same_signs, within
 from corollary.grading.common_errors import slipped
 from corollary.grading.follow_through import Carried, carried, size
 from corollary.grading.key import Key, Truth
 from corollary.grading.replay import Values, WhatIf, ancestors, replay
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.units.unit import called, show
 
@@ -28,8 +28,8 @@ def judge_numbers(key: Key, part: Part, answer: Numbers, earlier: Mapping[str, V
     truth = key.truths[part.id]
     if answer.in_words:
         return _in_words(key, part, replace(answer, in_words=False), earlier)
-    if answer.unitless:
-        verdict = judge_numbers(key, part, replace(answer, unitless=False), earlier)
+    if answer.missing:
+        verdict = judge_numbers(key, part, replace(answer, missing=""), earlier)
         return Slip(UNITLESS) if isinstance(verdict, (Right, Follows)) else verdict
     if answer.misfit:
         return _misfit(answer.misfit, judge_numbers(key, part, replace(answer, misfit=""), earlier))

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import assert_never
 
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.grading.feedback import revealed, sentence
 from corollary.grading.grade import Grade, PartGrade
 from corollary.grading.key import Key
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.problem.problem_set import Scheme
 
 PLAIN = Scheme()
@@ -56,7 +57,7 @@ def grade(
 def _said(kinds: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
     if len(verdicts) == 1:
         return sentence(verdicts[0])
-    titles = {"code": "Program", "plot": "Figure"}
     return " ".join(
-        f"{titles[kind]}: {sentence(verdict)}" for kind, verdict in zip(kinds, verdicts, strict=True)
+        f"{answer_type(kind).word}: {sentence(verdict)}"
+        for kind, verdict in zip(kinds, verdicts, strict=True)
     )

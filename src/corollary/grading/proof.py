@@ -6,13 +6,13 @@ import random
 from collections.abc import Sequence
 
 from corollary.answers.answer import Chain
+from corollary.answers.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
 from corollary.formula.ast import Name, Negative, Relation, Sum, names
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.text import text
 from corollary.grading.examples import holds_nearly
 from corollary.grading.key import Key
 from corollary.grading.replay import as_exact, number, replay
-from corollary.grading.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 

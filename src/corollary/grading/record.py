@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from corollary.answers.verdict import Mistaken, Slip, Unmarked, word
 from corollary.grading.from_json import finite
 from corollary.grading.grade import Grade, Marked, PartGrade
-from corollary.grading.verdict import Mistaken, Slip, Unmarked, word
 
 
 def part_record(part: PartGrade) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from corollary.answers.registry import answer_type
 from corollary.formula.value import Text, Value
 from corollary.grading.key import Key
 from corollary.grading.program_run import ProgramRun
@@ -20,7 +21,8 @@ def run_programs(key: Key, answers: Mapping[str, Value]) -> dict[str, ProgramRun
     sources = {
         part.id: given.text
         for part in problem.parts
-        if {"code", "plot"} & set(part.kinds) and isinstance(given := answers.get(part.id), Text)
+        if answer_type(part.kind).found_in in ("function", "figure")
+        and isinstance(given := answers.get(part.id), Text)
     }
     if not sources:
         return {}

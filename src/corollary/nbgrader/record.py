@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import nbformat
 
+from corollary.answers.verdict import Unread
 from corollary.grading.grade import Marked, PartGrade
-from corollary.grading.verdict import Unread
 from corollary.nbgrader.gradebook import NotRegistered
 from corollary.nbgrader.marked_notebook import answer_sources, part_grades
 from corollary.nbgrader.safe import safe_markdown

@@ -11,9 +11,8 @@ from fractions import Fraction
 from types import FunctionType
 from typing import Literal
 
-from corollary.answers.direction import direction_of
+from corollary.answers.direction import axes_of, direction_of
 from corollary.answers.quantity import Reading, describe, read_quantities, read_quantity
-from corollary.answers.remark import axes_of
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.numerals import decimal_text
 from corollary.units.unit import Unit
@@ -107,11 +106,11 @@ def in_own_axes(asked: Asked, sent: tuple, read: Callable[[Asked, tuple], Heard]
     if sent[0] != "text":
         return read(asked, sent)
     axes = axes_of(sent[1], asked.components) if asked.directed else None
-    if axes is None or not axes.said:
+    if axes is None or not axes.words:
         return _with_direction(asked, sent[1], read)
     found = _with_direction(asked, axes.text, read)
     return (
-        Heard(True, f"{found.text} with {'your ' if axes.said[0].lower() in 'xyz' else ''}{axes.said}")
+        Heard(True, f"{found.text} with {'your ' if axes.words[0].lower() in 'xyz' else ''}{axes.words}")
         if found.ok
         else found
     )
@@ -123,9 +122,11 @@ def _with_direction(asked: Asked, text: str, read: Callable[[Asked, tuple], Hear
     if way is None or not found.ok:
         return found
     if way.sign is None:
-        unclear = f"; it is not clear which sign \u201c{way.said}\u201d gives: write the number with its sign"
+        unclear = (
+            f"; it is not clear which sign \u201c{way.words}\u201d gives: write the number with its sign"
+        )
         return Heard(False, found.text + unclear)
-    return Heard(True, f"{found.text}, {way.said}")
+    return Heard(True, f"{found.text}, {way.words}")
 
 
 def _like_formula(asked: Asked, sent: tuple) -> bool:

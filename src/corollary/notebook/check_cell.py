@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from corollary.answers.remark import has_axes
+from corollary.answers.direction import DIRECTED
 from corollary.notebook.as_read import Shape
 from corollary.notebook.packing import readers
 from corollary.notebook.worksheet import Prompt, Worksheet
@@ -87,7 +87,7 @@ def _asked(prompt: Prompt) -> str:
         settings.append(f"unit={part.unit.text!r}")
     if part.components:
         settings.append(f"components={part.components!r}")
-    if part.kind in ("value", "vector") and has_axes(part.unit, part.components):
+    if part.kind in ("value", "vector") and (part.components or part.unit.dimension in DIRECTED):
         settings.append("directed=True")
     if part.options:
         settings.append(f"words={tuple(option.letter for option in part.options)!r}")
@@ -111,7 +111,7 @@ def shape_of(part: Part) -> Shape:
             return "function"
         case "plot":
             return "figure"
-        case "proof" | "explain":
+        case _:
             return "lines"
 
 

@@ -156,5 +156,5 @@ def _wish(part: Part) -> str:
             return f"A function {part.signature}, and a plot made with it."
         case "code":
             return f"A function {part.signature}."
-        case "example" | "plot" | "proof" | "explain":
+        case _:
             return ""

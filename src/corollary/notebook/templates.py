@@ -34,7 +34,7 @@ def blank(prompt: Prompt) -> str:
             return _function(part)
         case "plot":
             return plot_blank(part)
-        case "explain":
+        case _:
             return WRITTEN_ANSWER
 
 

@@ -1,14 +1,10 @@
-"""One thing asked: its kind, its unit, its points, and the words around it."""
+"""One thing asked: its answer type, its unit, its points, and the words around it."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, get_args
 
 from corollary.units.unit import Unit
-
-KindName = Literal["value", "vector", "expression", "choice", "example", "code", "plot", "explain", "proof"]
-KIND_NAMES: tuple[KindName, ...] = get_args(KindName)
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,12 +17,15 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """`kinds` has one member, or `code` and `plot` together; `components` names what a list answer holds, in order."""
+    """`kinds` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order.
+
+    Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
+    """
 
     id: str
     title: str
     text: str
-    kinds: tuple[KindName, ...]
+    kinds: tuple[str, ...]
     unit: Unit
     points: float
     components: tuple[str, ...]
@@ -35,7 +34,8 @@ class Part:
     line: int
 
     @property
-    def kind(self) -> KindName:
+    def kind(self) -> str:
+        """The answer type; of two, the one that is asked for first."""
         return self.kinds[0]
 
     @property

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from corollary.problem.diagnostic import Diagnostic
-from corollary.problem.part import KIND_NAMES, KindName, Option, Part
+from corollary.problem.part import Option, Part
 from corollary.units.unit import Unit, unit
 
 HEADING = re.compile(r"""##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>(?:[^{}"]|"[^"]*")*)\})?\s*$""")
@@ -68,31 +68,22 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         return None
     for name in settings.keys() - KNOWN:
         complain(f"part {ids[0]} has an unknown attribute {name}; known are {', '.join(sorted(KNOWN))}")
-    known: list[KindName] = [kind for kind in KIND_NAMES if kind in kinds]
-    if len(known) != len(kinds) or not known or (len(known) > 1 and known != ["code", "plot"]):
-        complain(
-            f"part {ids[0]} needs one kind of {', '.join('.' + kind for kind in KIND_NAMES)} (or .code .plot together)"
-        )
-        return None
     measured_in = _unit(settings.get("unit", "1"), ids[0], complain)
     points = _points(settings.get("points", "1"), ids[0], complain)
-    components = tuple(settings.get("components", "").split())
-    if components and known[0] not in {"vector", "example", "expression", "proof"}:
-        complain(f"part {ids[0]}: only .vector, .example, .expression and .proof parts have components")
-    if not components and known[0] == "vector":
-        complain(f'part {ids[0]} is a vector; name its components: components="x y"')
-    signature = settings.get("function", "")
-    if ("code" in known) != bool(signature) or (
-        signature and not re.match(r"[A-Za-z_]\w*\([\w\s,]*\)$", signature)
-    ):
-        complain(f'part {ids[0]}: a .code part, and only that, has a function="name(arguments)"')
     options, text = _options(lines)
-    if len(options) < 2 if "choice" in known else options:
-        complain(f"part {ids[0]}: a .choice part, and only that, lists options, each as: - (a) text")
     if len({option.letter for option in options}) != len(options):
         complain(f"part {ids[0]} lists an option letter twice")
     return Part(
-        ids[0], match["title"], text, tuple(known), measured_in, points, components, options, signature, line
+        ids[0],
+        match["title"],
+        text,
+        tuple(sorted(kinds)),  # `.plot .code` is `.code .plot`
+        measured_in,
+        points,
+        tuple(settings.get("components", "").split()),
+        options,
+        settings.get("function", ""),
+        line,
     )
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from corollary.answers.answer import Numbers
-from corollary.answers.registry import KINDS
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
 from corollary.grading.closeness import within
@@ -66,9 +67,9 @@ def _wrong(
     for student, record in records.items():
         for part in problem.parts:
             kept = record["parts"].get(problem.answer_name(part))
-            if kept is None or kept["verdict"] != "wrong" or part.kind not in {"value", "vector"}:
+            if kept is None or kept["verdict"] != "wrong":
                 continue
-            answer = KINDS[part.kind].read(Text(kept["answer"]), part, problem)
+            answer = answer_type(part.kind).read(Text(kept["answer"]), question_of(problem, part))
             if isinstance(answer, Numbers) and not answer.misfit and any(answer.values):
                 yield student, part, answer.values
 

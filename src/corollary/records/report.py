@@ -8,8 +8,8 @@ from dataclasses import asdict
 from statistics import fmean
 from typing import assert_never
 
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.grading.grade import Marked
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.records.report_model import SHARING, HandedIn, Met, PartTally, Report, Row, Shared, Waiting
 from corollary.render.report_table import terminal as terminal
 from corollary.render.verdict_look import LOOKS

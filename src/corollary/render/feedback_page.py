@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
+from corollary.answers.verdict import Unmarked, Unread
 from corollary.grading.grade import Grade, Marked, PartGrade
-from corollary.grading.verdict import Unmarked, Unread
 from corollary.notebook.worksheet import Prompt, exercise
 from corollary.problem.problem_set import ProblemSet
 from corollary.render.drawing import drawing

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from corollary.answers.registry import answer_type
 from corollary.notebook.worksheet import Exercise
 from corollary.problem.part import Part
 from corollary.render.drawing import drawing, drawing_address
@@ -62,7 +63,7 @@ def _earns(part: Part, out_of: float) -> str:
     said = [f"{points(out_of)} point{'s' * (out_of != 1)}"]
     if unit := show(part.unit):
         said.append(f"in {unit}")
-    if part.components and part.kind != "proof":
+    if part.components and answer_type(part.kind).lists_components:
         said.append(f"as {', '.join(part.components)}")
     if part.signature:
         said.append(f"a function {part.signature}")

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
+from corollary.answers.verdict import Unread, Verdict, word
 from corollary.figure.colour import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION
-from corollary.grading.verdict import Unread, Verdict, word
 
 
 @dataclass(frozen=True, slots=True)

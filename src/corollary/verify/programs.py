@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Mistaken, Right, Unread, Verdict, Wrong, word
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.programs.judge import code_of, plot_of
 from corollary.grading.run_programs import ran
-from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong, word
 from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.sandbox.runner import Runner
@@ -36,7 +37,11 @@ def unstarted() -> Iterator[Runner]:
 
 def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = None) -> None:
     """Each example is right; a program that returns other numbers, and axes with nothing in them, are wrong."""
-    parts = [part for part in key.variant.problem.parts if {"code", "plot"} & set(part.kinds)]
+    parts = [
+        part
+        for part in key.variant.problem.parts
+        if answer_type(part.kind).found_in in ("function", "figure")
+    ]
     if not parts:
         return
     path = bank.solution(key.variant.problem)
@@ -53,7 +58,7 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
                     part.kinds, _verdicts(runner, key, part, bent(key, part)), strict=True
                 ):
                     tally.expect(isinstance(verdict, Wrong | Mistaken), "programs run", lambda where=where, kind=kind, verdict=verdict: (
-                        f"{where}: {'the example with its numbers bent' if kind == 'code' else 'a figure with nothing in it'} "
+                        f"{where}: {'the example with its numbers bent' if answer_type(kind).found_in == 'function' else 'a figure with nothing in it'} "
                         f"should be wrong and is {_said(verdict)}"))  # fmt: skip
     except CannotStart as error:
         tally.complain(f"{path.name}: its programs could not be run: {error}")
@@ -70,8 +75,12 @@ def example(key: Key, part: Part) -> str:
 
 def bent(key: Key, part: Part) -> str:
     """The same program with every returned number changed, and an empty figure."""
-    turned = BENT.format(function=part.function) if "code" in part.kinds else ""
-    return _program(key, part) + turned + ("\nplt.subplots()\n" if "plot" in part.kinds else "")
+    turned = BENT.format(function=part.function) if part.function else ""
+    return (
+        _program(key, part)
+        + turned
+        + ("\nplt.subplots()\n" if plot_of(key.solution, part) is not None else "")
+    )
 
 
 def _program(key: Key, part: Part) -> str:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
-from corollary.answers.answer_type import Sample
 from corollary.answers.quantity import read_quantity
-from corollary.answers.registry import KINDS
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type, judging
+from corollary.answers.sample import Sample, Truth
+from corollary.answers.verdict import Right, Unmarked, Unread, word
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
@@ -16,7 +18,6 @@ from corollary.grading.from_json import plainly
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key, named
 from corollary.grading.replay import number
-from corollary.grading.verdict import Right, Unmarked, Unread, word
 from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.problem.variant import chapter
@@ -39,26 +40,27 @@ def check_samples(key: Key, tally: Tally) -> None:
 
 def samples(key: Key, part: Part) -> tuple[Sample, ...]:
     """What the part's kind makes of its truth; programs and figures have theirs run elsewhere."""
-    match part.kind:
-        case "value" | "vector":
-            return KINDS[part.kind].samples(key.truths[part.id].values, part)
-        case "expression":
-            closed = key.find(key.truths[part.id]).closed
-            return KINDS[part.kind].samples(text(closed[0]), part) if closed else ()
-        case "choice":
-            return KINDS[part.kind].samples(key.choices[part.id], part)
-        case "explain":
-            return KINDS[part.kind].samples("Because.", part)
-        case "example":
-            known = key.variant.exact | named(key.solution, list(key.values))
-            instance = key.solution.examples[part.id].instance
-            return (
-                KINDS[part.kind].samples([number(tree, known) for tree in instance], part) if instance else ()
-            )
-        case "proof":
-            return KINDS[part.kind].samples("\n".join(key.solution.proofs[part.id].lines), part)
-        case "code" | "plot":
-            return ()
+    truth = _truth(key, part)
+    question = question_of(key.variant.problem, part)
+    return () if truth is None else tuple(judging(part.kind).samples(truth, question))
+
+
+def _truth(key: Key, part: Part) -> Truth | None:
+    """What is right, as the part's answer type makes samples of it; None where there is nothing to make them of."""
+    if part.id in key.choices:
+        return key.choices[part.id]
+    if part.id in key.solution.proofs:
+        return "\n".join(key.solution.proofs[part.id].lines)
+    if part.id in key.solution.examples:
+        known = key.variant.exact | named(key.solution, list(key.values))
+        instance = key.solution.examples[part.id].instance
+        return None if instance is None else [number(tree, known) for tree in instance]
+    if part.id not in key.truths:
+        return ""
+    if not answer_type(part.kind).in_symbols:
+        return key.truths[part.id].values
+    closed = key.find(key.truths[part.id]).closed
+    return text(closed[0]) if closed else None
 
 
 def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:

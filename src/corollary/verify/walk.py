@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Right, word
 from corollary.derive.simulation import Seen, simulations
 from corollary.derive.solution import Solution
 from corollary.formula.text import text
@@ -13,7 +15,6 @@ from corollary.grading.assign import admitted, collisions
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in, neglects
-from corollary.grading.verdict import Right, word
 from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
@@ -121,7 +122,7 @@ def own_answer(key: Key, part: str) -> Value:
     """The key's answer as a student would hand it in: numbers in the part's unit, or the formula where that is asked for."""
     asked, truth = key.variant.problem.part(part), key.truths[part]
     closed = key.find(truth).closed
-    if asked.kind == "expression" and closed is not None:
+    if answer_type(asked.kind).in_symbols and closed is not None:
         texts = tuple(Text(text(tree)) for tree in closed)
         return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
     return plain(tuple(value / _size(asked.unit) for value in truth.values))

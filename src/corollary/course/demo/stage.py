@@ -9,13 +9,14 @@ from dataclasses import dataclass
 from datetime import UTC, timedelta
 from pathlib import Path
 
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.course.demo.player import Hand, Player
 from corollary.course.demo.players import PLAYERS
 from corollary.course.generate import generate, variants_of
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.points import share
 from corollary.grading.solutions import Solutions
-from corollary.grading.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
@@ -107,7 +108,9 @@ def _played(
     record = outcome.records[player.student.id]
     deserved, differences = 0.0, []
     for prompt in paper.prompts:
-        verdict = hand.deserves.get(prompt.key, "unmarked" if prompt.part.kind == "explain" else "right")
+        verdict = hand.deserves.get(
+            prompt.key, "unmarked" if answer_type(prompt.part.kind).found_in == "cell" else "right"
+        )
         halves = 2 if len(prompt.part.kinds) == 2 and verdict == "mistaken" else 1
         worth = share(VERDICTS[verdict], problem_set.scheme)
         deserved += prompt.out_of * (worth + halves - 1) / halves

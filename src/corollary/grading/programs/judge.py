@@ -7,12 +7,13 @@ from typing import assert_never
 
 from corollary.answers.answer import Numbers, Unclear
 from corollary.answers.numbers import vector
+from corollary.answers.question import Question
+from corollary.answers.verdict import Mistaken, Right, Unread, Verdict, Wrong
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Code, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.called import Called
-from corollary.grading.verdict import Mistaken, Right, Unread, Verdict, Wrong
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
@@ -79,7 +80,7 @@ def judge_code(
             return Unread(f"Calling {part.function}: {answered.trouble}")
         if isinstance(answered.value, Nothing):
             return Unread(f"{part.function} returns nothing yet.", blank=True)
-        returned = _numbers(answered.value, variant)
+        returned = _numbers(answered.value)
         if isinstance(returned, str):
             return Unread(f"{part.function} returns something that is no list of numbers: {returned}.")
         called.append(Called(inputs, returned))
@@ -116,11 +117,12 @@ def _argument(value: object) -> Argument:
     raise TypeError(f"a function cannot be called with {value!r}")
 
 
-def _numbers(value: Value, variant: Variant) -> tuple[float, ...] | str:
+def _numbers(value: Value) -> tuple[float, ...] | str:
     if isinstance(value, (Real, Exact)):
         value = Items((value,), (1,))
     count = len(value.items) if isinstance(value, Items) else 1
-    found = vector(value, unit("1"), count, variant.problem)
+    components = tuple(f"value{place}" for place in range(1, count + 1))
+    found = vector(value, Question("", "", ("vector",), unit("1"), components=components))
     if isinstance(found, Numbers):
         return found.misfit or found.values
     return found.why if isinstance(found, Unclear) else found.shown

@@ -1,4 +1,4 @@
-"""A chain of equations, one a line."""
+"""How a chain of equations is asked for and read, one a line."""
 
 from __future__ import annotations
 
@@ -7,15 +7,18 @@ from collections.abc import Sequence
 from typing import final
 
 from corollary.answers.answer import Answer, Blank, Chain, Unclear
-from corollary.answers.answer_type import AnswerType, Sample
-from corollary.answers.numbers import PLACEHOLDERS
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.formula import symbols_note
+from corollary.answers.numbers import PLACEHOLDERS, turned_away
+from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Relation
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.syntax import parse
 from corollary.formula.tex import without_tex
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
-from corollary.problem.part import Part
-from corollary.problem.problem import Problem
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 LONGEST, LONGEST_LINE = 30, 400
 LEADING = re.compile(
@@ -35,7 +38,7 @@ def _equations(line: str, names: Sequence[str], before: Expr | None) -> list[Rel
         return (
             []
             if re.search(r"[^\W\d]{3}", line) and not re.search(r"[*^/+<>]", line)
-            else " must be one equation, with one = sign"
+            else _(" must be one equation, with one = sign")
         )
     plain = without_tex(line.replace("&=", "=").replace("&", ""))
     sides = BEHIND.sub("", LEADING.sub("", plain, count=1)).split("=")
@@ -53,48 +56,54 @@ def _equations(line: str, names: Sequence[str], before: Expr | None) -> list[Rel
 
 @final
 class ProofType(AnswerType):
-    def read(self, given: Value, part: Part, problem: Problem) -> Answer:
-        match given:
+    name, word, stated_by = "proof", "proof", "proof"
+    accepts, lists_components = frozenset({"components"}), False
+
+    def instructions(self, question: Question) -> str:
+        more = _(
+            "; and, as said above, {names}", names=", ".join(f"`{name}`" for name in question.components)
+        )
+        return symbols_note(question, more)
+
+    def blank(self, question: Question) -> str:
+        remark = _('one equation a line, each as text: "a + b = c"')
+        return f'{question.name} = [\n    "",   # {remark}\n]'
+
+    def read(self, value: Value, question: Question) -> Answer:
+        match value:
             case Nothing():
                 return Blank()
             case Text(text):
-                lines = [line for line in text.splitlines() if line.strip() not in PLACEHOLDERS]
-            case Items(items, _) if all(isinstance(item, (Text, Nothing)) for item in items):
-                lines = [
-                    item.text
-                    for item in items
-                    if isinstance(item, Text) and item.text.strip() not in PLACEHOLDERS
-                ]
-            case Refused(why, shown):
-                return Unclear(why, shown)
+                texts = text.splitlines()
+            case Items(items) if all(isinstance(item, (Text, Nothing)) for item in items):
+                texts = [item.text for item in items if isinstance(item, Text)]
+            case Refused():
+                return turned_away(value)
             case _:
-                return Unclear("write a list of equations, each as text", "no list of texts")
+                return Unclear(_("write a list of equations, each as text"), _("no list of texts"))
+        lines = [line for line in texts if line.strip() not in PLACEHOLDERS]
         if not lines:
             return Blank()
         if len(lines) > LONGEST:
-            return Unclear(f"more than {LONGEST} lines; keep to the steps that matter", f"{len(lines)} lines")
-        names = [given.symbol for given in problem.givens] + list(part.components)
+            return Unclear(
+                _("more than {count} lines; keep to the steps that matter", count=LONGEST),
+                _("{count} lines", count=len(lines)),
+            )
+        names = [*question.symbol_names, *question.components]
         chain: list[Relation] = []
         for number, line in enumerate(lines, 1):
             if len(line) > LONGEST_LINE:
-                return Unclear(f"line {number} is longer than {LONGEST_LINE} characters", line.strip()[:80])
+                return Unclear(
+                    _("line {number} is longer than {count} characters", number=number, count=LONGEST_LINE),
+                    line.strip()[:80],
+                )
             found = _equations(line, names, chain[-1].left if chain else None)
             if isinstance(found, str):
-                return Unclear(f"line {number}{found}", line.strip()[:80])
+                return Unclear(_("line {number}{why}", number=number, why=found), line.strip()[:80])
             chain += found
         if not chain:
-            return Unclear("no line is an equation; write each step with an = sign", lines[0].strip()[:80])
+            return Unclear(_("no line is an equation; write each step with an = sign"), lines[0].strip()[:80])
         return Chain(tuple(chain), "; ".join(line.strip() for line in lines))
 
-    def samples(self, truth: Sequence[float] | str, part: Part) -> tuple[Sample, ...]:
-        """`truth` holds a right chain, one equation a line."""
-        assert isinstance(truth, str)
-        lines = truth.splitlines()
-        return (
-            Sample(lines, "right"),
-            Sample(["1 = 1", lines[-1]], "wrong"),
-            Sample([*lines[:-1], "0 = 1"], "wrong"),
-            Sample(["so it is"], "unread"),
-            Sample(4, "unread"),
-            Sample(None, "unread"),
-        )
+
+TYPE = ProofType()

@@ -1,0 +1,81 @@
+"""How a function is asked for: its blank, and whether what stands there can be called as the question says."""
+
+from __future__ import annotations
+
+import inspect
+from types import FunctionType
+from typing import final
+
+from corollary.answers.answer import Answer
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.explain.reading import TYPE as WORDS
+from corollary.answers.preview import Preview
+from corollary.answers.question import Question
+from corollary.formula.value import Value
+from corollary.messages import catalogue
+from corollary.units.unit import show
+
+_ = catalogue(__name__)
+
+
+@final
+class CodeType(AnswerType):
+    name, word, stated_by = "code", "Program", "code"
+    found_in = "function"
+    accepts = needs = frozenset({"function"})
+
+    def heading(self, question: Question) -> str:
+        if "plot" in question.types:
+            return _("A function {signature}, and a plot made with it.", signature=question.signature)
+        return _("A function {signature}.", signature=question.signature)
+
+    def blank(self, question: Question) -> str:
+        unit = show(question.unit)
+        returns = "\n\n    " + _("Answers in {unit}.", unit=unit) + "\n    " if unit else ""
+        return f'def {question.signature}:\n    """{question.title}.{returns}"""\n    ...'
+
+    def read(self, value: Value, question: Question) -> Answer:
+        """The source of a program, as text."""
+        return WORDS.read(value, question)
+
+    def preview_function(self, function: object, question: Question) -> Preview:
+        call = f"({', '.join(question.arguments)})"
+        if function is None:
+            return Preview(False, _("no function yet; write the function above and run its cell"))
+        if not isinstance(function, FunctionType):
+            return Preview(
+                False,
+                _(
+                    "is of the type {type}, not a function; keep the line that begins with def",
+                    type=type(function).__name__,
+                ),
+            )
+        parameters = tuple(inspect.signature(function).parameters)
+        if parameters != question.arguments:
+            return Preview(
+                False,
+                _(
+                    "takes ({parameters}), but it will be called with {call}",
+                    parameters=", ".join(parameters),
+                    call=call,
+                ),
+            )
+        if _empty(function):
+            return Preview(False, _("{function} is still empty", function=function.__name__ + call))
+        return Preview(True, _("{function} is there", function=function.__name__ + call))
+
+
+def _empty(function: FunctionType) -> bool:
+    """Whether the body is still the dots it was handed out with: then it compiles to what dots compile to."""
+    words = "    'words'\n" if function.__doc__ else ""
+    space: dict[str, FunctionType] = {}
+    exec(f"def stub({', '.join(inspect.signature(function).parameters)}):\n{words}    ...", space)
+    stub, code, first = space["stub"].__code__, function.__code__, int(bool(words))
+    return (code.co_code, code.co_names, code.co_consts[first:]) == (
+        stub.co_code,
+        stub.co_names,
+        stub.co_consts[first:],
+    )
+
+
+TYPE = CodeType()

@@ -1,0 +1,1 @@
+"""Numbers of the student's own that must have a property."""

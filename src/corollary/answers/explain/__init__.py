@@ -1,0 +1,1 @@
+"""Words, read and marked by a person."""

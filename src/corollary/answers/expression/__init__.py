@@ -1,0 +1,1 @@
+"""A formula in the symbols of the problem."""

@@ -1,0 +1,20 @@
+"""A formula judged, and samples of answers whose verdict is known beforehand."""
+
+from __future__ import annotations
+
+from corollary.answers.question import Question
+from corollary.answers.sample import Sample, Truth
+
+
+def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
+    """`truth` is the formula as text."""
+    assert isinstance(truth, str)
+    return (
+        Sample(truth, "right"),
+        Sample(f"({truth})*7/7", "right"),
+        Sample(f"1.37*({truth})", "wrong"),
+        Sample(f"{truth} +", "unread"),
+        Sample(f"q_unknown*({truth})", "unread"),
+        Sample(3.0, "unread"),
+        Sample(None, "unread"),
+    )

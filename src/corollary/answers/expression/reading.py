@@ -1,0 +1,106 @@
+"""How a formula in the symbols of the problem is asked for and read."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import final
+
+from corollary.answers.answer import Answer, Blank, Unclear
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.blanks import nones
+from corollary.answers.formula import (
+    as_typed,
+    dimension_in,
+    fitting,
+    formula,
+    formulas,
+    other_dimension,
+    symbols_note,
+)
+from corollary.answers.numbers import PLACEHOLDERS, turned_away
+from corollary.answers.quantity import Reading, read_quantity
+from corollary.answers.question import Question
+from corollary.formula.ast import Expr
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
+
+
+@final
+class ExpressionType(AnswerType):
+    name, word = "expression", "formula"
+    accepts, in_symbols = frozenset({"components"}), True
+
+    def heading(self, question: Question) -> str:
+        return _("A formula.")
+
+    def instructions(self, question: Question) -> str:
+        return symbols_note(question)
+
+    def blank(self, question: Question) -> str:
+        if question.components:
+            names = ", ".join(question.components)
+            remark = _('[{names}], each a formula as text: "2*a/(b + c)"', names=names)
+            return f"{question.name} = [{nones(question)}]   # {remark}"
+        remark = _('a formula as text, in quotes: "2*a/(b + c)"')
+        return f"{question.name} = None   # {remark}"
+
+    def read(self, value: Value, question: Question) -> Answer:
+        count = max(1, len(question.components))
+        match value:
+            case Nothing():
+                return Blank()
+            case Text(text) if text.strip() in PLACEHOLDERS:
+                return Blank()
+            case Text(text) if count == 1:
+                texts = [text]
+            case Items(items) if len(items) == count and all(isinstance(item, Text) for item in items):
+                texts = [item.text for item in items if isinstance(item, Text)]
+            case Items(items) if items and all(isinstance(item, Nothing) for item in items):
+                return Blank()
+            case Refused():
+                return turned_away(value)
+            case Real() | Exact():
+                return Unclear(_("this is a number; {wanted}", wanted=_wanted(question)), _("a number"))
+            case _:
+                return Unclear(_wanted(question), _("no text"))
+        trees: list[Expr] = []
+        for text in texts:
+            tree = _tree(text, question)
+            if isinstance(tree, Unclear):
+                return tree if count == 1 else replace(tree, readings=())
+            trees.append(tree)
+        return formulas(*trees)
+
+
+def _tree(text: str, question: Question) -> Expr | Unclear:
+    tree = formula(text, question)
+    if isinstance(tree, ParseError) and tree.status == "asked":
+        tree = fitting(text, question) or tree
+    if isinstance(tree, Unclear):
+        return tree
+    if isinstance(tree, ParseError):
+        number = isinstance(read_quantity(text, question.unit), Reading)
+        why = _("this is a number; {wanted}", wanted=_wanted(question)) if number else sentence(tree)
+        return Unclear(why, as_typed(text))
+    dimension = dimension_in(tree, question)
+    if isinstance(dimension, ParseError):
+        return Unclear(sentence(dimension), as_typed(text))
+    if dimension != question.unit.dimension:
+        return Unclear(other_dimension(tree, dimension, question.unit), as_typed(text))
+    return tree
+
+
+def _wanted(question: Question) -> str:
+    if question.components:
+        return _(
+            "a list of {count} formulas is asked for, [{names}], each as text",
+            count=len(question.components),
+            names=", ".join(question.components),
+        )
+    return _('a formula is asked for: write it as text in the letters of the exercise, such as "m*v"')
+
+
+TYPE = ExpressionType()

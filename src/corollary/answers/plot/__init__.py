@@ -1,0 +1,1 @@
+"""A figure that the student draws."""

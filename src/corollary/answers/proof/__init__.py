@@ -1,0 +1,1 @@
+"""A chain of equations that shows something."""

@@ -1,0 +1,87 @@
+"""A question as a reader of answers sees it: what is asked for, in which unit and which symbols; nothing of what is right."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from corollary.units.unit import Dimension, Unit, unit
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A letter that a formula may be written in."""
+
+    name: str
+    unit: Unit
+    meaning: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """`name` is the variable that takes the answer; `types` its answer type, or `code` and `plot` together.
+
+    `components` name the members of a list, in order; `options` are the letters of a choice; `signature` is that of a
+    function, `force(t, dt)`; `symbols` are the givens of the problem.
+    """
+
+    part: str
+    name: str
+    types: tuple[str, ...]
+    unit: Unit
+    title: str = ""
+    components: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
+    signature: str = ""
+    symbols: tuple[Symbol, ...] = ()
+
+    @property
+    def function(self) -> str:
+        """The name that the function must have."""
+        return self.signature.partition("(")[0].strip()
+
+    @property
+    def arguments(self) -> tuple[str, ...]:
+        """The names of the function's arguments."""
+        inside = self.signature.partition("(")[2].rpartition(")")[0]
+        return tuple(name.strip() for name in inside.split(",") if name.strip())
+
+    @property
+    def symbol_names(self) -> list[str]:
+        return [symbol.name for symbol in self.symbols]
+
+    @property
+    def dimensions(self) -> dict[str, Dimension]:
+        """What each symbol measures."""
+        return {symbol.name: symbol.unit.dimension for symbol in self.symbols}
+
+    def as_data(self) -> dict[str, Any]:
+        """The question as JSON can hold it, for a notebook to carry; `from_data` reads it again."""
+        return {
+            "part": self.part,
+            "name": self.name,
+            "types": self.types,
+            "unit": self.unit.text,
+            "title": self.title,
+            "components": self.components,
+            "options": self.options,
+            "signature": self.signature,
+            "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
+        }
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> Question:
+        """The question that `as_data` wrote."""
+        symbols: Sequence[Sequence[str]] = data["symbols"]
+        return cls(
+            data["part"],
+            data["name"],
+            tuple(data["types"]),
+            unit(data["unit"]),
+            data["title"],
+            tuple(data["components"]),
+            tuple(data["options"]),
+            data["signature"],
+            tuple(Symbol(name, unit(its_unit), meaning) for name, its_unit, meaning in symbols),
+        )

@@ -1,0 +1,67 @@
+"""The questions that the parts of a problem are, and what does not fit between a part's heading and its answer type."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from corollary.answers.question import Question, Symbol
+from corollary.answers.registry import answer_type, known
+from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+
+SIGNATURE = re.compile(r"[A-Za-z_]\w*\([\w\s,]*\)$")
+
+
+def question_of(problem: Problem, part: Part) -> Question:
+    """A part as readers of answers see it."""
+    return Question(
+        part.id,
+        problem.answer_name(part),
+        part.kinds,
+        part.unit,
+        part.title,
+        part.components,
+        tuple(option.letter for option in part.options),
+        part.signature,
+        tuple(Symbol(given.symbol, given.unit, given.meaning) for given in problem.givens),
+    )
+
+
+def checked(problem: Problem) -> Problem:
+    """The problem, whose headings fit their answer types. Raises Malformed with every misfit."""
+    if found := [
+        Diagnostic(problem.path, part.line, sentence) for part in problem.parts for sentence in _misfits(part)
+    ]:
+        raise Malformed(found)
+    return problem
+
+
+def _misfits(part: Part) -> Iterator[str]:
+    names = known()
+    if not _possible(part.kinds, names):
+        types = ", ".join(f".{name}" for name in names)
+        yield f"part {part.id} needs one kind of {types} (or .code .plot together)"
+        return
+    types = [answer_type(name) for name in part.kinds]
+    accepted = frozenset[str]().union(*(each.accepts for each in types))
+    needed = frozenset[str]().union(*(each.needs for each in types))
+    if part.components and "components" not in accepted:
+        having = [f".{name}" for name in names if "components" in answer_type(name).accepts]
+        yield f"part {part.id}: only {', '.join(having[:-1])} and {having[-1]} parts have components"
+    if not part.components and "components" in needed:
+        yield f'part {part.id} is a {part.kind}; name its components: components="x y"'
+    if ("function" in needed) != bool(part.signature) or (
+        part.signature and not SIGNATURE.match(part.signature)
+    ):
+        yield f'part {part.id}: a .code part, and only that, has a function="name(arguments)"'
+    if len(part.options) < 2 if "options" in needed else part.options:
+        yield f"part {part.id}: a .choice part, and only that, lists options, each as: - (a) text"
+
+
+def _possible(types: tuple[str, ...], names: tuple[str, ...]) -> bool:
+    """One answer type that exists; or a function and a figure drawn with it."""
+    if not types or not set(types) <= set(names):
+        return False
+    return len(types) == 1 or [answer_type(name).found_in for name in types] == ["function", "figure"]

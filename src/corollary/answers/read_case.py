@@ -1,0 +1,169 @@
+"""How one text is read and what would be decided, as plain data: the line a student, an author and a test can all ask for."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping
+from typing import Any
+
+from corollary.answers.equality import Different, Equal, Undecided, compare, hint
+from corollary.answers.quantity import Reading, in_si, read_quantity
+from corollary.formula.ast import Expr
+from corollary.formula.ast import names as letters_of
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.syntax import author_formula, parse
+from corollary.formula.text import text as formula_text
+from corollary.units.unit import Dimension, Unit, called, canonical, read_unit, show
+from corollary.units.unit import unit as author_unit
+
+FIELDS = ("quantity", "expression", "unit")
+
+
+class BadCase(ValueError):
+    """The question itself is wrong; one sentence says what and what to do."""
+
+
+def read_case(case: Any) -> dict[str, Any]:
+    """One case {"text", "field", "unit", "equals", "names", "domain"} of the contract. Raises BadCase."""
+    if not isinstance(case, Mapping) or not isinstance(case.get("text"), str):
+        raise BadCase('a case is an object with a "text", such as {"text": "8,6 Ns", "unit": "kg m/s"}')
+    field = case.get("field") or ("expression" if case.get("equals") or case.get("names") else "quantity")
+    if field not in FIELDS:
+        raise BadCase(f'"field": {field!r} is not known; it is one of {", ".join(FIELDS)}')
+    start = time.perf_counter()
+    found = {"quantity": _quantity, "expression": _expression, "unit": _unit}[field](case)
+    return {
+        "text": case["text"],
+        "field": field,
+        **found,
+        "ms": round((time.perf_counter() - start) * 1e3, 4),
+    }
+
+
+def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
+    expected = _expected(case)
+    found = read_quantity(case["text"], expected)
+    if isinstance(found, ParseError):
+        return _trouble(found)
+    assert isinstance(found, Reading)
+    fits = found.fit == "fits"
+    unit = found.unit or (expected if fits else None)
+    value = (
+        float(found.value) if found.fit == "unit missing" else _float(found)
+    )  # without the unit it needs it is a plain number
+    verdict = None if expected is None else "compatible" if fits else "wrong dimension"
+    return {
+        "status": "ok", "read": found.shown, "value": value, "unit": canonical(unit) if unit else "1", "figures": found.figures,
+        "dimension": powers(unit.dimension if unit else Dimension()), "verdict": verdict, "why": found.why if expected else "",
+    }  # fmt: skip
+
+
+def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
+    expected = _expected(case)
+    found = read_unit(case["text"])
+    if isinstance(found, ParseError):
+        return _trouble(found)
+    fits = expected is None or found.dimension == expected.dimension
+    why = (
+        ""
+        if fits or expected is None
+        else f"{called(expected.dimension)} is expected, for example in {show(expected) or '1'}; {show(found)} is {called(found.dimension)}"
+    )
+    return {
+        "status": "ok", "read": show(found) or "1", "value": float(found.factor) * math.pi**found.pi, "unit": canonical(found), "figures": None,
+        "dimension": powers(found.dimension), "verdict": None if expected is None else "compatible" if fits else "wrong dimension", "why": why,
+    }  # fmt: skip
+
+
+def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
+    truth = _truth(case)
+    names = case.get("names") or (sorted(letters_of(truth) - {"pi"}) if truth is not None else None)
+    if not names or not all(isinstance(name, str) for name in names):
+        raise BadCase('the letters of the formula must be named: "names": ["m", "v"] (or --names m,v)')
+    tree = parse(case["text"], [name.strip() for name in names])
+    if isinstance(tree, ParseError):
+        return _trouble(tree)
+    result = {
+        "status": "ok",
+        "read": formula_text(tree),
+        "value": None,
+        "unit": None,
+        "figures": None,
+        "dimension": None,
+        "verdict": None,
+        "why": "",
+    }
+    if truth is None:
+        return result
+    match compare(tree, truth, _domain(case)):
+        case Equal():
+            return result | {"verdict": "equal"}
+        case Different(point, _) as different:
+            return result | {"verdict": "different", "counterexample": dict(point), "why": hint(different)}
+        case Undecided(why):
+            return result | {"verdict": "undecided", "why": why}
+
+
+def powers(dimension: Dimension) -> dict[str, int | float]:
+    """A dimension as {"kg": 1, "m": 1, "s": -1}; powers of zero are left out."""
+    return {
+        name: int(power) if power.denominator == 1 else float(power)
+        for name, power in (("kg", dimension.kg), ("m", dimension.m), ("s", dimension.s))
+        if power
+    }
+
+
+def _trouble(found: ParseError) -> dict[str, Any]:
+    return {
+        "status": found.status, "read": None, "value": None, "unit": None, "figures": None, "dimension": None, "verdict": None,
+        "why": sentence(found), "position": found.position, "suggestion": found.suggestion, "choices": list(found.choices),
+    }  # fmt: skip
+
+
+def _expected(case: Mapping[str, Any]) -> Unit | None:
+    wanted = case.get("unit")
+    if wanted is None or wanted == "":
+        return None
+    if not isinstance(wanted, str):
+        raise BadCase('"unit" must be text, such as "kg m/s"')
+    try:
+        return author_unit(wanted)
+    except ValueError:
+        found = read_unit(wanted)
+        if isinstance(found, ParseError):
+            raise BadCase(f"the unit {wanted!r}: {sentence(found)}") from None
+        return found
+
+
+def _truth(case: Mapping[str, Any]) -> Expr | None:
+    wanted = case.get("equals")
+    if wanted is None:
+        return None
+    if not isinstance(wanted, str):
+        raise BadCase('"equals" must be a formula as text')
+    try:
+        return author_formula(wanted)
+    except ValueError as error:
+        raise BadCase(f"equals {wanted!r}: {error}") from None
+
+
+def _domain(case: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+    domain = case.get("domain") or {}
+    try:
+        bounds = {name: (float(low), float(high)) for name, (low, high) in domain.items()}
+    except (AttributeError, TypeError, ValueError, OverflowError):
+        raise BadCase('"domain" must give each letter its bounds: {"v": [-10, 10]}') from None
+    for name, (low, high) in bounds.items():
+        if not -math.inf < low < high < math.inf:
+            raise BadCase(
+                f'"domain" of {name}: from {low:g} to {high:g} there are no numbers; the lower bound comes first'
+            )
+    return bounds
+
+
+def _float(found: Reading) -> float | str:
+    try:
+        return in_si(found)
+    except OverflowError:
+        return "inf" if found.si[0] > 0 else "-inf"

@@ -1,0 +1,38 @@
+"""How one quantity is asked for and read: a number with a unit, or the formula for it."""
+
+from __future__ import annotations
+
+from typing import final
+
+from corollary.answers.answer import Answer
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.blanks import blank_number
+from corollary.answers.direction import on_usual_axes, with_direction
+from corollary.answers.numbers import scalar
+from corollary.answers.question import Question
+from corollary.formula.value import Value
+from corollary.messages import catalogue
+from corollary.units.unit import show
+
+_ = catalogue(__name__)
+
+
+@final
+class ValueType(AnswerType):
+    name, word = "value", "number"
+
+    def heading(self, question: Question) -> str:
+        unit = show(question.unit)
+        return _("A number, in {unit}.", unit=unit) if unit else _("A plain number, without a unit.")
+
+    def blank(self, question: Question) -> str:
+        return blank_number(question)
+
+    def read(self, value: Value, question: Question) -> Answer:
+        def directed(own: Value) -> Answer:
+            return with_direction(own, question, lambda bare: scalar(bare, question))
+
+        return on_usual_axes(value, question, directed)
+
+
+TYPE = ValueType()

@@ -1,0 +1,1 @@
+"""A quantity with components."""

@@ -1,0 +1,24 @@
+"""A quantity with components judged, and samples of answers whose verdict is known beforehand."""
+
+from __future__ import annotations
+
+from corollary.answers.question import Question
+from corollary.answers.sample import Sample, Truth, unit_name
+
+
+def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
+    """The components with all digits and with four; components that are off; lists that are none."""
+    assert not isinstance(truth, str)
+    unit = unit_name(question)
+    scale = max(map(abs, truth)) or 1.0
+    return (
+        Sample([f"{value!r}{unit}" for value in truth], "right"),
+        Sample([f"{value:.4g}{unit}" for value in truth], "right"),
+        Sample(
+            [f"{value + 0.37 * scale * (place + 1)!r}{unit}" for place, value in enumerate(truth)], "wrong"
+        ),
+        Sample([f"{value!r}{unit}" for value in truth][:-1], "unread"),
+        Sample([None] * len(truth), "unread"),
+        Sample("north-east", "unread"),
+        Sample([[1.0] * len(truth)] * 2, "unread"),
+    )
