@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from corollary.formula.arithmetics import ARRAYS, DOUBLES, PAIRS, Arithmetic, NotAvailable, intervals, ready
+from corollary.formula.arithmetics import DOUBLES, PAIRS, Arithmetic, NotAvailable, arrays, intervals, ready
 from corollary.formula.ast import Expr, names
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.formula.double_double import PI, DoubleDouble
@@ -82,7 +82,7 @@ def _ways() -> list[Way]:
     return [
         _one_by_one(DOUBLES, _double),
         Way(
-            ARRAYS.name,
+            arrays().name,
             _arrays,
             lambda formula, at: np.broadcast_to(at[0](at[1]), len(formula.true)).tolist(),
         ),
@@ -111,7 +111,7 @@ def _one_by_one(arithmetic: Arithmetic, number: Callable[[RationalPi], Any]) -> 
 
 def _arrays(formula: Formula) -> Any:
     letters = formula.givens[0].keys()
-    return ready(formula.tree, ARRAYS), {
+    return ready(formula.tree, arrays()), {
         name: np.array([_double(at[name]) for at in formula.givens]) for name in letters
     }
 

@@ -12,7 +12,7 @@ import pytest
 from corollary.answers.equality import Different, Equal, Undecided, compare, hint
 from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.errors import ParseError
-from corollary.formula.exact import RationalPi
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula, parse
 
 PAIRS = runpy.run_path(str(Path(__file__).with_name("pairs.py")))["pairs"]()

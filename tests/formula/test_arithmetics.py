@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.formula.arithmetics import ARRAYS, DOUBLES, PAIRS, NotAvailable, intervals, ready
+from corollary.formula.arithmetics import DOUBLES, PAIRS, NotAvailable, arrays, intervals, ready
 from corollary.formula.double_double import PI, DoubleDouble, root
 from corollary.formula.syntax import author_formula
 
@@ -61,7 +61,7 @@ def test_every_arithmetic_finds_the_same(m, v):
     true = m * v**2 / 2 - math.sqrt(m) * v / (1 + v) + 3
     room = 1e-14 * (m * v**2 + math.sqrt(m) + 3)
     assert ready(FORMULA, DOUBLES)({"m": m, "v": v}) == pytest.approx(true, abs=room)
-    assert ready(FORMULA, ARRAYS)({"m": np.array([m, m]), "v": np.array([v, v])})[1] == pytest.approx(
+    assert ready(FORMULA, arrays())({"m": np.array([m, m]), "v": np.array([v, v])})[1] == pytest.approx(
         true, abs=room
     )
     fine = ready(FORMULA, PAIRS)({"m": DoubleDouble(m), "v": DoubleDouble(v)})

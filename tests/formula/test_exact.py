@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.formula.ball import Undefined, evaluate
-from corollary.formula.exact import RationalPi, constant, exactly
+from corollary.formula.exact import constant, exactly
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
 
 

@@ -14,6 +14,7 @@ from flint import arb
 from corollary.formula.ast import Call, Expr, Power, names, walk
 from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.exact import constant
+from corollary.formula.functions import FUNCTIONS
 from corollary.formula.text import text
 
 POINTS, POINTS_WITH_BRANCHES, MOST_DRAWN = 5, 40, 400
@@ -22,7 +23,6 @@ BITS = (64, BITS_TO_AGREE, 640, 1280, 2560)  # a difference mostly shows at once
 AGREED = arb(2) ** -200
 NEARLY_ZERO = arb(2) ** -1000
 POSITIVE = (0.1, 10.0)
-BRANCHING = frozenset({"sqrt", "abs", "atan2", "min", "max"})
 
 Seen = Literal["equal", "different", "undecided", "nowhere"]
 RATIOS = (
@@ -101,7 +101,7 @@ def hint(difference: Different) -> str:
 def _branches(tree: Expr) -> bool:
     """Whether an absolute value, an even root or a choice occurs: two such formulas can agree on one side only."""
     for node in walk(tree):
-        if isinstance(node, Call) and node.function in BRANCHING:
+        if isinstance(node, Call) and FUNCTIONS[node.function].branches:
             return True
         if isinstance(node, Power) and (
             (power := constant(node.exponent)) is None or power.denominator % 2 == 0

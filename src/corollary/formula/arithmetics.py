@@ -8,27 +8,30 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, assert_never
 
-import numpy as np
-
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
-from corollary.formula.double_double import PI, DoubleDouble, root
+from corollary.formula.double_double import PI, DoubleDouble
+from corollary.formula.errors import NotAvailable
 from corollary.formula.exact import constant
+from corollary.formula.functions import FUNCTIONS, Function
+
+__all__ = ["DOUBLES", "PAIRS", "Arithmetic", "NotAvailable", "arrays", "intervals", "ready"]
 
 Values = Mapping[str, Any]
 
 
-class NotAvailable(ArithmeticError):
-    """An arithmetic lacks a function of the formula."""
-
-
 @dataclass(frozen=True, slots=True)
 class Arithmetic:
-    """Numbers that add, multiply and divide by themselves; `number` makes one of a fraction, `functions` act on them."""
+    """Numbers that add, multiply and divide by themselves.
+
+    `number` makes one of a fraction, `column` gives its form of a function (None where it has none), `power` raises one
+    number to another that is not whole.
+    """
 
     name: str
     number: Callable[[Fraction], Any]
     pi: Any
-    functions: Mapping[str, Callable[..., Any]]
+    column: Callable[[Function], Callable[..., Any] | None]
+    power: Callable[[Any, Any], Any] | None = None
 
 
 def ready(tree: Expr, arithmetic: Arithmetic) -> Callable[[Values], Any]:
@@ -60,14 +63,15 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Callable[[Values], Any]:
             if fixed is not None and fixed.denominator == 1:
                 whole = fixed.numerator
                 return lambda at: below(at) ** whole
-            if "power" not in arithmetic.functions:
+            power = arithmetic.power
+            if power is None:
                 raise NotAvailable(f"{arithmetic.name} has no broken powers")
-            above, power = made(exponent), arithmetic.functions["power"]
+            above = made(exponent)
             return lambda at: power(below(at), above(at))
         case Call(function, arguments):
-            if function not in arithmetic.functions:
+            apply, inside = arithmetic.column(FUNCTIONS[function]), [made(argument) for argument in arguments]
+            if apply is None:
                 raise NotAvailable(f"{arithmetic.name} has no {function}")
-            apply, inside = arithmetic.functions[function], [made(argument) for argument in arguments]
             return lambda at: apply(*[each(at) for each in inside])
         case Relation():
             raise NotAvailable("a comparison has no number as its value")
@@ -87,25 +91,17 @@ def _joined(parts: list[Callable[[Values], Any]], join: Callable[[Any, Any], Any
     return run
 
 
-DOUBLES = Arithmetic(
-    "float64", float, math.pi,
-    {
-        "sqrt": math.sqrt, "abs": abs, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos,
-        "atan": math.atan, "atan2": math.atan2, "exp": math.exp, "ln": math.log, "log10": math.log10, "min": min, "max": max,
-        "power": math.pow,
-    },
-)  # fmt: skip
+DOUBLES = Arithmetic("float64", float, math.pi, lambda row: row.double, math.pow)
+PAIRS = Arithmetic("double-double", DoubleDouble.of, PI, lambda row: row.double_double)
 
-ARRAYS = Arithmetic(
-    "float64 arrays", float, math.pi,
-    {
-        "sqrt": np.sqrt, "abs": np.abs, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
-        "atan": np.arctan, "atan2": np.arctan2, "exp": np.exp, "ln": np.log, "log10": np.log10, "min": np.minimum,
-        "max": np.maximum, "power": np.power,
-    },
-)  # fmt: skip
 
-PAIRS = Arithmetic("double-double", DoubleDouble.of, PI, {"sqrt": root, "abs": abs})
+def arrays() -> Arithmetic:
+    """Arrays of doubles; made when asked for, since what reads answers needs Python alone."""
+    import numpy as np
+
+    return Arithmetic(
+        "float64 arrays", float, math.pi, lambda row: getattr(np, row.array or row.name, None), np.power
+    )
 
 
 def intervals() -> Arithmetic:
@@ -115,6 +111,9 @@ def intervals() -> Arithmetic:
     iv: Any = mpmath.iv
     iv.prec = 53
     return Arithmetic(
-        "intervals", lambda value: iv.mpf(value.numerator) / iv.mpf(value.denominator), iv.pi,
-        {"sqrt": iv.sqrt, "abs": abs, "sin": iv.sin, "cos": iv.cos, "exp": iv.exp, "ln": iv.log, "power": lambda a, b: a**b},
-    )  # fmt: skip
+        "intervals",
+        lambda value: iv.mpf(value.numerator) / iv.mpf(value.denominator),
+        iv.pi,
+        lambda row: getattr(iv, row.interval or row.name, None),
+        lambda a, b: a**b,
+    )

@@ -11,17 +11,28 @@ from typing import TypeVar
 
 from flint import arb, ctx, fmpq
 
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
-from corollary.formula.compiled import Undefined, program
-from corollary.formula.exact import RationalPi, exactly
+from corollary.formula.ast import (
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Relation,
+    Sum,
+    children,
+    rebuilt,
+)
+from corollary.formula.compiled import program
+from corollary.formula.errors import Undefined
+from corollary.formula.exact import exactly
+from corollary.formula.rational_pi import RationalPi
 
 __all__ = ["Certified", "RationalPi", "Undefined", "certified", "evaluate", "holds", "precision_of", "sign"]
 
-FIRST_BITS = 64
-EXACT_FROM = (
-    256  # from here on the parts known exactly are put in: a tie or a zero is not decided by smaller balls
-)
-MOST_BITS = 8192
+FIRST_BITS = 64  # enough for nine answers in ten, whose balls are then one double wide
+EXACT_FROM = 256  # from here on the parts known exactly are put in: smaller balls decide no tie and no zero
+MOST_BITS = 8192  # r - b of an orbit at scale 1e300 needs about 2000
 
 T = TypeVar("T")
 Values = Mapping[str, RationalPi] | Mapping[str, arb] | Mapping[str, RationalPi | arb]
@@ -153,18 +164,4 @@ def _settled(tree: Expr, values: Values) -> Expr:
     if known is not None:
         number = Number(known.ratio)
         return number if known.pi == 0 else Product((number, Power(Name("pi"), Number(Fraction(known.pi)))))
-    match tree:
-        case Negative(term):
-            return Negative(_settled(term, values))
-        case Sum(terms):
-            return Sum(tuple(_settled(term, values) for term in terms))
-        case Product(factors):
-            return Product(tuple(_settled(factor, values) for factor in factors))
-        case Quotient(top, bottom):
-            return Quotient(_settled(top, values), _settled(bottom, values))
-        case Power(base, exponent):
-            return Power(_settled(base, values), _settled(exponent, values))
-        case Call(function, arguments):
-            return Call(function, tuple(_settled(argument, values) for argument in arguments))
-        case _:
-            return tree
+    return rebuilt(tree, tuple(_settled(part, values) for part in children(tree)))

@@ -22,15 +22,13 @@ from corollary.formula.ast import (
     Sum,
     names,
 )
+from corollary.formula.errors import Undefined
 from corollary.formula.exact import constant
+from corollary.formula.functions import FUNCTIONS, ball_root
 
 Step = Callable[[Sequence[arb]], arb]
 MOST_KEPT = 1024
 ROOTS_UP_TO = 64
-
-
-class Undefined(ArithmeticError):
-    """The formula has no value at these numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,19 +143,10 @@ def _fixed_power(base: Step, power: Fraction) -> Step:
         if up < 0 and ball.is_zero():
             raise Undefined("division by zero")
         if degree > 1:
-            ball = _root(ball, degree)
+            ball = ball_root(ball, degree)
         return ball**up
 
     return run
-
-
-def _root(ball: arb, degree: int) -> arb:
-    """The root of what is not negative in the ball; none if all of it is."""
-    if ball < 0:
-        raise Undefined("the root of a negative number")
-    if ball.contains(0):
-        return arb(0) if ball.is_zero() else arb(0).union(ball.upper().root(degree))
-    return ball.sqrt() if degree == 2 else ball.root(degree)
 
 
 def _power(base: Step, exponent: Step) -> Step:
@@ -174,73 +163,8 @@ def _power(base: Step, exponent: Step) -> Step:
     return run
 
 
-def _call(function: str, at: list[Step]) -> Step:
-    first = at[0]
-    match function:
-        case "sqrt":
-            return lambda values: _root(first(values), 2)
-        case "abs":
-            return lambda values: abs(first(values))
-        case "sin":
-            return lambda values: first(values).sin()
-        case "cos":
-            return lambda values: first(values).cos()
-        case "tan":
-            return lambda values: first(values).tan()
-        case "asin":
-            return lambda values: _arc(first(values), arb.asin)
-        case "acos":
-            return lambda values: _arc(first(values), arb.acos)
-        case "atan":
-            return lambda values: first(values).atan()
-        case "atan2":
-            return lambda values: _direction(first(values), at[1](values))
-        case "exp":
-            return lambda values: first(values).exp()
-        case "ln":
-            return lambda values: _logarithm(first(values))
-        case "log10":
-            return lambda values: _logarithm(first(values)) / arb.const_log10()
-        case "sinh":
-            return lambda values: first(values).sinh()
-        case "cosh":
-            return lambda values: first(values).cosh()
-        case "tanh":
-            return lambda values: first(values).tanh()
-        case "gamma":
-            return lambda values: _gamma(first(values))
-        case "min":
-            return lambda values: first(values).min(at[1](values))
-        case "max":
-            return lambda values: first(values).max(at[1](values))
-        case _:
-            raise ValueError(f"{function} is not a function of this course")
-
-
-def _arc(ball: arb, arc: Callable[[arb], arb]) -> arb:
-    """An inverse sine or cosine; a ball across 1 or -1 is cut there."""
-    if abs(ball) > 1:
-        raise Undefined("the inverse sine or cosine of a number beyond 1")
-    if not ball.is_finite() or abs(ball) <= 1:
-        return arc(ball)
-    low = arb(-1) if ball.contains(-1) else ball.lower()
-    high = arb(1) if ball.contains(1) else ball.upper()
-    return arc(low).union(arc(high))
-
-
-def _direction(y: arb, x: arb) -> arb:
-    if y.is_zero() and x.is_zero():
-        raise Undefined("a vector of length zero has no direction")
-    return arb.atan2(y, x)
-
-
-def _logarithm(ball: arb) -> arb:
-    if ball <= 0:
-        raise Undefined("the logarithm of a number that is not positive")
-    return ball.log()
-
-
-def _gamma(ball: arb) -> arb:
-    if ball <= 0 and ball.is_integer():
-        raise Undefined("the gamma function has no value at 0, -1, -2 …")
-    return ball.gamma()
+def _call(function: str, arguments: list[Step]) -> Step:
+    ball, first = FUNCTIONS[function].ball, arguments[0]
+    if len(arguments) == 1:
+        return lambda at: ball(first(at))
+    return lambda at: ball(*[argument(at) for argument in arguments])

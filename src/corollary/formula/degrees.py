@@ -10,14 +10,14 @@ from corollary.formula.ast import (
     Name,
     Negative,
     Number,
-    Power,
     Product,
     Quotient,
-    Relation,
     Sum,
+    children,
     names,
+    rebuilt,
 )
-from corollary.formula.functions import ANGLE_IN
+from corollary.formula.functions import FUNCTIONS
 
 DEGREE = Quotient(Name("pi"), Number(Fraction(180)))
 
@@ -29,24 +29,10 @@ def degrees(number: Expr) -> Expr:
 
 def in_degrees(tree: Expr) -> Expr:
     """The formula with the bare numbers inside sin, cos and tan taken as degrees; letters stand for angles themselves."""
-    match tree:
-        case Call(function, arguments):
-            inner = tuple(in_degrees(argument) for argument in arguments)
-            return Call(function, tuple(map(_angle, inner)) if function in ANGLE_IN else inner)
-        case Negative(term):
-            return Negative(in_degrees(term))
-        case Sum(terms):
-            return Sum(tuple(map(in_degrees, terms)))
-        case Product(factors):
-            return Product(tuple(map(in_degrees, factors)))
-        case Quotient(top, bottom):
-            return Quotient(in_degrees(top), in_degrees(bottom))
-        case Power(base, exponent):
-            return Power(in_degrees(base), in_degrees(exponent))
-        case Relation(sign, left, right):
-            return Relation(sign, in_degrees(left), in_degrees(right))
-        case _:
-            return tree
+    below = tuple(map(in_degrees, children(tree)))
+    if isinstance(tree, Call) and FUNCTIONS[tree.function].angle:
+        return Call(tree.function, tuple(map(_angle, below)))
+    return rebuilt(tree, below)
 
 
 def _angle(tree: Expr) -> Expr:

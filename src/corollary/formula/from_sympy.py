@@ -10,12 +10,8 @@ from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.functions import FUNCTIONS, Function
 
-FUNCTIONS = {
-    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "asin", sympy.acos: "acos", sympy.atan: "atan",
-    sympy.atan2: "atan2", sympy.exp: "exp", sympy.log: "ln", sympy.Abs: "abs", sympy.gamma: "gamma", sympy.Min: "min",
-    sympy.Max: "max", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh",
-}  # fmt: skip
 SIGNS = {sympy.Eq: "=", sympy.Ne: "!=", sympy.Lt: "<", sympy.Le: "<=", sympy.Gt: ">", sympy.Ge: ">="}
 
 
@@ -40,10 +36,11 @@ def tree(expr: sympy.Expr) -> Expr:
         return _product(expr)
     if isinstance(expr, sympy.Pow):
         return _power(expr.base, expr.exp)
-    if isinstance(expr, sympy.Function) and not isinstance(expr, AppliedUndef) and expr.func in FUNCTIONS:
-        return Call(FUNCTIONS[expr.func], tuple(tree(argument) for argument in expr.args))  # type: ignore[arg-type]
-    if isinstance(expr, (sympy.Min, sympy.Max)):
-        return Call(FUNCTIONS[type(expr)], tuple(tree(argument) for argument in expr.args))  # type: ignore[arg-type]
+    if isinstance(expr, sympy.core.function.Application) and not isinstance(expr, AppliedUndef):
+        called = type(expr).__name__
+        row = next((row for row in FUNCTIONS.values() if (row.sympy or row.name) == called), None)
+        if row is not None:
+            return _call(row, [tree(cast(sympy.Expr, argument)) for argument in expr.args])
     raise NoTree(f"{expr} cannot be written as a formula ({type(expr).__name__})")
 
 
@@ -53,6 +50,14 @@ def relation(condition: Boolean) -> Relation:
         if isinstance(condition, kind):
             return Relation(sign, tree(condition.lhs), tree(condition.rhs))  # type: ignore[attr-defined]
     raise NoTree(f"{condition} is no relation")
+
+
+def _call(row: Function, arguments: list[Expr]) -> Expr:
+    """The function of its arguments; sympy's Min and Max take any number of them, ours two."""
+    call = Call(row.name, tuple(arguments[: row.arity]))
+    for argument in arguments[row.arity :]:
+        call = Call(row.name, (call, argument))
+    return call
 
 
 def _rational(value: Fraction) -> Expr:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import assert_never
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.functions import FUNCTIONS
 from corollary.formula.numerals import decimal_text
 from corollary.formula.symbols import WORDS
 
@@ -16,10 +17,6 @@ COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds toget
 GREEK = re.compile("|".join((*WORDS, "pi", "eps")))
 INDEX = re.compile(r"[0-9]+|[A-Z](?=[xyz]?(?![a-z]))|[xyz](?![a-z])|[A-Za-z][a-z]*")
 SIGNS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
-FUNCTIONS = {
-    "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\mathrm{atan2}", "gamma": r"\Gamma",
-    "log10": r"\log_{10}",
-}  # fmt: skip
 DEGREE = r"{}^{\circ}"
 NO_LETTERS: Mapping[str, str] = {}
 
@@ -75,8 +72,11 @@ def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
             if bottom == Number(Fraction(180)) and top == Name("pi"):
                 return DEGREE, TIMES
             return rf"\frac{{{_latex(top, letters)[0]}}}{{{_latex(bottom, letters)[0]}}}", TIMES
-        case Power(Call(function, (argument,)), exponent) if function in ("sin", "cos", "tan"):
-            return rf"\{function}^{{{_latex(exponent, letters)[0]}}}{_argument(argument, letters)}", TIMES
+        case Power(Call(function, (argument,)), exponent) if FUNCTIONS[function].angle:
+            return (
+                f"{_named(function)}^{{{_latex(exponent, letters)[0]}}}{_argument(argument, letters)}",
+                TIMES,
+            )
         case Power(base, exponent):
             return f"{within(base, ATOM)}^{{{_latex(exponent, letters)[0]}}}", RAISE
         case Call(function, arguments):
@@ -119,16 +119,16 @@ def _product(factors: list[str]) -> str:
 def _closed(factor: Expr, letters: Mapping[str, str]) -> str:
     """A function with factors behind it shows where it ends; "" for other factors."""
     match factor:
-        case Call(function, (Name() as argument,)) if function not in ("sqrt", "abs", "exp"):
-            return _named(function) + rf"({_latex(argument, letters)[0]})"
-        case Power(Call("sin" | "cos" | "tan" as function, (Name() as argument,)), exponent):
-            return rf"\{function}^{{{_latex(exponent, letters)[0]}}}({_latex(argument, letters)[0]})"
+        case Call(function, (Name() as argument,)) if "#" not in FUNCTIONS[function].tex:
+            return f"{_named(function)}({_latex(argument, letters)[0]})"
+        case Power(Call(function, (Name() as argument,)), exponent) if FUNCTIONS[function].angle:
+            return f"{_named(function)}^{{{_latex(exponent, letters)[0]}}}({_latex(argument, letters)[0]})"
         case _:
             return ""
 
 
 def _named(function: str) -> str:
-    return FUNCTIONS.get(function, "\\" + function)
+    return FUNCTIONS[function].tex or "\\" + function
 
 
 def _argument(argument: Expr, letters: Mapping[str, str]) -> str:
@@ -140,14 +140,9 @@ def _argument(argument: Expr, letters: Mapping[str, str]) -> str:
 
 def _call(function: str, arguments: tuple[Expr, ...], letters: Mapping[str, str]) -> tuple[str, int]:
     inner = ", ".join(_latex(argument, letters)[0] for argument in arguments)
-    match function:
-        case "sqrt":
-            return rf"\sqrt{{{inner}}}", ATOM
-        case "abs":
-            return rf"\left|{inner}\right|", ATOM
-        case "exp":
-            return f"e^{{{inner}}}", RAISE
-        case _ if len(arguments) == 1:
-            return _named(function) + _argument(arguments[0], letters), TIMES
-        case _:
-            return _named(function) + rf"\left({inner}\right)", ATOM
+    form = FUNCTIONS[function].tex
+    if "#" in form:
+        return form.replace("#", inner), RAISE if "^" in form else ATOM
+    if len(arguments) == 1:
+        return _named(function) + _argument(arguments[0], letters), TIMES
+    return _named(function) + rf"\left({inner}\right)", ATOM

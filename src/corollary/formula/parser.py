@@ -10,7 +10,7 @@ from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Pro
 from corollary.formula.degrees import degrees
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.exact import constant
-from corollary.formula.functions import ANGLE_IN, ARGUMENTS
+from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.text import text
 
@@ -266,7 +266,7 @@ def _power_of_function(line: _Line, function: str) -> Expr:
     if line.next.kind == "sign" and line.next.text == "-":
         choices = (
             (f"arc{function}(…)", f"1/{function}(…)")
-            if function in ANGLE_IN
+            if FUNCTIONS[function].angle
             else (f"1/{function}(…)", f"{function}(…)")
         )
         raise _Stop(ambiguous(f"{function}^-1 can be read in two ways", sign.at, *choices))
@@ -280,7 +280,8 @@ def _power_of_function(line: _Line, function: str) -> Expr:
 def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
     opened = line.take()
     found = [_formula(line, 0)]
-    while line.next.kind == "comma" and ARGUMENTS[function] > 1:
+    wanted = FUNCTIONS[function].arity
+    while line.next.kind == "comma" and wanted > 1:
         line.take()
         found.append(_formula(line, 0))
     if line.next.kind == "end":
@@ -288,21 +289,21 @@ def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
     if line.next.kind != "close":
         _unexpected(line)
     line.take()
-    if len(found) != ARGUMENTS[function]:
-        _refuse(f"{function} takes {ARGUMENTS[function]} numbers, not {len(found)}", opened.at)
+    if len(found) != wanted:
+        _refuse(f"{function} takes {wanted} numbers, not {len(found)}", opened.at)
     return tuple(found)
 
 
 def _bare_argument(line: _Line, function: str) -> Expr:
     """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
     token, start = line.next, line.at
-    if token.kind not in ("number", "name", "e") or ARGUMENTS[function] != 1:
+    if token.kind not in ("number", "name", "e") or FUNCTIONS[function].arity != 1:
         _refuse(f"{function} needs brackets", token.at, f"write {function}(…)")
     argument = _first(line, FACTOR)
     if line.next.kind == "degree":
         line.take()
         argument = degrees(argument)
-    if token.kind == "number" and line.next.kind == "name" and line.next.tight and function in ANGLE_IN:
+    if token.kind == "number" and line.next.kind == "name" and line.next.tight and FUNCTIONS[function].angle:
         argument = Product((argument, _first(line, FACTOR)))
     behind = line.next
     if behind.kind in ("number", "name", "e", "open") or (behind.kind == "sign" and behind.text in "/^"):

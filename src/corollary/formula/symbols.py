@@ -51,11 +51,15 @@ class Letters:
     loose: Mapping[str, Meaning]
 
 
-@lru_cache(maxsize=256)
 def letters(names: frozenset[str]) -> Letters:
     """The letters of an exercise. A spelling that could mean two of them stands for neither, unless it is one of the names."""
+    return _letters(names, tuple(SPELLINGS))  # with the functions, of which a plug-in may bring more
+
+
+@lru_cache(maxsize=256)
+def _letters(names: frozenset[str], functions: tuple[str, ...]) -> Letters:
     exact: dict[str, Meaning] = {"pi": ("name", "pi")}
-    exact |= {typed: ("function", name) for typed, name in SPELLINGS.items()}
+    exact |= {typed: ("function", SPELLINGS[typed]) for typed in functions}
     exact |= _unshared((spelling, name) for name in names for spelling in _spellings(name))
     exact |= {key: ("name", name) for name in names for key in (name, name.replace("_", ""))}
     if "e" not in names:

@@ -8,14 +8,7 @@ from typing import assert_never
 import sympy
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
-
-FUNCTIONS = {
-    "sqrt": sympy.sqrt, "abs": sympy.Abs, "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan,
-    "asin": sympy.asin, "acos": sympy.acos, "atan": sympy.atan, "atan2": sympy.atan2,
-    "exp": sympy.exp, "ln": sympy.log, "gamma": sympy.gamma, "min": sympy.Min, "max": sympy.Max,
-    "sinh": sympy.sinh, "cosh": sympy.cosh, "tanh": sympy.tanh,
-    "log10": lambda x: sympy.log(x) / sympy.log(10),
-}  # fmt: skip
+from corollary.formula.functions import FUNCTIONS
 
 
 def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
@@ -38,7 +31,9 @@ def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
         case Power(base, exponent):
             return expression(base, meaning) ** expression(exponent, meaning)
         case Call(function, arguments):
-            return FUNCTIONS[function](*(expression(argument, meaning) for argument in arguments))
+            named = FUNCTIONS[function].sympy or function
+            apply = getattr(sympy, named) if isinstance(named, str) else named
+            return apply(*(expression(argument, meaning) for argument in arguments))
         case Relation():
             raise TypeError("a relation is no expression; take its sides")
         case _:

@@ -9,7 +9,7 @@ from math import prod
 import numpy as np
 
 from corollary.formula.ast import names
-from corollary.formula.exact import RationalPi
+from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given
 from corollary.problem.interval_filter import Letter, kept
 from corollary.problem.problem import Condition, Problem

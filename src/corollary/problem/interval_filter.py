@@ -9,8 +9,10 @@ from fractions import Fraction
 import numpy as np
 
 from corollary.formula.arithmetics import Arithmetic, NotAvailable, ready
-from corollary.formula.ast import Negative, Relation, Sum, names
+from corollary.formula.ast import Call, Negative, Relation, Sum, names, walk
 from corollary.formula.ball import RationalPi, Undefined, holds
+from corollary.formula.functions import FUNCTIONS, Function
+from corollary.formula.syntax import author_formula
 
 ULP = 2.0**-52  # twice what one rounding may do
 SLACK = 4 * ULP  # what a function of the library may be off
@@ -65,15 +67,35 @@ def _power(x: Rounded, p: Rounded) -> Rounded:
     return _off(value, np.where(low > 0, value * np.expm1(grown), np.inf) + SLACK * value)
 
 
-ROUNDED = Arithmetic(
-    "doubles with a bound", Rounded.of, Rounded.of(Fraction(np.pi)),
-    {
-        "sqrt": _sqrt, "power": _power, "abs": lambda x: Rounded(abs(x.value), x.off),
-        "sin": lambda x: _off(np.sin(x.value), x.off + SLACK), "cos": lambda x: _off(np.cos(x.value), x.off + SLACK),
-        "min": lambda x, y: Rounded(np.minimum(x.value, y.value), np.maximum(x.off, y.off)),
-        "max": lambda x, y: Rounded(np.maximum(x.value, y.value), np.maximum(x.off, y.off)),
-    },
-)  # fmt: skip
+def _of_rounded(row: Function) -> Callable[..., Rounded] | None:
+    """A function of doubles with bounds, from what its row says of its slope; None where that bounds nothing.
+
+    By the mean value theorem it changes by no more than the largest slope between the true argument and the double, which
+    the derivative, worked out of the double with its own bound, is never below.
+    """
+    if (
+        row.name == "sqrt"
+    ):  # its slope is infinite at 0, where conditions such as sqrt(a) <= b are often decided
+        return _sqrt
+    of_array = getattr(np, row.array or row.name, None)
+    slopes = [author_formula(derivative) for derivative in row.derivatives]
+    called = {node.function for slope in slopes for node in walk(slope) if isinstance(node, Call)}
+    bounded = all(name == "sqrt" or FUNCTIONS[name].slope for name in called)
+    if of_array is None or not (row.slope or (slopes and bounded and not row.branches)):
+        return None
+    of_slopes = [ready(slope, ROUNDED) for slope in slopes] if not row.slope else []
+
+    def apply(*at: Rounded) -> Rounded:
+        value = of_array(*(each.value for each in at))
+        steepest = [run(dict(zip("xy", at, strict=False))) for run in of_slopes]
+        bounds = [abs(slope.value) + slope.off for slope in steepest] or [row.slope] * len(at)
+        moved = [bound * each.off for bound, each in zip(bounds, at, strict=True)]
+        return _off(value, sum(moved) + SLACK * np.maximum(abs(value), 1.0))
+
+    return apply
+
+
+ROUNDED = Arithmetic("doubles with a bound", Rounded.of, Rounded.of(Fraction(np.pi)), _of_rounded, _power)
 SIGNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "=": lambda gap: gap == 0, "!=": lambda gap: gap != 0,
     "<": lambda gap: gap < 0, "<=": lambda gap: gap <= 0, ">": lambda gap: gap > 0, ">=": lambda gap: gap >= 0,
@@ -106,7 +128,7 @@ def kept(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
 
 
 def _gap(relation: Relation, letters: Mapping[str, Letter]) -> Rounded:
-    """Left side less right side; of no worth where doubles cannot say."""
+    """Left side minus right side; NaN with an infinite bound where this arithmetic lacks a function or overflows."""
     try:
         numbers = {name: _doubles(letter) for name, letter in letters.items()}
         return ready(Sum((relation.left, Negative(relation.right))), ROUNDED)(numbers)

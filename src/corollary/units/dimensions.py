@@ -7,7 +7,8 @@ from typing import assert_never
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.errors import ParseError, refused
-from corollary.formula.exact import HALF, constant
+from corollary.formula.exact import constant
+from corollary.formula.functions import FUNCTIONS
 from corollary.formula.text import text
 from corollary.units.unit import ONE, Dimension, called, show, si_unit
 
@@ -110,17 +111,10 @@ def _power(base: Expr, exponent: Expr, of: Mapping[str, Dimension]) -> Found:
 
 
 def _call(function: str, arguments: tuple[Expr, ...], of: Mapping[str, Dimension]) -> Found:
-    match function:
-        case "sqrt":
-            inner = _dimension(arguments[0], of)
-            return None if inner is None else inner**HALF
-        case "abs":
-            return _dimension(arguments[0], of)
-        case "min" | "max":
-            return _same(arguments, of, "compared")
-        case "atan2":
-            _same(arguments, of, "compared")
-            return ONE
-        case _:
-            _plain(arguments[0], of, f"inside {function}")
-            return ONE
+    power = FUNCTIONS[function].dimension
+    if power is None:
+        for argument in arguments:
+            _plain(argument, of, f"inside {function}")
+        return ONE
+    common = _same(arguments, of, "compared")
+    return ONE if power == 0 else None if common is None else common**power

@@ -1,0 +1,136 @@
+"""Numbers q·π^n: the fractions, and what becomes of them in sums, products, powers and functions of angles, exactly."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+MOST_BITS = 20_000  # beyond, a fraction is given up: 9^9^9 has 370 million digits
+
+ZERO, HALF = Fraction(0), Fraction(1, 2)
+SINES = {ZERO: ZERO, Fraction(1, 6): HALF, HALF: Fraction(1), Fraction(5, 6): HALF, Fraction(1): ZERO}
+"""sin(pi x) where it is rational, for x from 0 to 1 (Niven's theorem: there are no others)."""
+TANGENTS = {ZERO: ZERO, Fraction(1, 4): Fraction(1), Fraction(3, 4): Fraction(-1)}
+"""tan(pi x) where it is rational, for x from 0 to 1 (by the same theorem)."""
+
+
+@dataclass(frozen=True, slots=True)
+class RationalPi:
+    """The number `ratio` times pi to the power `pi`."""
+
+    ratio: Fraction
+    pi: int = 0
+
+
+NOTHING = RationalPi(ZERO)
+ONE = RationalPi(Fraction(1))
+MINUS_ONE = RationalPi(Fraction(-1))
+PI = RationalPi(Fraction(1), 1)
+
+
+def bounded(ratio: Fraction, pi: int) -> RationalPi | None:
+    """The number, 0 without any pi; None where its fraction has become too long."""
+    if ratio == 0:
+        return NOTHING
+    long = max(ratio.numerator.bit_length(), ratio.denominator.bit_length()) >= MOST_BITS
+    return None if long else RationalPi(ratio, pi)
+
+
+def plus(left: RationalPi | None, right: RationalPi | None) -> RationalPi | None:
+    """The sum; None where it is no such number (1 + pi)."""
+    if left is None or right is None:
+        return None
+    if left.ratio and right.ratio and left.pi != right.pi:
+        return None
+    return bounded(left.ratio + right.ratio, left.pi if left.ratio else right.pi)
+
+
+def times(left: RationalPi | None, right: RationalPi | None) -> RationalPi | None:
+    """The product."""
+    return None if left is None or right is None else bounded(left.ratio * right.ratio, left.pi + right.pi)
+
+
+def raised(base: RationalPi | None, power: Fraction) -> RationalPi | None:
+    """The power; None where it is irrational, undefined or too long."""
+    if base is None or (base.ratio == 0 and power < 0):
+        return None
+    if power.denominator > 64 or power.numerator.bit_length() > 12:
+        return None
+    bits = max(base.ratio.numerator.bit_length(), base.ratio.denominator.bit_length())
+    if bits * abs(power) > MOST_BITS or (base.pi * power).denominator != 1:
+        return None
+    root = base.ratio if power.denominator == 1 else _root(base.ratio, power.denominator)
+    return None if root is None else bounded(root**power.numerator, int(base.pi * power))
+
+
+def _root(ratio: Fraction, degree: int) -> Fraction | None:
+    if ratio < 0:
+        return None
+    top, bottom = _whole_root(ratio.numerator, degree), _whole_root(ratio.denominator, degree)
+    exact = top**degree == ratio.numerator and bottom**degree == ratio.denominator
+    return Fraction(top, bottom) if exact else None
+
+
+def _whole_root(number: int, degree: int) -> int:
+    """The largest whole number whose power does not exceed `number` (Newton from above)."""
+    if degree == 2:
+        return math.isqrt(number)
+    guess = 1 << -(-number.bit_length() // degree)
+    while guess and (step := ((degree - 1) * guess + number // guess ** (degree - 1)) // degree) < guess:
+        guess = step
+    return guess
+
+
+def sine(angle: RationalPi) -> RationalPi | None:
+    """The sine of a rational share of pi, where it is rational."""
+    return _sine_of_turn(angle.ratio % 2) if angle.pi == 1 or not angle.ratio else None
+
+
+def cosine(angle: RationalPi) -> RationalPi | None:
+    """The cosine of a rational share of pi, where it is rational."""
+    return _sine_of_turn((angle.ratio + HALF) % 2) if angle.pi == 1 or not angle.ratio else None
+
+
+def tangent(angle: RationalPi) -> RationalPi | None:
+    """The tangent of a rational share of pi, where it is rational."""
+    known = TANGENTS.get(angle.ratio % 1) if angle.pi == 1 or not angle.ratio else None
+    return None if known is None else RationalPi(known)
+
+
+def _sine_of_turn(turn: Fraction) -> RationalPi | None:
+    found = SINES.get(turn) if turn <= 1 else SINES.get(turn - 1)
+    return None if found is None else RationalPi(found if turn <= 1 else -found)
+
+
+def arc_sine(x: RationalPi) -> RationalPi | None:
+    """The angle between -pi/2 and pi/2 whose sine is x, where it is a rational share of pi."""
+    if x.pi:
+        return None
+    known = next((turn for turn, value in SINES.items() if value == abs(x.ratio) and turn <= HALF), None)
+    return None if known is None else bounded(known if x.ratio >= 0 else -known, 1)
+
+
+def arc_cosine(x: RationalPi) -> RationalPi | None:
+    """The angle between 0 and pi whose cosine is x, where it is a rational share of pi."""
+    found = arc_sine(x)
+    return None if found is None else bounded(HALF - found.ratio, 1)
+
+
+def arc_tangent(x: RationalPi) -> RationalPi | None:
+    """The angle between -pi/2 and pi/2 whose tangent is x, where it is a rational share of pi."""
+    if x.pi or abs(x.ratio) not in (0, 1):
+        return None
+    return bounded(x.ratio / 4, 1)
+
+
+def smallest(*numbers: RationalPi) -> RationalPi | None:
+    """The least of them; None where their powers of pi differ."""
+    alike = len({each.pi for each in numbers if each.ratio}) < 2
+    return min(numbers, key=lambda each: each.ratio) if alike else None
+
+
+def largest(*numbers: RationalPi) -> RationalPi | None:
+    """The greatest of them; None where their powers of pi differ."""
+    alike = len({each.pi for each in numbers if each.ratio}) < 2
+    return max(numbers, key=lambda each: each.ratio) if alike else None
