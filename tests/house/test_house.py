@@ -61,7 +61,18 @@ def test_no_circles(modules):
 @pytest.mark.parametrize(
     ("library", "rooms"),
     [
-        ("sympy", ("author", "laws", "derive", "formula.to_sympy", "formula.from_sympy", "sandbox.worker")),
+        (
+            "sympy",
+            (
+                "author",
+                "laws",
+                "derive",
+                "formula.functions",
+                "formula.to_sympy",
+                "formula.from_sympy",
+                "sandbox.worker",
+            ),
+        ),
         ("matplotlib", ("figure", "sandbox.worker")),
         ("nbgrader", ("nbgrader",)),
         ("nbformat", ("notebook.", "sandbox.", "nbgrader")),
