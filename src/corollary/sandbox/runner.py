@@ -25,7 +25,7 @@ class Runner:
     """Runs notebooks one after another, each in a fork of one zygote; for several at once use several.
 
     `require` is the least isolation level accepted: entering raises WeakIsolation below it, and CannotStart when nothing
-    can be run at all. `without` leaves out layers by name, to measure their cost. `execute` is safe to call from several
+    can be run at all. `without` leaves out layers or libraries by name, to measure what they are worth. `execute` is safe to call from several
     threads; they wait for one another.
     """
 

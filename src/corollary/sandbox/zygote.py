@@ -77,8 +77,8 @@ class Worker:
 class Zygote:
     """A running zygote: an isolated interpreter with a clean environment, which gets its sources as text.
 
-    `without` names layers to leave out ("namespaces", "Landlock", "seccomp"), to measure what each is worth. `folder` is
-    where notebooks write when they have no disk of their own. Raises CannotStart.
+    `without` names layers to leave out ("namespaces", "Landlock", "seccomp"), or libraries that are then not found there,
+    to measure what each is worth. `folder` is where notebooks write when they have no disk of their own. Raises CannotStart.
     """
 
     def __init__(self, limits: Limits, without: frozenset[str] = frozenset()) -> None:
@@ -227,7 +227,7 @@ class Zygote:
             "base": str(self._base.root),
             "folder": str(self._base.folder),
             "hidden": _installation(libraries),
-            "absent": _PACKAGE.name,
+            "absent": sorted({_PACKAGE.name} | without),
         }
 
 

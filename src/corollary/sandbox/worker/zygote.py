@@ -5,7 +5,6 @@ import gc
 import os
 import signal
 import socket
-import sys
 import tempfile
 
 from . import executor, layers, libc, namespaces, privileges, protocol, worker
@@ -45,8 +44,6 @@ def serve(config):
     outputs = Outputs(isolation.limits["output_bytes"])
     shell = _warm_shell(outputs, config["preload"])
     tempfile.tempdir = None
-    modules: dict = sys.modules
-    modules[config["absent"]] = None  # importing it then raises ModuleNotFoundError
     if libc.on_linux():
         layers.prepare(isolation, config)
         privileges.hide_memory()

@@ -1,0 +1,41 @@
+"""A script that runs another as an ordinary user, also where the tests run as root and root alone may read the interpreter."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from kernel import CLONE_NEWNS, MS_BIND, MS_PRIVATE, MS_REC, libc, mount
+
+NOBODY = 65534
+
+
+def main() -> None:
+    script, *arguments = sys.argv[1:]
+    if os.geteuid() == 0:
+        _become_nobody()
+    os.execv(sys.executable, [sys.executable, script, *arguments])
+
+
+def _become_nobody() -> None:
+    interpreter = Path(sys.base_prefix)
+    closed = [folder for folder in reversed(interpreter.parents) if not folder.stat().st_mode & 0o001]
+    if closed:
+        # In a mount namespace of this process alone, the interpreter is all that is left of the folder around it.
+        if libc.unshare(CLONE_NEWNS):
+            raise SystemExit("no mount namespace to show the interpreter in")
+        mount(None, "/", None, MS_REC | MS_PRIVATE)
+        aside = tempfile.mkdtemp()
+        mount(str(interpreter), aside, None, MS_BIND | MS_REC)
+        mount("open", str(closed[0]), "tmpfs", 0, "mode=755")
+        interpreter.mkdir(parents=True)
+        mount(aside, str(interpreter), None, MS_BIND | MS_REC)
+    os.setgroups([])
+    os.setresgid(NOBODY, NOBODY, NOBODY)
+    os.setresuid(NOBODY, NOBODY, NOBODY)
+
+
+if __name__ == "__main__":
+    main()

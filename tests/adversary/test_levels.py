@@ -1,0 +1,60 @@
+"""What each isolation level says it guarantees is so, seen from outside; as an ordinary user, and without each layer."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from . import kernel
+
+FOUR = {"reads", "writes", "signals", "network"}
+HERE = Path(__file__).parent
+
+
+def as_ordinary_user(script: str, *arguments: str, folder: Path) -> dict[str, Any]:
+    """What the script prints; `folder` is its home and holds its temporary files."""
+    for each in (folder, *list(folder.parents)[:2]):  # pytest's own are for one user
+        each.chmod(0o777)
+    environment = {**os.environ, "HOME": str(folder), "TMPDIR": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, str(HERE / "ordinary_user.py"), str(HERE / script), *arguments]
+    done = subprocess.run(command, env=environment, cwd="/", capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+@pytest.mark.parametrize(
+    "without",
+    [
+        (),
+        ("namespaces",),
+        ("Landlock",),
+        ("seccomp",),
+        ("landlockpy", "pyseccomp"),
+        ("namespaces", "Landlock"),
+        ("namespaces", "seccomp"),
+        ("namespaces", "landlockpy", "pyseccomp"),
+    ],
+    ids=" ".join,
+)
+def test_what_is_guaranteed_to_an_ordinary_user_is_so(without: tuple[str, ...], tmp_path: Path) -> None:
+    found = as_ordinary_user("bystanders.py", *without, folder=tmp_path)
+    assert found["ran"] == ["ok", "ok"]
+    assert found["level"] == found["promised"], found
+    for guarantee in found["guaranteed"]:
+        assert found[guarantee], (guarantee, found)
+    assert (found["level"] >= 1) == (set(found["guaranteed"]) == FOUR)
+    assert found["zygote"], "a notebook opened the zygote's memory"
+    for layer, library in (("Landlock", "landlockpy"), ("seccomp", "pyseccomp")):
+        if library in without:
+            assert any(each.startswith(layer) and "extra `isolation`" in each for each in found["missing"])
+
+
+def test_the_kernel_is_asked_and_not_the_package() -> None:
+    assert kernel.promised() >= kernel.promised(frozenset({"namespaces"}))
+    assert kernel.promised(frozenset({"namespaces", "seccomp"})) == 0
