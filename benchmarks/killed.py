@@ -15,14 +15,14 @@ from typing import Any
 
 from corollary.course.demo.player import Hand, right_sources
 from corollary.course.demo.stage import hand_in
-from corollary.course.generate import generate, variants_of
+from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
-from corollary.records.course import open_course
-from corollary.records.records import history
+from corollary.records.files import open_course
+from corollary.records.marks import history
 
 SMALL = "---\ntitle: One exercise\ndue: 2026-12-04 23:59\nproblems:\n  - {code}\n---\nOne exercise.\n"
 SCORES = """
@@ -48,7 +48,7 @@ def class_of(folder: Path, count: int, code: str = "X12.5") -> Path:
     roster = [Student(f"s{number:05}", f"Student {number}", "", "") for number in range(count)]
     made = generate(folder / "course", problem_set, roster, solutions, file=file)
     for number, student in enumerate(roster):
-        variants = variants_of(problem_set, made.dealt[student.id])
+        variants = problem_set.variants(made.assigned[student.id])
         paper = worksheet(problem_set, student, variants)
         sources = right_sources(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
         if number % 3 == 0:

@@ -7,9 +7,8 @@ from functools import partial
 from pathlib import Path
 
 from corollary.course.demo.player import right_sources
-from corollary.course.generate import variants_of
-from corollary.course.submission import GradingContext, Submission
 from corollary.grading.solutions import Solutions
+from corollary.grading.submission import GradingContext, Submission
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
@@ -39,7 +38,7 @@ def handed_in(by: GradingContext) -> list[Submission]:
     papers = []
     for index, name in enumerate(POINTS):
         row = {"X12.5": 100 + index}
-        paper = worksheet(by.problem_set, Student(name), variants_of(by.problem_set, row))
+        paper = worksheet(by.problem_set, Student(name), by.problem_set.variants(row))
         keys = {exercise.problem.code: by.solutions.key(exercise.variant) for exercise in paper.exercises}
         sources = {} if name == "jon" else right_sources(paper, keys)
         if name == "ben":

@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from corollary.course import cluster
-from corollary.course.cluster import NoCluster, mark_there, on_cluster, state_of
+from corollary.course.cluster import NoCluster, mark_there, on_cluster
 from corollary.course.workers import in_turn
+from corollary.grading.submission import state_of
 
 from .small_class import POINTS, handed_in, order
 
@@ -25,7 +26,7 @@ def test_a_worker_killed_on_the_way_loses_nothing(tmp_path: Path) -> None:
         on_cluster(machines.scheduler_address)(by, iter(papers)) as returned,
     ):
         os.kill(next(iter(machines.workers.values())).pid, signal.SIGKILL)
-        found = {one.handed.student.id: one for one in returned}
+        found = {one.submission.student.id: one for one in returned}
     assert {name: one.marked.points for name, one in found.items()} == POINTS
     with in_turn(by, iter(papers[:1])) as alone:
         assert next(alone).marked.grades == found["ada"].marked.grades
@@ -43,4 +44,4 @@ def test_nobody_answers(monkeypatch, tmp_path: Path) -> None:
 def test_a_worker_with_other_solutions_marks_nothing(tmp_path: Path) -> None:
     by = order(tmp_path)
     with pytest.raises(NoCluster, match="another version"):
-        mark_there(cluster.Sent(by, "token", state_of(by) + "x"), handed_in(by)[0])
+        mark_there(cluster.Sent(by, "token", state_of(by.problem_set, by.solutions) + "x"), handed_in(by)[0])

@@ -16,9 +16,10 @@ from typing import Any, cast
 import pytest
 
 from corollary.answers.verdict import Unmarked
-from corollary.course.submission import GradedSubmission, GradingContext, Submission
 from corollary.course.workers import Execute, here, in_turn, side_by_side
 from corollary.grading.solutions import Solutions
+from corollary.grading.submission import GradingContext, Submission
+from corollary.nbgrader.graded import GradedSubmission
 from corollary.sandbox.isolation import WeakIsolation
 from corollary.sandbox.job import Job
 from corollary.sandbox.runner import Runner
@@ -49,7 +50,7 @@ def marked(execute: Execute, by: GradingContext, papers: list[Submission]) -> di
     with execute(by, iter(papers)) as returned:
         all_of_them = list(returned)
     assert len(all_of_them) == len(papers), "nobody twice, nobody missing"
-    return {one.handed.student.id: one for one in all_of_them}
+    return {one.submission.student.id: one for one in all_of_them}
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +104,7 @@ def test_a_failing_of_the_judge_goes_to_a_person_and_the_others_are_marked(
     key = Solutions.key
 
     def stumbling(self: Solutions, variant: Any) -> Any:
-        if variant.index == papers[0].row["X12.5"]:
+        if variant.index == papers[0].assigned["X12.5"]:
             raise ArithmeticError("no such number")
         return key(self, variant)
 

@@ -17,16 +17,18 @@ import pytest
 
 pytest.importorskip("nbgrader")
 
+from corollary.atomic import write_whole
 from corollary.course.demo.player import Hand, right_sources
 from corollary.course.demo.stage import hand_in
-from corollary.course.generate import generate, variants_of
+from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
-from corollary.records.course import Course, open_course, read_dealt, write_atomically
-from corollary.records.records import history, read_record, settle
+from corollary.records.assigned import read_assigned
+from corollary.records.files import Course, open_course
+from corollary.records.marks import history, read_record, settle
 
 BIN = Path(sys.executable).parent
 SET = """\
@@ -70,7 +72,7 @@ def grade(pair: Path, course: Course, *words: str) -> tuple[int, dict, str]:
 def answers(
     course: Course, problem_set: ProblemSet, solutions: Solutions, student: Student, **others: str
 ) -> None:
-    variants = variants_of(problem_set, read_dealt(course, problem_set.name)[student.id])
+    variants = problem_set.variants(read_assigned(course, problem_set.name)[student.id])
     paper = worksheet(problem_set, student, variants)
     keys = {variant.problem.code: solutions.key(variant) for variant in variants}
     hand_in(
@@ -210,7 +212,7 @@ def test_hand_ins_that_do_not_fit_have_a_defined_outcome(
 ) -> None:
     course = copied(undisturbed, tmp_path)
     mine = course.notebook("submitted", "ada", "pair")
-    write_atomically(course.notebook("submitted", "zoe", "pair"), mine.read_bytes())
+    write_whole(course.notebook("submitted", "zoe", "pair"), mine.read_bytes())
     shutil.copy(course.notebook("submitted", "dora", "pair"), course.notebook("submitted", "elif", "pair"))
     place = course.place("submitted", "finn", "pair")
     shutil.copy(place / "pair.ipynb", place / "pair (1).ipynb")

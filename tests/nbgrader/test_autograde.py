@@ -14,19 +14,20 @@ import pytest
 
 pytest.importorskip("nbgrader")
 
+from corollary.atomic import write_whole
 from corollary.course.demo.player import Hand
 from corollary.course.demo.players import PLAYERS
 from corollary.course.demo.stage import hand_in
-from corollary.course.generate import generate, variants_of
+from corollary.course.generate import generate
 from corollary.course.grade import grade_set, read_record
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import file_text
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
-from corollary.records.course import Course, open_course, read_dealt, write_atomically
-from corollary.records.lock import one_writer
-from corollary.records.records import history
+from corollary.records.assigned import read_assigned
+from corollary.records.files import Course, one_writer, open_course
+from corollary.records.marks import history
 from corollary.sandbox.runner import Runner
 
 BIN = Path(sys.executable).parent
@@ -59,7 +60,7 @@ def vandalised(path: Path) -> None:
     by_id["X12_7_a_text"].metadata = nbformat.from_dict({})
     by_id["X12_8_a"].metadata["tags"] = ["skip-execution"]
     nb.cells.append(nbformat.from_dict(dict(by_id["X12_10_a"]) | {"id": "copied"}))
-    write_atomically(path, json.dumps(nb))
+    write_whole(path, json.dumps(nb))
 
 
 @pytest.fixture(scope="module")
@@ -83,14 +84,14 @@ def courses(
     ]  # whose endless loop takes its time, twice
     made = generate(folder / "ours", problem_set, [player.student for player in players], solutions)
     for player in players:
-        row = read_dealt(made.course, SET)[player.student.id]
-        paper = worksheet(problem_set, player.student, variants_of(problem_set, row))
+        row = read_assigned(made.course, SET)[player.student.id]
+        paper = worksheet(problem_set, player.student, problem_set.variants(row))
         hand: Hand = player.hand(
             paper, {each.problem.code: solutions.key(each.variant) for each in paper.exercises}
         )
         hand_in(made.course, problem_set, paper, hand)
     vandalised(made.course.notebook("submitted", "chen", SET))
-    write_atomically(made.course.notebook("submitted", "zoe", SET), file_text(nbformat.v4.new_notebook()))
+    write_whole(made.course.notebook("submitted", "zoe", SET), file_text(nbformat.v4.new_notebook()))
     subprocess.run(["cp", "-a", str(folder / "ours"), str(folder / "theirs")], check=True)
     grade_set(made.course, problem_set, solutions, Runner)
     done = subprocess.run(

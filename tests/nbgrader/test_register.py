@@ -24,6 +24,7 @@ pytest.importorskip("nbgrader")
 from nbgrader.api import Gradebook
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
+from corollary.atomic import write_whole
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.nbgrader.register import (
     GradebookLocked,
@@ -39,7 +40,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, at, chapter
-from corollary.records.course import Course, create_course, write_atomically
+from corollary.records.files import Course, create_course
 from corollary.sandbox.result import CellRun
 
 FILES = {
@@ -90,7 +91,7 @@ ON_TIME = "2026-12-04 21:03:11.500000 UTC"
 def week(tmp_path_factory: pytest.TempPathFactory) -> ProblemSet:
     bank = tmp_path_factory.mktemp("bank")
     for name, text in FILES.items():
-        write_atomically(bank / name, dedent(text))
+        write_whole(bank / name, dedent(text))
     return read_set(Bank(bank), bank / "problems/sets/week_1.md")
 
 
@@ -127,9 +128,9 @@ def hand_in(
     nb = notebook(worksheet(week, student, variants(week, student)))
     for cell in nb.cells:
         cell.source = answers.get(cell.id, cell.source)
-    write_atomically(course.notebook("submitted", student.id, week.name), file_text(nb))
+    write_whole(course.notebook("submitted", student.id, week.name), file_text(nb))
     if stamp is not None:
-        write_atomically(course.place("submitted", student.id, week.name) / "timestamp.txt", stamp)
+        write_whole(course.place("submitted", student.id, week.name) / "timestamp.txt", stamp)
     return nb
 
 
@@ -195,8 +196,8 @@ def test_stock_commands_work_on_what_we_wrote(course: Course, week: ProblemSet):
     )
 
     assert "ada (Lovelace, Ada)" in command(course, "db", "student", "list")
-    write_atomically(course.place("feedback", "ada", "week_1") / "week_1.html", "feedback on older marks")
-    write_atomically(course.place("autograded", "ada", "week_1") / "week_1.feedback.html", "our own page")
+    write_whole(course.place("feedback", "ada", "week_1") / "week_1.html", "feedback on older marks")
+    write_whole(course.place("autograded", "ada", "week_1") / "week_1.feedback.html", "our own page")
     command(course, "generate_feedback", "week_1")
     assert (course.place("feedback", "ada", "week_1") / "week_1.feedback.html").read_text() == "our own page"
     page = (course.place("feedback", "ada", "week_1") / "week_1.html").read_text()

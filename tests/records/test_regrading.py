@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from corollary.answers.verdict import Right, Verdict, Wrong
 from corollary.grading.grade import Grade, Marked, PartGrade
-from corollary.grading.record import marked_record
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
+from corollary.records.marks import record_of
 from corollary.records.regrading import changes
 
 KICK = chapter(find(chapter_bank(), "X12.5"))
@@ -24,7 +24,7 @@ def marked(name: str, *points: float, late_share: float = 1.0) -> Marked:
 
 
 def test_the_largest_change_comes_first_and_who_keeps_their_marks_is_not_named() -> None:
-    old = {name: marked_record(marked(name, 1, 0, 0)) for name in ("ada", "ben", "chen")}
+    old = {name: record_of(marked(name, 1, 0, 0), "") for name in ("ada", "ben", "chen")}
     found = changes(
         old,
         [marked("ada", 1, 1, 0), marked("ben", 1, 0, 0), marked("chen", 0, 1, 1), marked("dora", 1, 1, 1)],
@@ -40,7 +40,7 @@ def test_the_largest_change_comes_first_and_who_keeps_their_marks_is_not_named()
 
 
 def test_lateness_alone_is_a_change_and_a_breath_is_none() -> None:
-    old = {"ada": marked_record(marked("ada", 1, 1, 1))}
+    old = {"ada": record_of(marked("ada", 1, 1, 1), "")}
     (found,) = changes(old, [marked("ada", 1, 1, 1, late_share=0.5)])
     assert (found.by, found.parts) == (-1.5, ())
     assert changes(old, [replace(marked("ada", 1, 1, 1.000001))]) == ()

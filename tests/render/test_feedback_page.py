@@ -12,7 +12,7 @@ import pytest
 from corollary.render.feedback_page import feedback_page, spell
 from corollary.render.verdict_look import LOOKS
 
-SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 Page = SAMPLE["Page"]
 
 

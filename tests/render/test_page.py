@@ -14,7 +14,7 @@ from corollary.render.page import page, points
 from corollary.render.show import show_html
 from corollary.render.verdict_look import LOOKS
 
-SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 
 
 def test_an_exercise_is_a_whole_page_with_its_font(tmp_path):

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from corollary.records.report import summary
 from corollary.render.report_page import report_page
 
-SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
+summary = SAMPLE["summary"]
 Page = SAMPLE["Page"]
 
 

@@ -13,7 +13,7 @@ from corollary.notebook.worksheet import exercise
 from corollary.problem.variant import chapter
 from corollary.render.show import show_markdown, show_text
 
-SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 
 
 @pytest.fixture

@@ -56,7 +56,7 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from corollary.records.report import terminal
+    from corollary.render.report_table import terminal
 
     console = Console()
     console.print(terminal(shown.outcome.report))

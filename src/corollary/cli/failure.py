@@ -27,12 +27,11 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.grading.assign": ["NoVariant"],
         "corollary.formula.compiled": ["Undefined"],
         "corollary.scenes.run": ["BadSetting"],
-        "corollary.records.course": ["NotACourse"],
+        "corollary.records.files": ["NotACourse", "BeingGraded"],
         "corollary.course.cluster": ["NoCluster"],
         "corollary.course.grade": ["NotDealt"],
         "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
         "corollary.nbgrader.config": ["NotOurs"],
-        "corollary.records.lock": ["BeingGraded"],
         "corollary.sandbox.isolation": ["WeakIsolation"],
         "corollary.sandbox.zygote": ["CannotStart"],
     }

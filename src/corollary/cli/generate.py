@@ -29,15 +29,15 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
         )
     if json:
         answer({
-            "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.passed_over,
-            "students": {id: {"sheet": str(path), "variants": made.dealt[id]} for id, path in made.sheets.items()},
+            "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.redrawn,
+            "students": {id: {"sheet": str(path), "variants": made.assigned[id]} for id, path in made.notebooks.items()},
         })  # fmt: skip
         return HOLDS
-    count = len(made.sheets)
+    count = len(made.notebooks)
     print(
         f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/"
     )
-    print(f"Each student has numbers of their own; {sum(made.passed_over.values())} draws were passed over.")
+    print(f"Each student has numbers of their own; {sum(made.redrawn.values())} draws were passed over.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"
     )

@@ -7,14 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from corollary.cli.failure import FAILS, HOLDS, answer, say
 from corollary.cli.progress import countdown
 from corollary.course.cluster import on_cluster
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
-from corollary.records.course import open_course
-from corollary.records.lock import one_writer
-from corollary.records.origin import set_of
+from corollary.records.assigned import set_of
+from corollary.records.files import one_writer, open_course
 from corollary.records.regrading import Change
 from corollary.sandbox.runner import Runner
 
@@ -32,10 +33,10 @@ def run(
 ) -> int:
     opened = open_course(course)
     place, problem_set = set_of(opened, name, bank)
-    with one_writer(opened), countdown(f"grading {problem_set.name}") as tell:
+    with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(
             opened, problem_set, Solutions(place), partial(Runner, require=require),
-            regrade=regrade, dry_run=dry_run, show=show_changes, tell=tell, jobs=jobs, execute=on_cluster(executor) if executor else None,
+            regrade=regrade, dry_run=dry_run, show=show_changes, progress=progress, jobs=jobs, execute=on_cluster(executor) if executor else None,
         )  # fmt: skip
     for stranger in done.strangers:
         say(
@@ -59,7 +60,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
         "unclear": {student: list(names) for student, names in done.unclear.items()},
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
-            student: {each: record.get(each, []) for each in ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")}
+            student: {each: msgspec.to_builtins(getattr(record, each)) for each in ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")}
             for student, record in done.records.items()
         },
     }  # fmt: skip
@@ -90,7 +91,7 @@ def show(done: Outcome) -> None:
     """The report on the terminal, and where to look."""
     from rich.console import Console
 
-    from corollary.records.report import terminal
+    from corollary.render.report_table import terminal
 
     console = Console()
     console.print(terminal(done.report))

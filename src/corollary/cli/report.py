@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from corollary.cli.failure import HOLDS, answer, refuse, say
-from corollary.records.course import open_course
-from corollary.records.origin import set_of
-from corollary.records.report import as_json, terminal
-from corollary.records.report_kept import report_of
+from corollary.records.assigned import set_of
+from corollary.records.files import open_course
+from corollary.records.report_model import as_json, report_of
 
 
 def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | None) -> int:
@@ -28,6 +27,8 @@ def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | N
         answer(as_json(found))
     elif output is None:
         from rich.console import Console
+
+        from corollary.render.report_table import terminal
 
         Console().print(terminal(found))
     return HOLDS

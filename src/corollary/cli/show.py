@@ -11,7 +11,7 @@ from corollary.problem.bank import Bank, home
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet, Scheme
 from corollary.problem.roster import Student
-from corollary.problem.variant import Variant, at, chapter, size
+from corollary.problem.variant import Variant, assigned_variant, at, chapter, size
 
 FORMATS = ("text", "md", "html", "ipynb")
 
@@ -53,12 +53,13 @@ def _variant(
         return chapter(problem)
     if course is None:
         return Solutions(place).assign_variant(problem, b"", student, ()).variant
-    from corollary.records.course import dealt_anywhere, open_course
+    from corollary.records.assigned import assigned_anywhere
+    from corollary.records.files import open_course
 
-    row = dealt_anywhere(open_course(course), student)
+    row = assigned_anywhere(open_course(course), student)
     if problem.code not in row and size(problem) > 1:
         refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
-    return at(problem, row[problem.code]) if problem.code in row else chapter(problem)
+    return assigned_variant(problem, row)
 
 
 def _text(chosen: Variant, story: str | None, format: str, student: str | None) -> str:

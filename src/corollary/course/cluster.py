@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -11,9 +10,9 @@ from itertools import islice
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
-from corollary import __version__
-from corollary.course.submission import GradedSubmission, GradingContext, Submission, mark_one, set_aside
 from corollary.course.workers import AHEAD, Execute
+from corollary.grading.submission import GradingContext, Submission, state_of
+from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
 from corollary.sandbox.runner import Runner
 
 if TYPE_CHECKING:
@@ -21,9 +20,8 @@ if TYPE_CHECKING:
 
 SECONDS_TO_CONNECT = 15
 
-_at_work: dict[
-    str, tuple[GradingContext, Runner]
-] = {}  # of a worker process: what it marks with, under the token of the grading
+# Of a worker process: what it marks with, under the token of the grading.
+_at_work: dict[str, tuple[GradingContext, Runner]] = {}
 _one_at_a_time = Lock()  # a worker may have several threads; the judge's arithmetic is for one
 
 
@@ -33,9 +31,9 @@ class NoCluster(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Sent:
-    """An order on its way: `token` tells this grading from the one before, `state` its program and solutions."""
+    """A grading on its way: `token` tells it from the one before, `state` its program and solutions."""
 
-    order: GradingContext
+    context: GradingContext
     token: str
     state: str
 
@@ -48,40 +46,32 @@ def on_cluster(address: str) -> Execute:
 
     @contextmanager
     def execute(
-        order: GradingContext, submissions: Iterable[Submission]
+        context: GradingContext, submissions: Iterable[Submission]
     ) -> Iterator[Iterator[GradedSubmission]]:
         client = _connect(address)
         try:
-            sent = Sent(order, os.urandom(8).hex(), state_of(order))
+            sent = Sent(context, os.urandom(8).hex(), state_of(context.problem_set, context.solutions))
             yield _as_done(client, sent, iter(submissions))
         finally:
-            with suppress(Exception):  # a cluster that is lost has nothing to be told
+            with suppress(Exception):  # a cluster that is lost has no workers left to stop
                 client.run(leave)
             client.close()
 
     return execute
 
 
-def state_of(order: GradingContext) -> str:
-    """A digest of the program's version and of all solutions: marks from two states must not meet in one gradebook."""
-    digest = hashlib.sha256(__version__.encode())
-    for problem in order.problem_set.problems:
-        digest.update(b"\0" + order.solutions.source(problem))
-    return digest.hexdigest()
-
-
-def mark_there(sent: Sent, handed: Submission) -> GradedSubmission:
+def mark_there(sent: Sent, submission: Submission) -> GradedSubmission:
     """In a worker. The solutions are found and the runner starts with the first submission of a grading."""
     with _one_at_a_time:
         if sent.token not in _at_work:
             _leave()
-            if state_of(sent.order) != sent.state:
+            if state_of(sent.context.problem_set, sent.context.solutions) != sent.state:
                 raise NoCluster(
                     "a worker has another version of the program or of the solutions; put the same ones everywhere"
                 )
-            _at_work[sent.token] = sent.order, sent.order.runner()
-        order, runner = _at_work[sent.token]
-        return mark_one(order, runner, handed)
+            _at_work[sent.token] = sent.context, sent.context.runner()
+        context, runner = _at_work[sent.token]
+        return grade_submission(context, runner, submission)
 
 
 def leave() -> None:
@@ -120,25 +110,27 @@ def _processes(client: Client) -> int:
     return len(info["workers"])
 
 
-def _as_done(client: Client, sent: Sent, left: Iterator[Submission]) -> Iterator[GradedSubmission]:
+def _as_done(client: Client, sent: Sent, waiting: Iterator[Submission]) -> Iterator[GradedSubmission]:
     from distributed import KilledWorker, as_completed
 
-    def give(handed: Submission) -> Any:
-        future = client.submit(mark_there, sent, handed, pure=False)
-        doing[future.key] = handed
+    def submit(submission: Submission) -> Any:
+        future = client.submit(mark_there, sent, submission, pure=False)
+        pending[future.key] = submission
         return future
 
-    doing: dict[Any, Submission] = {}
-    going = as_completed([give(each) for each in islice(left, AHEAD * _processes(client))])
-    for future in going:
-        handed = doing.pop(future.key)
-        for another in islice(left, 1):
-            going.add(give(another))
+    pending: dict[Any, Submission] = {}
+    done = as_completed([submit(each) for each in islice(waiting, AHEAD * _processes(client))])
+    for future in done:
+        submission = pending.pop(future.key)
+        for another in islice(waiting, 1):
+            done.add(submit(another))
         match future.status, future.exception() if future.status == "error" else None:
             case "finished", _:
                 yield future.result()
             case _, KilledWorker():
-                yield set_aside(sent.order, handed, "the workers that marked it died, one after another")
+                yield not_graded(
+                    sent.context, submission, "the workers that marked it died, one after another"
+                )
             case _, None:
                 raise NoCluster(
                     "the cluster was lost on the way; grade again: what is marked stays, and the rest is done then"

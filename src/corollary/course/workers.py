@@ -14,11 +14,12 @@ from multiprocessing import get_context, parent_process
 from multiprocessing.connection import wait as wait_for
 from threading import Thread
 
-from corollary.course.submission import GradedSubmission, GradingContext, Submission, mark_one, set_aside
+from corollary.grading.submission import GradingContext, Submission
+from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
 from corollary.sandbox.runner import Runner
 
 Execute = Callable[[GradingContext, Iterable[Submission]], AbstractContextManager[Iterator[GradedSubmission]]]
-Doing = dict[Future[GradedSubmission], Submission]
+Pending = dict[Future[GradedSubmission], Submission]
 AHEAD = 2  # submissions at a time for each worker: enough that none is idle, few enough to hold in memory
 WORTH_A_WORKER = 6  # a warm process takes about as long to start as marking this many
 
@@ -37,10 +38,12 @@ def here(jobs: int | None, count: int) -> Execute:
 
 
 @contextmanager
-def in_turn(order: GradingContext, submissions: Iterable[Submission]) -> Iterator[Iterator[GradedSubmission]]:
+def in_turn(
+    context: GradingContext, submissions: Iterable[Submission]
+) -> Iterator[Iterator[GradedSubmission]]:
     """One after the other, in this process."""
-    with order.runner() as runner:
-        yield (mark_one(order, runner, each) for each in submissions)
+    with context.runner() as runner:
+        yield (grade_submission(context, runner, each) for each in submissions)
 
 
 def side_by_side(jobs: int) -> Execute:
@@ -48,74 +51,78 @@ def side_by_side(jobs: int) -> Execute:
 
     @contextmanager
     def execute(
-        order: GradingContext, submissions: Iterable[Submission]
+        context: GradingContext, submissions: Iterable[Submission]
     ) -> Iterator[Iterator[GradedSubmission]]:
-        left = iter(submissions)
-        crew = _crew(order, jobs)
+        waiting = iter(submissions)
+        pool = _pool(context, jobs)
         try:
-            doing = _give(crew, islice(left, AHEAD * jobs))
-            yield _as_done(order, jobs, crew, doing, left)
+            pending = _submit(pool, islice(waiting, AHEAD * jobs))
+            yield _as_done(context, jobs, pool, pending, waiting)
         finally:
-            crew.shutdown(cancel_futures=True)
+            pool.shutdown(cancel_futures=True)
 
     return execute
 
 
 def _as_done(
-    order: GradingContext, jobs: int, crew: ProcessPoolExecutor, doing: Doing, left: Iterator[Submission]
+    context: GradingContext,
+    jobs: int,
+    pool: ProcessPoolExecutor,
+    pending: Pending,
+    waiting: Iterator[Submission],
 ) -> Iterator[GradedSubmission]:
     lost: list[Submission] = []
-    while doing:
-        for future in wait(doing, return_when=FIRST_COMPLETED).done:
-            handed = doing.pop(future)
+    while pending:
+        for future in wait(pending, return_when=FIRST_COMPLETED).done:
+            submission = pending.pop(future)
             try:
-                returned = future.result()
+                graded = future.result()
             except BrokenProcessPool:
-                lost.append(handed)
+                lost.append(submission)
                 continue
             if not lost:
-                doing |= _give(crew, islice(left, 1))
-            yield returned
+                pending |= _submit(pool, islice(waiting, 1))
+            yield graded
     if not lost:
         return
-    # A worker died, and with it the crew: what any of them was at is done once more, alone, and the rest by a new crew.
-    for handed in lost:
-        yield _alone(order, handed)
-    with side_by_side(jobs)(order, left) as rest:
+    # A worker died, and with it the pool: what any of them was at is done once more, alone, and the rest by a new pool.
+    for submission in lost:
+        yield _alone(context, submission)
+    with side_by_side(jobs)(context, waiting) as rest:
         yield from rest
 
 
-def _alone(order: GradingContext, handed: Submission) -> GradedSubmission:
-    with _crew(order, 1) as crew:
+def _alone(context: GradingContext, submission: Submission) -> GradedSubmission:
+    with _pool(context, 1) as pool:
         try:
-            return crew.submit(_mark, handed).result()
+            return pool.submit(_grade, submission).result()
         except BrokenProcessPool:
-            return set_aside(order, handed, "the process that marked it died, twice")
+            return not_graded(context, submission, "the process that marked it died, twice")
 
 
-def _crew(order: GradingContext, jobs: int) -> ProcessPoolExecutor:
+def _pool(context: GradingContext, jobs: int) -> ProcessPoolExecutor:
     # A fork has the solutions already; elsewhere than on Linux the system's own libraries do not survive one.
     method = get_context("fork" if sys.platform == "linux" else "spawn")
-    return ProcessPoolExecutor(jobs, mp_context=method, initializer=_begin, initargs=(order,))
+    return ProcessPoolExecutor(jobs, mp_context=method, initializer=_begin, initargs=(context,))
 
 
-def _give(crew: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Doing:
-    doing: Doing = {}
+def _submit(pool: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Pending:
+    pending: Pending = {}
     for each in submissions:
         try:
-            doing[crew.submit(_mark, each)] = each
-        except BrokenProcessPool as error:  # then it is lost as those are that were handed out before
+            pending[pool.submit(_grade, each)] = each
+        except BrokenProcessPool as error:  # then it is lost as those are that were submitted before
             failed: Future[GradedSubmission] = Future()
             failed.set_exception(error)
-            doing[failed] = each
-    return doing
+            pending[failed] = each
+    return pending
 
 
-def _begin(order: GradingContext) -> None:
+def _begin(context: GradingContext) -> None:
     """In a new worker: Ctrl-C ends it at once, and it does not outlive the process that made it, however that one ends."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     Thread(target=_end_with_parent, daemon=True).start()
-    _at_work.append((order, order.runner()))
+    _at_work.append((context, context.runner()))
 
 
 def _end_with_parent() -> None:
@@ -125,7 +132,7 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _mark(handed: Submission) -> GradedSubmission:
-    """In a worker. Its runner starts with the first submission, so that a failing to start is told like any other."""
-    order, runner = _at_work[0]
-    return mark_one(order, runner, handed)
+def _grade(submission: Submission) -> GradedSubmission:
+    """In a worker. Its runner starts with the first submission, so that a failure to start is reported like any other."""
+    context, runner = _at_work[0]
+    return grade_submission(context, runner, submission)

@@ -23,13 +23,12 @@ from nbgrader.coursedir import CourseDirectory
 from nbgrader.preprocessors import AssignLatePenalties, Execute, OverwriteCells, SaveAutoGrades
 from traitlets import Integer
 
-from corollary.course.submission import GradedSubmission, mark_one
-from corollary.nbgrader.assignment import Paper, paper_of
+from corollary.nbgrader.assignment import Assignment, assignment_of
+from corollary.nbgrader.graded import GradedSubmission, grade_submission
 from corollary.nbgrader.marked_notebook import restored
 from corollary.nbgrader.record import record_one
-from corollary.records.course import NotACourse, open_course
-from corollary.records.lock import BeingGraded, one_writer
-from corollary.records.records import keep
+from corollary.records.files import BeingGraded, NotACourse, one_writer, open_course
+from corollary.records.marks import write_marks
 from corollary.sandbox.runner import Runner
 
 Converted = tuple[NotebookNode, ResourcesDict]
@@ -50,10 +49,10 @@ class OwnSheet(NotebookExporter):
     def from_file(
         self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any
     ) -> tuple[Any, Any]:
-        paper = _paper((resources or {}).get("nbgrader", {}))
-        if paper is None or not _handed_in(paper, file_stream.name):
+        ours = _assignment((resources or {}).get("nbgrader", {}))
+        if ours is None or not _handed_in(ours, file_stream.name):
             return super().from_file(file_stream, resources=resources, **more)
-        return self.from_notebook_node(restored(paper.worksheet, paper.node), resources=resources, **more)
+        return self.from_notebook_node(restored(ours.worksheet, ours.node), resources=resources, **more)
 
 
 class OwnNumbers(OverwriteCells):
@@ -62,7 +61,7 @@ class OwnNumbers(OverwriteCells):
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
         return (
             (nb, resources)
-            if _paper(resources["nbgrader"]) is not None
+            if _assignment(resources["nbgrader"]) is not None
             else super().preprocess(nb, resources)
         )
 
@@ -75,31 +74,31 @@ class JudgedOutside(Execute):
     )
 
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict, *more: Any, **others: Any) -> Converted:
-        paper = _paper(resources["nbgrader"])
-        if paper is None:
+        ours = _assignment(resources["nbgrader"])
+        if ours is None:
             nb, stock = super().preprocess(nb, resources, *more, **others)
             return nb, cast(ResourcesDict, stock)
         try:
-            returned = mark_one(paper.order, _runner(self.require_isolation), paper.handed)
+            graded = grade_submission(ours.context, _runner(self.require_isolation), ours.submission)
         except Exception:
             _flag(resources["nbgrader"])
             raise
-        resources["corollary"] = paper, returned
-        return nbformat.reads(returned.notebook, as_version=4), resources
+        resources["corollary"] = ours, graded
+        return nbformat.reads(graded.notebook, as_version=4), resources
 
 
 class MarksKept(SaveAutoGrades):
     """The marks as the judge gave them, in one transaction; with the history, the record and the feedback page."""
 
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
-        judged: tuple[Paper, GradedSubmission] | None = resources.get("corollary")
+        judged: tuple[Assignment, GradedSubmission] | None = resources.get("corollary")
         if judged is None:
             return super().preprocess(nb, resources)
-        paper, given = judged
-        course, order = paper.course, paper.order
+        ours, graded = judged
+        course, problem_set = ours.course, ours.context.problem_set
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
-            record_one(course, book, order.problem_set, given.marked, given.notebook, anew=True)
-        keep(course, order.problem_set, order.solutions, given.marked, given.handed.fingerprint, given.page)
+            record_one(course, book, problem_set, graded.marked, graded.notebook, anew=True)
+        write_marks(course, problem_set, graded.marked, graded.submission.fingerprint, graded.page)
         return nb, resources
 
 
@@ -110,10 +109,10 @@ class LatenessKept(AssignLatePenalties):
         return (nb, resources) if "corollary" in resources else super().preprocess(nb, resources)
 
 
-def _paper(about: Mapping[str, str]) -> Paper | None:
-    """The paper, or None for an assignment that is none of ours; what stands in the way is flagged and raised."""
+def _assignment(about: Mapping[str, str]) -> Assignment | None:
+    """None for an assignment that is none of ours; what stands in the way is flagged and raised."""
     try:
-        return paper_of(about)
+        return assignment_of(about)
     except Exception:
         _flag(about)
         raise
@@ -141,9 +140,9 @@ def _runner(require: int) -> Runner:
     return runner
 
 
-def _handed_in(paper: Paper, name: str) -> bool:
+def _handed_in(ours: Assignment, name: str) -> bool:
     """Whether the file is what was handed in; nbgrader reads its own copy in `autograded/` with the same classes."""
-    place = paper.course.place("submitted", paper.handed.student.id, paper.order.problem_set.name)
+    place = ours.course.place("submitted", ours.submission.student.id, ours.context.problem_set.name)
     return Path(name).resolve().parent == place.resolve()
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from corollary.records.course import Course, write_atomically
+from corollary.atomic import write_whole
+from corollary.records.files import Course
 
 MARK = "# Written by corollary."
 TEXT = f"""\
@@ -44,7 +45,7 @@ def write_config(course: Course) -> None:
     check_config(course.folder)
     path = course.folder / "nbgrader_config.py"
     if not path.exists():
-        write_atomically(path, TEXT.replace("__NAME__", repr(course.name)))
+        write_whole(path, TEXT.replace("__NAME__", repr(course.name)))
 
 
 def check_config(folder: Path) -> None:

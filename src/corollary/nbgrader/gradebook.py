@@ -10,7 +10,7 @@ from errno import ENOSPC
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from corollary.records.course import Course
+from corollary.records.files import Course
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook

@@ -14,13 +14,15 @@ from typing import TYPE_CHECKING
 import nbformat
 
 from corollary.answers.verdict import Unread
+from corollary.atomic import write_whole
 from corollary.grading.grade import Marked, PartGrade
 from corollary.nbgrader.gradebook import NotRegistered
 from corollary.nbgrader.marked_notebook import answer_sources, part_grades
 from corollary.nbgrader.safe import safe_markdown
 from corollary.notebook.locate import answer_id
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.course import Course, handed_in, write_atomically
+from corollary.records.files import Course
+from corollary.records.submission import handed_in
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
@@ -48,13 +50,13 @@ def record_one(
     for each in submission.notebooks:
         _write_scores(each, marked, partial(_same_answer, place, notebook) if not anew else lambda key: False)
     book.db.commit()
-    write_atomically(place, notebook)
+    write_whole(place, notebook)
     for file, content in (
         ("timestamp.txt", stamp),
         ("submission_secret.txt", _secret(course, name, student)),
     ):
         if content:
-            write_atomically(course.place("autograded", student, name) / file, content)
+            write_whole(course.place("autograded", student, name) / file, content)
 
 
 def _submission(book: Gradebook, name: str, marked: Marked) -> SubmittedAssignment:
@@ -148,7 +150,7 @@ def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime |
     text = _stamped(path, moment)
     if text is None:
         text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
-        write_atomically(path, text)
+        write_whole(path, text)
     return text, moment
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from nbformat import NotebookNode
 
+from corollary.atomic import write_whole
 from corollary.grading.grade import Marked
 from corollary.nbgrader.config import NotOurs, write_config
 from corollary.nbgrader.gradebook import (
@@ -25,7 +26,7 @@ from corollary.nbgrader.marked_notebook import marked_notebook, notebook_text
 from corollary.nbgrader.record import record_one
 from corollary.notebook.notebook import file_text
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.course import Course, students, write_atomically
+from corollary.records.files import Course, students
 
 __all__ = ["GradebookLocked", "NoNbgrader", "NotOurs", "NotRegistered", "manual_scores", "record", "register"]
 
@@ -41,7 +42,7 @@ def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookN
 
     write_config(course)
     name = problem_set.name
-    write_atomically(course.notebook("source", ".", name), file_text(source_notebook))
+    write_whole(course.notebook("source", ".", name), file_text(source_notebook))
     with gradebook(course) as book:
         due = None if problem_set.due is None else problem_set.due.astimezone(UTC).replace(tzinfo=None)
         about_set: dict[str, Any] = {"duedate": due, "course_id": book.course_id}

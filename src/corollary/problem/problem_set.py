@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from fractions import Fraction
@@ -12,6 +13,7 @@ from corollary.problem.bank import Bank, UnknownCode, find
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, Table, Text, split
 from corollary.problem.problem import Problem
+from corollary.problem.variant import Variant, assigned_variant
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
 
@@ -41,6 +43,10 @@ class ProblemSet:
 
     def weight(self, problem: Problem) -> float:
         return self.weights[self.problems.index(problem)]
+
+    def variants(self, assigned: Mapping[str, int]) -> list[Variant]:
+        """A student's variants, in the order of the problems; `assigned` holds their indices by code."""
+        return [assigned_variant(problem, assigned) for problem in self.problems]
 
     @property
     def out_of(self) -> float:

@@ -70,6 +70,11 @@ def chapter(problem: Problem) -> Variant:
     return Variant(problem, {given.symbol: given.value for given in problem.givens}, None)
 
 
+def assigned_variant(problem: Problem, indices: Mapping[str, int]) -> Variant:
+    """The variant whose index a record holds under the problem's code; the chapter's numbers where it holds none."""
+    return at(problem, indices[problem.code]) if problem.code in indices else chapter(problem)
+
+
 def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
     """The chapter's numbers with some replaced (in the givens' own units).
 

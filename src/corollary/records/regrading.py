@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from corollary.grading.grade import Marked
-from corollary.grading.record import marked_record
+from corollary.records.marks import PartRecord, Record, record_of
 
-CENT = 0.005
+CENT = 0.005  # half of the last decimal that anybody sees
+NOTHING = PartRecord("", 0.0, 0.0)  # a part that was not there before, or is no longer
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,24 +37,23 @@ class Change:
         return self.after - self.before
 
 
-def changes(old_records: Mapping[str, Mapping[str, Any]], new_marked: Iterable[Marked]) -> tuple[Change, ...]:
+def changes(records: Mapping[str, Record], new_marked: Iterable[Marked]) -> tuple[Change, ...]:
     """Who had marks and gets others, the largest change first; who is marked for the first time changes nothing."""
-    found = []
+    found: list[Change] = []
     for marked in new_marked:
-        old = old_records.get(marked.student.id)
+        old = records.get(marked.student.id)
         if old is None:
             continue
-        new = marked_record(marked)
-        parts = tuple(_parts(old["parts"], new["parts"]))
-        if parts or abs(new["points"] - old["points"]) >= CENT:
-            found.append(Change(marked.student.id, old["points"], new["points"], parts))
+        new = record_of(marked, "")
+        parts = tuple(_parts(old.parts, new.parts))
+        if parts or abs(new.points - old.points) >= CENT:
+            found.append(Change(marked.student.id, old.points, new.points, parts))
     return tuple(sorted(found, key=lambda one: (-abs(one.by), one.student)))
 
 
-def _parts(old: Mapping[str, Any], new: Mapping[str, Any]) -> Iterator[PartChange]:
-    """Parts with another verdict or other points; a part that was not there before had none."""
-    nothing = {"verdict": "", "points": 0.0}
+def _parts(old: Mapping[str, PartRecord], new: Mapping[str, PartRecord]) -> Iterator[PartChange]:
+    """Parts with another verdict or other points."""
     for name in dict.fromkeys((*old, *new)):
-        before, after = old.get(name, nothing), new.get(name, nothing)
-        if before["verdict"] != after["verdict"] or abs(after["points"] - before["points"]) >= CENT:
-            yield PartChange(name, before["verdict"], after["verdict"], before["points"], after["points"])
+        before, after = old.get(name, NOTHING), new.get(name, NOTHING)
+        if before.verdict != after.verdict or abs(after.points - before.points) >= CENT:
+            yield PartChange(name, before.verdict, after.verdict, before.points, after.points)

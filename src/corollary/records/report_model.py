@@ -1,48 +1,22 @@
-"""A graded problem set in numbers: one row for each part of each student, and what they come to."""
+"""What an instructor reads after grading: marks, how each part went, misconceptions met, and what waits for a person."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
 from statistics import fmean, median
+from typing import get_args
 
-WITHIN = 0.005
-SHARING = (
-    "A wrong answer is taken to fall anywhere, on a logarithmic scale, in the span of the class's right answers to that part; "
-    f"it fits another student's when it lies within {WITHIN:.1%} of it. The chance is that of meeting at least one of the "
-    "other students so, in one part of each exercise listed (parts of one exercise follow from one another and count once)."
-)
+import msgspec
 
+from corollary.answers.verdict import Verdict
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.collusion import SHARING, Shared, read_shared
+from corollary.records.files import Course, students
+from corollary.records.marks import HandedIn, Row, read_records
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """One part of one student, points before lateness. `verdict` is its word, `said` the mistake or slip, `why` the rest."""
-
-    student: str
-    problem: str
-    part: str
-    verdict: str
-    points: float
-    out_of: float
-    said: str = ""
-    why: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class HandedIn:
-    """One submission as a whole: points after lateness; `late` in seconds; `trouble` a sentence, or empty; `notes` tell
-    what was noticed."""
-
-    student: str
-    name: str
-    points: float
-    out_of: float
-    late: float = 0.0
-    late_share: float = 1.0
-    trouble: str = ""
-    isolation: str = ""
-    notes: tuple[str, ...] = ()
+WORDS = tuple(verdict.__name__.lower() for verdict in get_args(Verdict))  # from the best to the worst
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,20 +49,11 @@ class Waiting:
 
 
 @dataclass(frozen=True, slots=True)
-class Shared:
-    """Wrong answers of a student that are right for the numbers of `other`, by part, and how likely that is by chance."""
-
-    student: str
-    other: str
-    parts: tuple[str, ...]
-    chance: float
-
-
-@dataclass(frozen=True, slots=True)
 class Report:
     """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing."""
 
     handed_in: tuple[HandedIn, ...]
+    rows: tuple[Row, ...]
     parts: tuple[PartTally, ...]
     met: tuple[Met, ...]
     waiting: tuple[Waiting, ...]
@@ -126,3 +91,71 @@ class Report:
     def isolation(self) -> dict[str, int]:
         """How many submissions ran behind which walls."""
         return dict(Counter(one.isolation for one in self.handed_in if one.isolation))
+
+
+def report_of(course: Course, problem_set: ProblemSet) -> Report:
+    """The report from the records of a course, its rows in the order of the set's parts. Raises NotACourse."""
+    parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
+    places = {part: place for place, part in enumerate(parts)}
+    roster = [student.id for student in students(course)]
+    records = read_records(course, problem_set, roster).values()
+    rows = [row for record in records for row in record.rows]
+    rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
+    shared = read_shared(course, problem_set)
+    return report([record.handed_in for record in records], rows, roster=roster, shared=shared)
+
+
+def report(
+    handed: Sequence[HandedIn],
+    rows: Sequence[Row],
+    *,
+    roster: Iterable[str] = (),
+    shared: Sequence[Shared] = (),
+) -> Report:
+    """The report on rows as they are recorded; parts in the order of their first row. `roster` holds all students' ids."""
+    by_part: dict[tuple[str, str], list[Row]] = {}
+    met: dict[tuple[str, str, str, str], dict[str, None]] = {}
+    for row in rows:
+        by_part.setdefault((row.problem, row.part), []).append(row)
+        if row.said:
+            met.setdefault((row.verdict, row.said, row.problem, row.part), {})[row.student] = None
+    found = [Met(*what, tuple(whose)) for what, whose in met.items()]
+    came = {one.student for one in handed}
+    return Report(
+        tuple(handed),
+        tuple(rows),
+        tuple(_tally(problem, part, its) for (problem, part), its in by_part.items()),
+        tuple(sorted(found, key=lambda one: (-len(one.students), one.verdict, one.problem, one.part))),
+        tuple(
+            Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.verdict == "unmarked"
+        ),
+        tuple(student for student in roster if student not in came),
+        tuple(shared),
+    )
+
+
+def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
+    counts = Counter(row.verdict for row in rows)
+    shares = [row.points / row.out_of for row in rows if row.verdict != "unmarked" and row.out_of > 0]
+    return PartTally(problem, part, {word: counts[word] for word in WORDS}, fmean(shares) if shares else None)
+
+
+def as_json(report: Report) -> dict[str, object]:
+    """The report as plain data for one JSON document."""
+    return {
+        "handed_in": len(report.handed_in),
+        "missing": list(report.missing),
+        "mean": report.mean,
+        "median": report.median,
+        "out_of": report.out_of,
+        "late": report.late,
+        "students": {one.student: msgspec.structs.asdict(one) for one in report.handed_in},
+        "parts": [{**asdict(part), "counts": dict(part.counts)} for part in report.parts],
+        "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
+        "waiting": [asdict(one) for one in report.waiting],
+        "failed": [{"student": one.student, "why": one.trouble} for one in report.failed],
+        "noticed": [{"student": one.student, "notes": list(one.notes)} for one in report.noticed],
+        "sharing": [msgspec.structs.asdict(one) for one in report.shared],
+        "sharing_model": SHARING,
+        "isolation": report.isolation,
+    }

@@ -9,7 +9,8 @@ from markupsafe import Markup
 
 from corollary.figure.plots import Layer, histogram, interval_counts, stacked_bars
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.report_model import SHARING, PartTally, Report
+from corollary.records.collusion import SHARING
+from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page, points
 from corollary.render.verdict_look import LOOKS
 

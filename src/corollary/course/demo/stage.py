@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,16 +10,17 @@ from pathlib import Path
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.atomic import write_whole
 from corollary.course.demo.player import Hand, Player
 from corollary.course.demo.players import PLAYERS
-from corollary.course.generate import generate, variants_of
+from corollary.course.generate import generate
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.points import share
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.course import Course, open_course, write_atomically
+from corollary.records.files import Course, open_course, roster_table
 from corollary.sandbox.runner import Runner
 
 KEY = b"a course key for everyone to see"
@@ -28,7 +28,7 @@ MARK = ".corollary/demonstration"
 VERDICTS: dict[str, Verdict] = {
     "right": Right(), "follows": Follows(()), "mistaken": Mistaken(""), "slip": Slip(""), "wrong": Wrong(), "unread": Unread(""), "unmarked": Unmarked(""),
 }  # fmt: skip
-Tell = Callable[[str], None]
+Progress = Callable[[str], None]
 
 
 class NotFresh(ValueError):
@@ -58,22 +58,22 @@ class Demonstration:
 
 
 def perform(
-    folder: Path, problem_set: ProblemSet, solutions: Solutions, tell: Tell = lambda step: None
+    folder: Path, problem_set: ProblemSet, solutions: Solutions, progress: Progress = lambda step: None
 ) -> Demonstration:
     """Plays the whole way in a fresh folder; an earlier demonstration there is replaced. Raises NotFresh."""
     if folder.exists() and any(folder.iterdir()):
         if not (folder / MARK).exists():
             raise NotFresh(f"{folder} is not empty; name a fresh folder for the demonstration")
         shutil.rmtree(folder)
-    write_atomically(folder / ".corollary" / "key", KEY, mode=0o600)
-    write_atomically(folder / MARK, "made by corollary demo; may be thrown away\n")
+    write_whole(folder / ".corollary" / "key", KEY, mode=0o600)
+    write_whole(folder / MARK, "made by corollary demo; may be thrown away\n")
     roster = tuple(player.student for player in PLAYERS)
-    _write_roster(folder / "roster.csv", roster)
-    made = generate(folder, problem_set, roster, solutions, tell)
+    write_whole(folder / "roster.csv", roster_table(roster))
+    made = generate(folder, problem_set, roster, solutions, progress)
     hands: dict[str, tuple[Worksheet, Hand]] = {}
     for player in PLAYERS:
-        tell(f"{player.student.first_name} works")
-        variants = variants_of(problem_set, made.dealt[player.student.id])
+        progress(f"{player.student.first_name} works")
+        variants = problem_set.variants(made.assigned[player.student.id])
         paper = worksheet(problem_set, player.student, variants)
         hand = player.hand(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
         hands[player.student.id] = paper, hand
@@ -83,7 +83,7 @@ def perform(
         problem_set,
         solutions,
         Runner,
-        tell=lambda student, left: tell(f"marking {student}"),
+        progress=lambda student, left: progress(f"marking {student}"),
     )
     played = tuple(_played(problem_set, player, *hands[player.student.id], outcome) for player in PLAYERS)
     return Demonstration(made.course, played, outcome)
@@ -94,12 +94,12 @@ def hand_in(course: Course, problem_set: ProblemSet, paper: Worksheet, hand: Han
     place = course.place("submitted", paper.student.id, problem_set.name)
     path = place / f"{problem_set.name}.ipynb"
     if hand.raw is not None:
-        write_atomically(path, hand.raw)
+        write_whole(path, hand.raw)
     else:
-        write_atomically(path, filled_in(paper, hand.sources))
+        write_whole(path, filled_in(paper, hand.sources))
     if problem_set.due is not None:
         moment = problem_set.due + timedelta(hours=hand.late or -20)
-        write_atomically(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")
+        write_whole(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")
 
 
 def _played(
@@ -114,20 +114,11 @@ def _played(
         halves = 2 if len(prompt.part.kinds) == 2 and verdict == "mistaken" else 1
         worth = share(VERDICTS[verdict], problem_set.scheme)
         deserved += prompt.out_of * (worth + halves - 1) / halves
-        got = record["parts"][prompt.key]["verdict"]
+        got = record.parts[prompt.key].verdict
         if got != verdict:
             differences.append(
-                f"{prompt.key}: {got} instead of {verdict} ({record['parts'][prompt.key]['feedback']})"
+                f"{prompt.key}: {got} instead of {verdict} ({record.parts[prompt.key].feedback})"
             )
     if hand.late:
         deserved *= problem_set.scheme.late
-    return Played(player, round(deserved, 6), record["points"], record["out_of"], tuple(differences))
-
-
-def _write_roster(path: Path, roster) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        rows = csv.writer(file)
-        rows.writerow(["id", "first_name", "last_name", "email"])
-        rows.writerows(
-            [student.id, student.first_name, student.last_name, student.email] for student in roster
-        )
+    return Played(player, round(deserved, 6), record.points, record.out_of, tuple(differences))

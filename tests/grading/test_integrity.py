@@ -8,7 +8,7 @@ import nbformat
 import pytest
 from nbformat import NotebookNode
 
-from corollary.nbgrader.integrity import notes
+from corollary.grading.integrity import notes
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.bank import chapter_bank

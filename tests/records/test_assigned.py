@@ -9,8 +9,15 @@ import pytest
 
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.roster import Student
-from corollary.records.course import Course, NotACourse, create_course
-from corollary.records.origin import read_origin, set_of, write_origin
+from corollary.records.assigned import (
+    assigned_anywhere,
+    read_assigned,
+    read_origin,
+    set_of,
+    write_assigned,
+    write_origin,
+)
+from corollary.records.files import Course, NotACourse, create_course
 
 SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
 
@@ -70,3 +77,26 @@ def test_without_a_record_it_is_the_chapters_and_a_damaged_one_is_told(course: C
     path.write_text("{")
     with pytest.raises(NotACourse, match="does not say which bank momentum_1 comes from"):
         set_of(course, "momentum_1")
+
+
+def test_what_was_dealt_reads_back(course: Course):
+    assert read_assigned(course, "week_1") == {}
+    dealt = {"ada": {"X12.5": 817, "E12.3.1s": 10**30}, "bob": {"X12.5": 0, "E12.3.1s": 1}}
+    write_assigned(course, "week_1", dealt)
+    assert read_assigned(course, "week_1") == dealt
+
+
+def test_a_students_numbers_are_found_in_whatever_set(course: Course):
+    write_assigned(course, "week_1", {"ada": {"X12.5": 817}, "bob": {"X12.5": 3}})
+    write_assigned(course, "week_2", {"ada": {"P12.1": 5}})
+    assert assigned_anywhere(course, "ada") == {"X12.5": 817, "P12.1": 5}
+    assert assigned_anywhere(course, "bob") == {"X12.5": 3}
+    assert assigned_anywhere(course, "eve") == {}
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"ada": 3}', '{"ada": {"X": "y"}}', "{"])
+def test_a_damaged_record_is_said_and_not_dealt_anew(course: Course, text: str):
+    write_assigned(course, "week_1", {})
+    (course.folder / ".corollary/dealt/week_1.json").write_text(text)
+    with pytest.raises(NotACourse, match=r"week_1\.json is damaged"):
+        read_assigned(course, "week_1")

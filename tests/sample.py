@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -14,6 +15,8 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import at
+from corollary.records.marks import handed_in, rows
+from corollary.records.report_model import Report, report
 from corollary.sandbox.result import Axes, CellRun, Figure, Line
 
 KICK = r"""
@@ -139,6 +142,14 @@ def marked(of: ProblemSet, student: str = "ada") -> Marked:
         "",
         0.0,
         1.0,
+    )
+
+
+def summary(works: Iterable[Marked], roster: Iterable[str] = ()) -> Report:
+    """The report on marked work, by way of what is recorded of it."""
+    works = list(works)
+    return report(
+        [handed_in(one) for one in works], [row for one in works for row in rows(one)], roster=roster
     )
 
 

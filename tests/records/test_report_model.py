@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import runpy
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -15,11 +15,13 @@ from rich.console import Console
 
 from corollary.answers.verdict import Right
 from corollary.grading.grade import Grade
-from corollary.records.report import as_json, handed_in, report, rows, summary, terminal
-from corollary.records.report_model import HandedIn, Row
+from corollary.records.marks import HandedIn, Row, handed_in, rows
+from corollary.records.report_model import as_json, report
+from corollary.render.report_table import terminal
 from corollary.render.verdict_look import LOOKS
 
-SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "course" / "sample.py"))
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
+summary = SAMPLE["summary"]
 
 
 @pytest.fixture
@@ -74,10 +76,8 @@ def test_what_waits_says_for_whom_and_why(works):
 
 
 def test_stored_records_give_the_same_report(works):
-    stored = json.dumps([[asdict(handed_in(work)), [asdict(row) for row in rows(work)]] for work in works])
-    records = [
-        (msgspec.convert(one, HandedIn), msgspec.convert(its, list[Row])) for one, its in json.loads(stored)
-    ]
+    stored = msgspec.json.encode([(handed_in(work), rows(work)) for work in works])
+    records = msgspec.json.decode(stored, type=list[tuple[HandedIn, tuple[Row, ...]]])
     assert report([one for one, _ in records], [row for _, its in records for row in its]) == summary(works)
 
 

@@ -1,0 +1,110 @@
+"""One submission marked from its bytes alone, in whatever process: what it is marked by, and what comes out."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from corollary import __version__
+from corollary.grading.grade import Marked
+from corollary.grading.integrity import notes
+from corollary.grading.marking import mark, not_marked
+from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.sandbox.file import Unreadable
+from corollary.sandbox.isolation import WeakIsolation
+from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.runner import Runner
+from corollary.sandbox.zygote import CannotStart
+
+if TYPE_CHECKING:
+    from nbformat import NotebookNode
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """What a student handed in: its bytes (or why there are none), the indices of the variants assigned to the student by
+    code of the problem, how late it is in seconds, and the fingerprint of all that its marks depend on."""
+
+    student: Student
+    content: bytes | Unreadable
+    assigned: Mapping[str, int]
+    late: float
+    fingerprint: str
+
+    @property
+    def notebook(self) -> Notebook | Unreadable:
+        return notebook_of(self.content) if isinstance(self.content, bytes) else self.content
+
+
+@dataclass(frozen=True, slots=True)
+class GradingContext:
+    """What all submissions of one grading share. `secret` is the course's key, `runner` makes what runs their notebooks, and
+    `marked_notebooks` says whether these are wanted, which only nbgrader has a use for."""
+
+    problem_set: ProblemSet
+    solutions: Solutions
+    secret: bytes
+    runner: Callable[[], Runner]
+    marked_notebooks: bool = True
+
+    def worksheet(self, submission: Submission) -> Worksheet:
+        """The student's own sheet, as it was handed out."""
+        variants = self.problem_set.variants(submission.assigned)
+        return worksheet(self.problem_set, submission.student, variants)
+
+
+@dataclass(frozen=True, slots=True)
+class MarkedSubmission:
+    """Marks, the notebook as it was handed in (None when it could not be opened), and the worked solutions by code of the
+    problem where the set reveals them."""
+
+    marked: Marked
+    notebook: NotebookNode | None
+    worked_solutions: Mapping[str, str]
+
+
+def mark_submission(context: GradingContext, runner: Runner, submission: Submission) -> MarkedSubmission:
+    """Marks one submission. A failing of ours goes to a person and costs no marks; only what concerns every submission
+    (CannotStart, WeakIsolation) is raised."""
+    sheet = context.worksheet(submission)
+    received = submission.notebook
+    node = received.node if isinstance(received, Notebook) else None
+    try:
+        keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
+        marked = mark(sheet, keys, received, runner, context.secret, submission.late)
+        marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
+        revealed = keys if context.problem_set.reveal else {}
+        return MarkedSubmission(
+            marked, node, {code: context.solutions.told(key) for code, key in revealed.items()}
+        )
+    except (CannotStart, WeakIsolation):
+        raise
+    except Exception as error:
+        return left_to_a_person(context, submission, f"{type(error).__name__}: {error}", node)
+
+
+def left_to_a_person(
+    context: GradingContext, submission: Submission, why: str, node: NotebookNode | None = None
+) -> MarkedSubmission:
+    """A submission that could not be marked through no fault of its student: every part waits for a person."""
+    sentence = f"It could not be marked by the program ({why})."
+    return MarkedSubmission(not_marked(context.worksheet(submission), sentence, submission.late), node, {})
+
+
+def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
+    """A digest of all but the submission that marks depend on: problems, solutions, what the set says, and this program.
+
+    Marks from two states must not meet in one gradebook unnoticed, and a process that lives long must not mark by solutions
+    that have changed. Raises NotDerivable.
+    """
+    about = (problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)
+    digest = hashlib.sha256(repr(about).encode())
+    for problem in problem_set.problems:
+        for content in (problem.path.read_bytes(), solutions.source(problem)):
+            digest.update(len(content).to_bytes(8, "big") + content)
+    return digest.hexdigest()

@@ -1,0 +1,110 @@
+"""What was assigned: which numbers each student has, and the bank and the file that the problem set came from.
+
+Recorded when a set is generated, so that it can be marked later by whoever has only the course.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from corollary.atomic import write_whole
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
+from corollary.problem.problem_set import ProblemSet, find_set
+from corollary.records.files import Course, NotACourse
+
+Assigned = Mapping[
+    str, Mapping[str, int]
+]  # student -> code of the problem -> index of the variant in its grid
+
+
+def write_assigned(course: Course, set_name: str, assigned: Assigned) -> None:
+    """Records who has which numbers, so that they stay the same."""
+    table = {student: dict(assigned[student]) for student in sorted(assigned)}
+    write_whole(_numbers(course, set_name), json.dumps(table, indent=1, ensure_ascii=False) + "\n")
+
+
+def read_assigned(course: Course, set_name: str) -> dict[str, dict[str, int]]:
+    """Who has which numbers; empty when the set was never generated. Raises NotACourse when the record is damaged."""
+    path = _numbers(course, set_name)
+    if not path.exists():
+        return {}
+    try:
+        record = json.loads(path.read_text(encoding="utf-8"))
+        return {
+            str(student): {str(code): int(index) for code, index in row.items()}
+            for student, row in record.items()
+        }
+    except (OSError, ValueError, TypeError, AttributeError) as error:
+        raise NotACourse(f"{path} is damaged ({error}); restore it from a backup") from None
+
+
+def assigned_anywhere(course: Course, student: str) -> dict[str, int]:
+    """A student's numbers by code of the problem, whatever set they came in. Raises NotACourse."""
+    sets = sorted(_numbers(course, "any").parent.glob("*.json"))
+    return {
+        code: index
+        for path in sets
+        for code, index in read_assigned(course, path.stem).get(student, {}).items()
+    }
+
+
+def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = None) -> None:
+    """Records the bank, and the set's file when it lies outside the bank. The chapter's bank is recorded as such: it moves
+    when the program is installed anew."""
+    place = None if _is_chapters(bank) else str(bank.folder.resolve())
+    record = {"bank": place, "set": None if file is None else str(file.resolve())}
+    write_whole(_origin(course, set_name), json.dumps(record) + "\n")
+
+
+def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
+    """The set of this name, or in the file of this path, and its bank: the one in `folder`, else the one that the set was
+    generated from, else the chapter's.
+
+    Raises NotACourse when the record is damaged, UnknownCode when the bank has moved, and Malformed.
+    """
+    is_file = name.endswith(".md")
+    set_name = Path(name).stem if is_file else name
+    if folder is not None or not _origin(course, set_name).exists():
+        bank, file = open_bank(folder), None
+    else:
+        bank, file = _recorded(course, set_name)
+    return bank, find_set(bank, name if is_file or file is None else file)
+
+
+def read_origin(course: Course, set_name: str) -> tuple[Bank, ProblemSet]:
+    """The bank and the set. Raises NotACourse when nothing was recorded, UnknownCode when it has moved, and Malformed."""
+    bank, file = _recorded(course, set_name)
+    return bank, find_set(bank, set_name if file is None else file)
+
+
+def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
+    try:
+        record = json.loads(_origin(course, set_name).read_text(encoding="utf-8"))
+        place, file = record["bank"], record["set"]
+    except (OSError, ValueError, TypeError, KeyError):
+        raise NotACourse(
+            f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
+        ) from None
+    if place is not None and not (Path(place) / "problems").is_dir():
+        raise UnknownCode(
+            f"the bank that {set_name} was dealt from is no longer in {place}; say where it is with --bank, "
+            f"or generate {set_name} again from there (everybody keeps their numbers)"
+        )
+    return open_bank(None if place is None else Path(place)), file
+
+
+def _is_chapters(bank: Bank) -> bool:
+    try:
+        return bank.folder.resolve() == chapter_bank().folder.resolve()
+    except UnknownCode:
+        return False
+
+
+def _numbers(course: Course, set_name: str) -> Path:
+    return course.record("dealt", f"{set_name}.json")
+
+
+def _origin(course: Course, set_name: str) -> Path:
+    return course.record("origin", f"{set_name}.json")

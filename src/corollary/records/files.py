@@ -1,0 +1,125 @@
+"""A course folder: its secret key, its students, where everything lies, and the lock of whoever writes in it."""
+
+from __future__ import annotations
+
+import csv
+import fcntl
+import io
+import os
+import secrets
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from corollary.atomic import write_whole
+from corollary.problem.diagnostic import Malformed
+from corollary.problem.roster import COLUMNS, Student, read_roster
+
+KEY_BYTES = 32
+
+
+class NotACourse(LookupError):
+    """The folder is no course; one sentence says what is missing."""
+
+
+class BeingGraded(Exception):
+    """Another run is writing in this course; one sentence says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """`key` is what the numbers of every student follow from: whoever has it can work out every sheet."""
+
+    folder: Path
+    key: bytes = field(repr=False)
+
+    @property
+    def name(self) -> str:
+        return self.folder.name
+
+    @property
+    def gradebook(self) -> Path:
+        return self.folder / "gradebook.db"
+
+    def place(self, step: str, student: str, set_name: str) -> Path:
+        """The folder of a step ("source", "release", "submitted", "autograded", "feedback"); student `.`: nobody's own."""
+        return self.folder / step / student / set_name
+
+    def notebook(self, step: str, student: str, set_name: str) -> Path:
+        return self.place(step, student, set_name) / f"{set_name}.ipynb"
+
+    def record(self, kind: str, name: str) -> Path:
+        """Where a record of ours lies, as `record("dealt", "week1.json")`."""
+        return self.folder / ".corollary" / kind / name
+
+
+def create_course(folder: Path, roster: Iterable[Student]) -> Course:
+    """A course in this folder, with this roster. A course that is there already keeps its key and its assigned numbers.
+
+    Raises NotACourse when the key of an existing one is damaged.
+    """
+    folder = folder.resolve()
+    secret = folder / ".corollary"
+    secret.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if not (secret / "key").exists():
+        write_whole(secret / "key", secrets.token_bytes(KEY_BYTES), mode=0o600)
+    write_whole(secret / "roster.csv", roster_table(roster))
+    return open_course(folder)
+
+
+def open_course(folder: Path) -> Course:
+    """The course in a folder. Raises NotACourse."""
+    folder = folder.resolve()
+    try:
+        key = (folder / ".corollary" / "key").read_bytes()
+    except FileNotFoundError:
+        raise NotACourse(
+            f"{folder} is no course of ours: it has no .corollary/key; make one with corollary generate"
+        ) from None
+    except OSError as error:
+        raise NotACourse(f"the key of the course in {folder} cannot be read: {error.strerror}") from None
+    if len(key) != KEY_BYTES:
+        raise NotACourse(
+            f"{folder}/.corollary/key is damaged: {len(key)} bytes, not {KEY_BYTES}; restore it from a backup"
+        )
+    return Course(folder, key)
+
+
+def students(course: Course) -> tuple[Student, ...]:
+    """Everybody on the course's own copy of the roster. Raises NotACourse."""
+    try:
+        return read_roster(course.folder / ".corollary" / "roster.csv")
+    except Malformed as error:
+        raise NotACourse(
+            f"the roster of {course.folder} is damaged: {error}; generate again with --roster"
+        ) from None
+
+
+def roster_table(roster: Iterable[Student]) -> str:
+    """The text of a roster's CSV file."""
+    table = io.StringIO()
+    rows = csv.writer(table, lineterminator="\n")
+    rows.writerow(COLUMNS)
+    rows.writerows([each.id, each.first_name, each.last_name, each.email] for each in roster)
+    return table.getvalue()
+
+
+@contextmanager
+def one_writer(course: Course) -> Iterator[None]:
+    """Held while marks are written. Raises BeingGraded.
+
+    A lock on the folder itself, which the system releases when its holder ends, however it ends: no stale lock file is left.
+    """
+    descriptor = os.open(course.folder / ".corollary", os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(descriptor)
+        raise BeingGraded(
+            f"another run is grading in {course.folder}; wait until it is done, then run this again"
+        ) from None
+    try:
+        yield
+    finally:
+        os.close(descriptor)

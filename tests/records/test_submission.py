@@ -1,0 +1,89 @@
+"""What was handed in, and when: found however it was named, dated as nbgrader dates it."""
+
+from __future__ import annotations
+
+import os
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from corollary.atomic import write_whole
+from corollary.problem.roster import Student
+from corollary.records.files import Course, create_course
+from corollary.records.submission import fingerprint, handed_in, moment, submissions
+
+
+@pytest.fixture
+def course(tmp_path: Path) -> Course:
+    return create_course(tmp_path / "mech", [Student("ada")])
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [
+        ("2026-12-04 21:03:11.500000 UTC", 0),
+        ("2026-12-04 21:03:11.5", 0),
+        ("2026-12-04 22:03:11.500000 +0100", 0),
+        ("2026-12-04T22:03:11.500000+01:00\n", 0),
+        ("2026-12-04 22:03:11.500000 Europe/Oslo", 0),
+        ("2026-12-04 21:03:12 UTC", 0.5),
+    ],
+)
+def test_timestamps_as_nbgrader_and_others_write_them(text: str, seconds: float):
+    base = datetime(2026, 12, 4, 21, 3, 11, 500000, tzinfo=UTC)
+    assert (moment(text) - base).total_seconds() == seconds
+
+
+def test_the_same_moments_as_nbgrader_reads():
+    parse_utc = pytest.importorskip("nbgrader.utils").parse_utc
+    for text in ("2026-12-04 21:03:11.500000 UTC", "2026-07-04 21:03:11", "2026-12-04T22:03:11.5+01:00"):
+        assert moment(text).replace(tzinfo=None) == parse_utc(text)
+
+
+def test_handed_in_is_the_timestamp_or_the_age_of_the_file(course: Course):
+    assert handed_in(course, "week_1", "ada") is None
+    notebook = course.notebook("submitted", "ada", "week_1")
+    write_whole(notebook, "{}")
+    os.utime(notebook, (1_700_000_000, 1_700_000_000))
+    assert handed_in(course, "week_1", "ada") == datetime.fromtimestamp(1_700_000_000, UTC)
+    (notebook.parent / "timestamp.txt").write_text("soon")
+    assert handed_in(course, "week_1", "ada") == datetime.fromtimestamp(1_700_000_000, UTC)
+    (notebook.parent / "timestamp.txt").write_text("2026-12-04 21:03:11 UTC\n")
+    assert handed_in(course, "week_1", "ada") == datetime(2026, 12, 4, 21, 3, 11, tzinfo=UTC)
+
+
+def test_submissions_are_found_even_when_renamed(course: Course):
+    for student, name in [
+        ("ada", "week_1"),
+        ("ada", "scratch"),
+        ("bob", "week_1 (2)"),
+        ("eve", "one"),
+        ("eve", "two"),
+    ]:
+        write_whole(course.place("submitted", student, "week_1") / f"{name}.ipynb", "{}")
+    write_whole(course.place("submitted", "sam", "week_2") / "week_2.ipynb", "{}")
+    assert {student: path.name for student, path in submissions(course, "week_1").items()} == {
+        "ada": "week_1.ipynb",
+        "bob": "week_1 (2).ipynb",
+    }
+
+
+def test_the_fingerprint_tells_whatever_marks_depend_on(course: Course):
+    notebook = course.notebook("submitted", "ada", "week_1")
+    write_whole(notebook, "{}")
+    os.utime(notebook, (1_700_000_000, 1_700_000_000))
+
+    def now(row: dict[str, int], state: str = "s") -> str:
+        return fingerprint(course, "week_1", "ada", notebook, row, state)
+
+    before = now({"X12.5": 3, "X12.8": 4})
+    assert now({"X12.8": 4, "X12.5": 3}) == before
+    assert now({"X12.5": 4, "X12.8": 4}) != before
+    assert now({"X12.5": 3, "X12.8": 4}, "t") != before
+    os.utime(notebook, (1_700_000_001, 1_700_000_001))
+    later = now({"X12.5": 3, "X12.8": 4})
+    assert later != before
+    notebook.write_text("{ }")
+    os.utime(notebook, (1_700_000_001, 1_700_000_001))
+    assert now({"X12.5": 3, "X12.8": 4}) != later
