@@ -10,9 +10,8 @@ from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.runge_kutta import Tableau
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.integrate.tableau import RK4
-from corollary.scenes.models.beta import contact_time
-from corollary.scenes.models.glance import glance
-from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet
+from corollary.scenes.models.bounce import contact_time
+from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet, oblique
 
 from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
 from .phases import through
@@ -60,7 +59,10 @@ def case(eta: float, reference: Reference) -> Case:
         "regularised_dop853": Route("step", _parts(4, 48), partial(_phased, both, met, DOP853)),
     }
     if eta == 0.0:
-        own = {"quadrature": Route("tolerance", ONCE, lambda _: _answer(both, met, glance(both, met))), **own}
+        own = {
+            "quadrature": Route("tolerance", ONCE, lambda _: _answer(both, met, oblique(both, met))),
+            **own,
+        }
     return Case(
         name=f"spheres eta={eta:g}",
         ready="spheres",

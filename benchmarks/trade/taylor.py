@@ -11,8 +11,8 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from corollary.scenes.definition import one
 from corollary.scenes.models.pair import Parting, after_parting, meet
-from corollary.scenes.setting import one
 
 from . import cradles, spheres
 from .case import ONCE, Answer, Case, Route

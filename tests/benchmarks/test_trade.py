@@ -19,7 +19,7 @@ from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.integrate.tableau import RK4
-from corollary.scenes.models.beta import contact_time, suggested_step
+from corollary.scenes.models.bounce import contact_time, suggested_step
 from corollary.scenes.models.pair import meet
 
 HERE = Path(__file__).parent

@@ -16,7 +16,7 @@ def cradle(count, q, masses=None):
 def off(found, line):
     """The largest difference of a velocity from a run as fine as doubles allow."""
     exact = regularised.collide(line, 1e-14)
-    return max(abs(a - b) for a, b in zip(found.passage.velocities, exact.velocities, strict=True))
+    return max(abs(a - b) for a, b in zip(found.result.velocities, exact.velocities, strict=True))
 
 
 @pytest.mark.parametrize("mass", [1e-5, 1e-4, 1e-3, 1.0])

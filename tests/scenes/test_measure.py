@@ -8,10 +8,9 @@ from hypothesis import strategies as st
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.measure import measured
-from corollary.scenes.models.beta import contact_time
-from corollary.scenes.observe import Observable
+from corollary.scenes.models.bounce import contact_time
 from corollary.scenes.plan import play
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import BadSetting, Observable
 from corollary.scenes.scene import Body, Scene
 
 MASS, HARD = 0.06, {1.0: 1.4e3, 1.5: 2e4, 3.0: 1.6e11}

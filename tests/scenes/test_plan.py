@@ -15,9 +15,8 @@ from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
 from corollary.scenes.measure import measured
-from corollary.scenes.observe import MEANING, Observable
 from corollary.scenes.plan import plan, play
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import MEANING, BadSetting, Observable
 from corollary.scenes.scene import Body, Scene
 
 V = {Observable.VELOCITIES}

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 
 import pytest
 
-from corollary.scenes.observe import Observable
 from corollary.scenes.plan import plan, play
-from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, GuardFailed, Observable
 from corollary.scenes.scene import (
     Body,
     Conserves,

@@ -6,18 +6,15 @@ import math
 from collections.abc import Collection
 from dataclasses import replace
 
-from corollary.scenes.collision import CLOSED
+from corollary.scenes.collision import ROUNDING
 from corollary.scenes.conserved import impulses, momentum
-from corollary.scenes.definition import Played
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.well import Well
 from corollary.scenes.integrate.equations_of_motion import energy
-from corollary.scenes.library.atom import ATOM
-from corollary.scenes.library.spheres import SPHERES
-from corollary.scenes.models.kepler import orbit
-from corollary.scenes.observe import Observable
-from corollary.scenes.run import Observed
+from corollary.scenes.library import atom, spheres
+from corollary.scenes.models.central import orbit
+from corollary.scenes.run import Observable, Observed, Run
 from corollary.scenes.scene import Scene, start_of
 
 OF_A_PAIR = {
@@ -29,7 +26,7 @@ OF_AN_ORBIT = {Observable.PERIOD, Observable.TURNING_POINTS}
 SEEN = 2.0
 
 
-def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) -> Played | None:
+def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
     """Two spheres that nothing else acts on: quadrature without damping, else the contact followed in its own time."""
     if scene.axes != 2 or scene.until is not None or len(scene.bodies) != 2 or not set(observe) <= OF_A_PAIR:
         return None
@@ -46,7 +43,7 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
         "mA": a.mass, "mB": b.mass, "R": 0.5 * reach, "k": contact.k, "q": contact.q, "eta": contact.eta,
         "dx": b.place[0] - a.place[0], "dy": b.place[1] - a.place[1], "vA": a.velocity, "vB": b.velocity,
     }  # fmt: skip
-    played = SPHERES.play(settings, tolerance)
+    played = spheres.play(settings, tolerance)
     velocities = played.observed["velocities"]
     assert isinstance(velocities, tuple)
     start = start_of(scene)
@@ -58,11 +55,11 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
         "momentum": momentum(scene, 0.0, after),
         "energy": energy(apart, 0.0, after),
     }
-    error = max(played.errors["velocities"], CLOSED)
+    error = max(played.errors["velocities"], ROUNDING)
     return _asked(replace(played, observed=known, errors=dict.fromkeys(known, error)), observe)
 
 
-def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -> Played | None:
+def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
     """One body in a well: bound, its period and turning points; or its velocity once it has left."""
     if len(scene.bodies) != 1 or math.isinf(scene.bodies[0].mass):
         return None
@@ -78,7 +75,7 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
         "m": body.mass, "k": well.k, "b": well.b, "d": well.d, "dimension": float(scene.axes),
         "r0": (*body.place, 0.0)[:2], "v0": (*body.velocity, 0.0)[:2],
     }  # fmt: skip
-    played = ATOM.play(settings, tolerance)
+    played = atom.play(settings, tolerance)
     until = math.inf if scene.until is None else scene.until
     match played.outcome:
         case "bound":
@@ -98,7 +95,7 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
     return _asked(played, observe) if fits else None
 
 
-def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: float) -> Played | None:
+def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
     """One body under an inverse-square force from a wall-like body at rest in the origin: its orbit closes."""
     if len(scene.bodies) != 2 or not set(observe) <= OF_AN_ORBIT:
         return None
@@ -124,16 +121,16 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
         known: dict[str, Observed] = {"turning_points": turns}
         why = "it comes and goes: energy and angular momentum give the nearest distance, the root of a quadratic"
         return _asked(
-            Played(known, dict.fromkeys(known, 4.0 * CLOSED), "conservation", why, 0, "escaped"), observe
+            Run(known, dict.fromkeys(known, 4.0 * ROUNDING), "conservation", why, 0, "escaped"), observe
         )
     if scene.until is not None and scene.until < SEEN * found.period:
         return None
     known = {"turning_points": (found.nearest, found.farthest), "period": found.period}
     why = "bound to a fixed centre: energy and angular momentum give the orbit, Kepler's third law its period"
-    return _asked(Played(known, dict.fromkeys(known, 8.0 * CLOSED), "conservation", why, 0, "bound"), observe)
+    return _asked(Run(known, dict.fromkeys(known, 8.0 * ROUNDING), "conservation", why, 0, "bound"), observe)
 
 
-def _asked(played: Played, observe: Collection[Observable]) -> Played:
+def _asked(played: Run, observe: Collection[Observable]) -> Run:
     names = [o.value for o in observe]
     return replace(
         played, observed={n: played.observed[n] for n in names}, errors={n: played.errors[n] for n in names}

@@ -10,12 +10,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.integrate import regularised
-from corollary.scenes.models.beta import contact_time, largest_overlap
+from corollary.scenes.models.bounce import contact_time, largest_overlap
+from corollary.scenes.models.dashpot import damped_spring
 from corollary.scenes.row import Row, RowResult, energy, natural_units, reduced_mass
 from corollary.scenes.run import BadSetting, GuardFailed, Model
 
 # What rounding leaves of a closed formula.
-CLOSED = 2e-15
+ROUNDING = 2e-15
 # In longer rows of springs a sum of swings costs more than steps.
 MOST_SWINGING = 20
 COMPILED = "COROLLARY_COMPILED"
@@ -24,9 +25,9 @@ COMPILED = "COROLLARY_COMPILED"
 
 @dataclass(frozen=True, slots=True)
 class Collided:
-    """A passage with the error of each thing seen in it (in natural units), and the model that found it."""
+    """A result with the error of each thing seen in it (in natural units), and the model that found it."""
 
-    passage: RowResult
+    result: RowResult
     errors: dict[str, float]
     model: Model
     why: str
@@ -41,6 +42,8 @@ def collide(line: Row, tolerance: float) -> Collided:
     """
     if _one_free_contact(line):
         return _two_bodies(line)
+    if _one_damped_spring(line):
+        return _spring_and_dashpot(line)
     if _springs(line) and len(line.masses) <= MOST_SWINGING:
         return _swinging(line)
     return _integrated(line, tolerance)
@@ -52,6 +55,17 @@ def _one_free_contact(line: Row) -> bool:
     )
 
 
+def _one_damped_spring(line: Row) -> bool:
+    return (
+        len(line.masses) == 2
+        and line.contacts[0].q == 1.0
+        and line.contacts[0].eta > 0.0
+        and line.weight == 0.0
+        and line.gaps[0] >= 0.0
+        and line.velocities[0] > line.velocities[1]
+    )
+
+
 def _springs(line: Row) -> bool:
     return line.weight == 0.0 and all(c.q == 1.0 and c.eta == 0.0 for c in line.contacts)
 
@@ -59,10 +73,10 @@ def _springs(line: Row) -> bool:
 def _swinging(line: Row) -> Collided:
     from corollary.scenes.models import modal  # here, since it brings numpy, which most scenes never need
 
-    passage = modal.collide(line)
+    result = modal.collide(line)
     # Every opening or closing hands its rounding on to what follows.
     sure = dict.fromkeys(
-        ("velocities", "overlaps", "forces"), CLOSED * len(line.masses) * max(passage.openings, 1)
+        ("velocities", "overlaps", "forces"), ROUNDING * len(line.masses) * max(result.openings, 1)
     )
     errors = sure | {"duration": 10.0 * sure["velocities"]}
     # A light body between heavier ones, near or far, is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much
@@ -72,9 +86,9 @@ def _swinging(line: Row) -> Collided:
     )
     caught = max((min(left, right) / m for left, m, right in sides), default=1.0)
     errors["velocities"] *= max(1.0, caught) ** 1.5
-    errors["velocities"] = max(errors["velocities"], _energy_lost(line, passage))
+    errors["velocities"] = max(errors["velocities"], _energy_lost(line, result))
     return Collided(
-        passage,
+        result,
         errors,
         "piecewise exact",
         "springs: from one opening to the next the motion is a sum of swings",
@@ -82,10 +96,10 @@ def _swinging(line: Row) -> Collided:
     )
 
 
-def _energy_lost(line: Row, passage: RowResult) -> float:
+def _energy_lost(line: Row, result: RowResult) -> float:
     """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
     before = energy(line, [-gap for gap in line.gaps], line.velocities)
-    after = energy(line, [0.0] * len(line.gaps), passage.velocities)
+    after = energy(line, [0.0] * len(line.gaps), result.velocities)
     masses = [m for m in line.masses if not math.isinf(m)]
     return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 
@@ -103,7 +117,7 @@ def _two_bodies(line: Row) -> Collided:
     mass, closing = reduced_mass(a, b), u - v
     overlap = largest_overlap(mass, contact.k, contact.q, closing)
     after = (u - 2.0 * mass / a * closing, v + 2.0 * mass / b * closing)
-    passage = RowResult(
+    result = RowResult(
         velocities=after,
         duration=contact_time(mass, contact.k, contact.q, closing),
         overlaps=(overlap,),
@@ -114,8 +128,35 @@ def _two_bodies(line: Row) -> Collided:
     )
     why = "two bodies, no damping: momentum and energy give the velocities, Beta functions close the energy integral"
     return Collided(
-        passage, dict.fromkeys(("velocities", "duration", "overlaps", "forces"), CLOSED), "quadrature", why, 0
+        result,
+        dict.fromkeys(("velocities", "duration", "overlaps", "forces"), ROUNDING),
+        "quadrature",
+        why,
+        0,
     )
+
+
+def _spring_and_dashpot(line: Row) -> Collided:
+    (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
+    mass, closing = reduced_mass(a, b), u - v
+    found = damped_spring(mass, contact.k, contact.eta, closing)
+    change = (1.0 + found.restitution) * closing
+    result = RowResult(
+        velocities=(u - mass / a * change, v + mass / b * change),
+        duration=found.duration,
+        overlaps=(found.overlap,),
+        forces=(found.force,),
+        outcome="sticks" if found.sticks else "released",
+        evaluations=0,
+        openings=0 if found.sticks else 1,
+    )
+    why = "a spring with a dashpot: the swing fades as it goes, which is known exactly"
+    # Near critical damping the swing is slow, and what rounding leaves of the damping counts as often as it is slower.
+    share = 0.25 * contact.eta**2 / (contact.k * mass)
+    slow = 1.0 if found.sticks else 1.0 / (1.0 - share) if share < 1.0 else 1e15
+    sure = 4.0 * ROUNDING
+    errors = {"velocities": sure, "overlaps": sure, "forces": sure, "duration": min(sure * slow, 1.0)}
+    return Collided(result, errors, "piecewise exact", why, 0)
 
 
 def _integrated(line: Row, tolerance: float) -> Collided:
@@ -138,7 +179,7 @@ def _integrated(line: Row, tolerance: float) -> Collided:
         "forces": _apart(coarse.forces, fine.forces) / units.force,
     }
     why = _reason(line)
-    errors = {name: max(e, CLOSED) for name, e in error.items()}
+    errors = {name: max(e, ROUNDING) for name, e in error.items()}
     return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
 
 

@@ -6,8 +6,7 @@ import math
 from collections.abc import Collection
 
 from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, masses_at
-from corollary.scenes.observe import Observable
-from corollary.scenes.run import Observed
+from corollary.scenes.run import Observable, Observed
 from corollary.scenes.scene import Conserves, Scene, State, overlap, pairs, start_of, velocity
 
 

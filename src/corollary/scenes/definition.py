@@ -1,31 +1,98 @@
-"""A ready-made scene: its settings, and how it is played."""
+"""A ready-made scene: what it lets one set, what it refuses, and how it is played."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from corollary.scenes.run import Model, Observed, Outcome
-from corollary.scenes.setting import Setting
+from corollary.scenes.run import BadSetting, Observed, Run
 
 
 @dataclass(frozen=True, slots=True)
-class Played:
-    """What a scene's play gives; `run` adds the name, the settings and the time it took."""
+class Setting:
+    """One number (or, with `many`, a row of them), in SI, with the value it takes when nothing is said.
 
-    observed: dict[str, Observed]
-    errors: dict[str, float]
-    model: Model
-    why: str
-    evaluations: int
-    outcome: Outcome
+    `above` and `below` are open ends, `least` and `most` closed ones.
+    """
+
+    name: str
+    meaning: str
+    unit: str
+    value: Observed
+    above: float = -math.inf
+    least: float = -math.inf
+    below: float = math.inf
+    most: float = math.inf
+    whole: bool = False
+    many: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class SceneDefinition:
-    """`meaning` is one line for a list of scenes."""
+    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale."""
 
-    name: str
     meaning: str
     settings: tuple[Setting, ...]
-    play: Callable[[Mapping[str, Observed], float], Played]
+    play: Callable[[Mapping[str, Observed], float], Run]
+
+
+def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) -> dict[str, Observed]:
+    """All settings of a scene: the given ones checked, the others at their own value. Raises BadSetting."""
+    settings = {setting.name: setting for setting in known}
+    for name in given:
+        if name not in settings:
+            raise BadSetting(f"{scene}: {name!r} is not among its settings ({', '.join(settings)}).")
+    return {
+        name: _checked(scene, s, given[name]) if name in given else s.value for name, s in settings.items()
+    }
+
+
+def _checked(scene: str, setting: Setting, value: object) -> Observed:
+    if isinstance(value, (list, tuple)):
+        if not setting.many:
+            raise BadSetting(f"{scene}: {setting.name} is one number, not a row of {len(value)}.")
+        return tuple(_number(scene, setting, one) for one in value)
+    return _number(scene, setting, value)
+
+
+def _number(scene: str, setting: Setting, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise BadSetting(
+            f"{scene}: {setting.name} = {value!r} is not a number; it is the {setting.meaning} in {setting.unit}."
+        )
+    number = float(value)
+    if not math.isfinite(number):
+        raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")
+    if setting.whole and number != round(number):
+        raise BadSetting(f"{scene}: {setting.name} = {number:g} must be a whole number.")
+    for broken, rule in (
+        (number <= setting.above, f"more than {setting.above:g}"),
+        (number < setting.least, f"at least {setting.least:g}"),
+        (number >= setting.below, f"less than {setting.below:g}"),
+        (number > setting.most, f"at most {setting.most:g}"),
+    ):
+        if broken:
+            unit = "" if setting.unit == "1" else f" {setting.unit}"
+            raise BadSetting(
+                f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}."
+            )
+    return number
+
+
+def one(settings: Mapping[str, Observed], name: str) -> float:
+    """A setting that is a single number."""
+    value = settings[name]
+    if isinstance(value, tuple):
+        raise BadSetting(f"{name} is one number, not a row of {len(value)}.")
+    return value
+
+
+def row(settings: Mapping[str, Observed], name: str, count: int, what: str) -> tuple[float, ...]:
+    """A setting for each of `count` things; a single number serves them all."""
+    value = settings[name]
+    if not isinstance(value, tuple):
+        return (value,) * count
+    if len(value) != count:
+        raise BadSetting(f"{name} has {len(value)} numbers, but there are {count} {what}.")
+    return value

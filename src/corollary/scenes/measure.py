@@ -7,12 +7,10 @@ from collections.abc import Callable, Collection, Sequence
 from typing import assert_never
 
 from corollary.scenes.conserved import impulses, momentum
-from corollary.scenes.definition import Played
 from corollary.scenes.integrate.contact_span import contact_span
 from corollary.scenes.integrate.equations_of_motion import energy, kinetic, masses_at
 from corollary.scenes.integrate.motion import Trajectory, integrate
-from corollary.scenes.observe import Observable
-from corollary.scenes.run import BadSetting, GuardFailed, Observed, Outcome
+from corollary.scenes.run import BadSetting, GuardFailed, Observable, Observed, Outcome, Run
 from corollary.scenes.scene import Scene, overlap, pairs, place, start_of, velocity
 
 Value = Callable[[Sequence[float]], float]
@@ -21,7 +19,7 @@ GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 def measured(
     scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
-) -> Played:
+) -> Run:
     """Integrate twice, a finer run after a coarser; the difference is the error of the coarser. `times` (s) are a trajectory's."""
     allowed = max(tolerance / 30.0, 1e-14)
     coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, allowed)
@@ -38,7 +36,7 @@ def measured(
             errors[duration], min(span.error_estimate / span.lasts, 1.0) if span.lasts else 1.0
         )
     spent = coarse.evaluations + fine.evaluations
-    return Played(observed, errors, "integration", why, spent, _outcome(scene, fine))
+    return Run(observed, errors, "integration", why, spent, _outcome(scene, fine))
 
 
 def _outcome(scene: Scene, path: Trajectory) -> Outcome:

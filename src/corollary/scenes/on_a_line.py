@@ -6,17 +6,14 @@ import math
 from collections.abc import Collection, Sequence
 from itertools import pairwise
 
-from corollary.scenes.collision import CLOSED, Collided, collide
-from corollary.scenes.definition import Played
+from corollary.scenes.collision import ROUNDING, Collided, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.models.beta import largest_overlap
+from corollary.scenes.models.bounce import largest_overlap
 from corollary.scenes.models.pair import hold_apart
-from corollary.scenes.observe import Observable
 from corollary.scenes.row import Row, reduced_mass
-from corollary.scenes.run import Observed
+from corollary.scenes.run import Observable, Observed, Run
 from corollary.scenes.scene import Scene
-from corollary.scenes.two_on_a_line import collide_two
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
 BEFORE_AND_AFTER = {Observable.VELOCITIES, Observable.ENERGY_RATIO} | OF_BODIES_ALONE
@@ -24,7 +21,7 @@ ALONE_ON_A_LINE = BEFORE_AND_AFTER | {Observable.DURATION, Observable.LARGEST_OV
 ON_A_LINE = ALONE_ON_A_LINE - OF_BODIES_ALONE
 
 
-def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -> Played | None:
+def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
     """Bodies in a row that touch their neighbours, perhaps on a floor."""
     line = as_line(scene)
     if line is None or not set(observe) <= (ALONE_ON_A_LINE if line.weight == 0.0 else ON_A_LINE):
@@ -42,8 +39,8 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
                 ),
             )
         return _conserved(line, observe)
-    found = collide_two(line, tolerance) if len(line.masses) == 2 else collide(line, tolerance)
-    _keep_apart(scene, found.passage.overlaps)
+    found = collide(line, tolerance)
+    _keep_apart(scene, found.result.overlaps)
     return _collided(line, found, observe)
 
 
@@ -94,7 +91,7 @@ def _alone(line: Row, after: tuple[float, ...]) -> dict[Observable, Observed]:
     }
 
 
-def _conserved(line: Row, observe: Collection[Observable]) -> Played:
+def _conserved(line: Row, observe: Collection[Observable]) -> Run:
     (a, b), (u, v) = line.masses, line.velocities
     mass, meet = reduced_mass(a, b), u > v
     after = (u - 2.0 * mass / a * (u - v), v + 2.0 * mass / b * (u - v)) if meet else (u, v)
@@ -106,25 +103,25 @@ def _conserved(line: Row, observe: Collection[Observable]) -> Played:
     }
     observed = {o.value: known[o] for o in observe}
     why = "only velocities before and after one undamped collision are asked: momentum and energy give them"
-    return Played(
-        observed, dict.fromkeys(observed, CLOSED), "conservation", why, 0, "released" if meet else "missed"
+    return Run(
+        observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, "released" if meet else "missed"
     )
 
 
-def _collided(line: Row, found: Collided, observe: Collection[Observable]) -> Played:
-    passage = found.passage
+def _collided(line: Row, found: Collided, observe: Collection[Observable]) -> Run:
+    result = found.result
     before = _kinetic(line, line.velocities)
     known: dict[Observable, tuple[Observed, str]] = {
-        Observable.VELOCITIES: (passage.velocities, "velocities"),
-        Observable.DURATION: (passage.duration, "duration"),
-        Observable.LARGEST_OVERLAP: (max(passage.overlaps), "overlaps"),
-        Observable.PEAK_FORCE: (max(passage.forces), "forces"),
+        Observable.VELOCITIES: (result.velocities, "velocities"),
+        Observable.DURATION: (result.duration, "duration"),
+        Observable.LARGEST_OVERLAP: (max(result.overlaps), "overlaps"),
+        Observable.PEAK_FORCE: (max(result.forces), "forces"),
         Observable.ENERGY_RATIO: (
-            _kinetic(line, passage.velocities) / before if before else math.inf,
+            _kinetic(line, result.velocities) / before if before else math.inf,
             "velocities",
         ),
-        **{what: (value, "velocities") for what, value in _alone(line, passage.velocities).items()},
+        **{what: (value, "velocities") for what, value in _alone(line, result.velocities).items()},
     }
     observed = {o.value: known[o][0] for o in observe}
     errors = {o.value: found.errors.get(known[o][1], 0.0) for o in observe}
-    return Played(observed, errors, found.model, found.why, found.spent, passage.outcome)
+    return Run(observed, errors, found.model, found.why, found.spent, result.outcome)

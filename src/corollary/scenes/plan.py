@@ -8,17 +8,15 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.scenes.closed import in_a_plane, in_a_well, round_a_centre
-from corollary.scenes.collision import CLOSED
+from corollary.scenes.collision import ROUNDING
 from corollary.scenes.conserved import conserved, parts_undamped
-from corollary.scenes.definition import Played
 from corollary.scenes.integrate.motion import never_touch
 from corollary.scenes.measure import measured
-from corollary.scenes.observe import Observable
 from corollary.scenes.on_a_line import on_a_line
-from corollary.scenes.run import BadSetting, Model, Observed, Outcome, Run
+from corollary.scenes.run import BadSetting, Model, Observable, Observed, Outcome, Run
 from corollary.scenes.scene import Scene
 
 # Of a trajectory for which no times are asked.
@@ -31,7 +29,7 @@ class Plan:
 
     model: Model
     why: str
-    play: Callable[[], Played]
+    play: Callable[[], Run]
 
 
 def plan(
@@ -51,9 +49,9 @@ def plan(
         why = "all that is asked is conserved: the start says it"
         return Plan("conservation", why, lambda: _kept(scene, known, why))
     for closed in (on_a_line, in_a_plane, in_a_well, round_a_centre):
-        played = closed(scene, observe, tolerance)
-        if played is not None:
-            return Plan(played.model, played.why, lambda played=played: played)
+        found = closed(scene, observe, tolerance)
+        if found is not None:
+            return Plan(found.model, found.why, lambda found=found: found)
     why = "no integral of the motion gives what is asked: Newton's second law, step by step"
     return Plan("integration", why, lambda: measured(scene, observe, tolerance, why, times))
 
@@ -63,19 +61,8 @@ def play(
 ) -> Run:
     """Play a scene with the least model that answers. Raises BadSetting and GuardFailed as the models do."""
     begin = time.perf_counter()
-    done = plan(scene, observe, tolerance, times).play()
-    seconds = time.perf_counter() - begin
-    return Run(
-        scene.name,
-        {},
-        done.observed,
-        done.errors,
-        done.model,
-        done.why,
-        done.evaluations,
-        seconds,
-        done.outcome,
-    )
+    found = plan(scene, observe, tolerance, times).play()
+    return replace(found, scene=scene.name, seconds=time.perf_counter() - begin)
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:
@@ -96,9 +83,9 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
     return tuple(times)
 
 
-def _kept(scene: Scene, known: dict[Observable, Observed], why: str) -> Played:
+def _kept(scene: Scene, known: dict[Observable, Observed], why: str) -> Run:
     observed = {o.value: value for o, value in known.items()}
     outcome: Outcome = (
         "bound" if scene.until is not None else ("missed" if never_touch(scene) else "released")
     )
-    return Played(observed, dict.fromkeys(observed, CLOSED), "conservation", why, 0, outcome)
+    return Run(observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, outcome)

@@ -108,16 +108,16 @@ def in_units(line: Row, units: Units) -> Row:
     )
 
 
-def in_si(passage: RowResult, units: Units) -> RowResult:
+def in_si(result: RowResult, units: Units) -> RowResult:
     """What was found in natural units, back in those of the line."""
     return RowResult(
-        velocities=tuple(v * units.speed for v in passage.velocities),
-        duration=passage.duration * units.time,
-        overlaps=tuple(d * units.overlap for d in passage.overlaps),
-        forces=tuple(f * units.force for f in passage.forces),
-        outcome=passage.outcome,
-        evaluations=passage.evaluations,
-        openings=passage.openings,
+        velocities=tuple(v * units.speed for v in result.velocities),
+        duration=result.duration * units.time,
+        overlaps=tuple(d * units.overlap for d in result.overlaps),
+        forces=tuple(f * units.force for f in result.forces),
+        outcome=result.outcome,
+        evaluations=result.evaluations,
+        openings=result.openings,
     )
 
 
@@ -151,14 +151,14 @@ def energy(line: Row, overlaps: Sequence[float], velocities: Sequence[float]) ->
     return total
 
 
-def guard(line: Row, passage_energy: float, velocities: Sequence[float], tolerance: float) -> None:
+def guard(line: Row, energy_after: float, velocities: Sequence[float], tolerance: float) -> None:
     """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some.
 
     Raises GuardFailed. The line is in natural units, so `tolerance` is a relative one.
     """
     before = energy(line, [-gap for gap in line.gaps], line.velocities)
     scale = max(1.0, abs(before))
-    gained = (passage_energy - before) / scale
+    gained = (energy_after - before) / scale
     damped = any(c.eta > 0.0 for c in line.contacts)
     if gained > tolerance or (not damped and gained < -tolerance):
         raise GuardFailed(

@@ -12,7 +12,7 @@ from corollary.scenes import collision
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.integrate.regularised import collide
-from corollary.scenes.models import beta, modal
+from corollary.scenes.models import bounce, modal
 from corollary.scenes.row import Row, energy
 from corollary.scenes.run import GuardFailed
 
@@ -42,8 +42,8 @@ def test_cradles_agree_with_thirty_digit_arithmetic_to_twelve(name):
 def test_two_balls_agree_with_beta_functions(q):
     found = collide(cradle(2, q), 1e-13)
     assert found.velocities == pytest.approx((0.0, 1.0), abs=1e-12)
-    assert found.duration == pytest.approx(beta.contact_time(0.5, 1.0, q, 1.0), rel=2e-12)
-    assert found.overlaps[0] == pytest.approx(beta.largest_overlap(0.5, 1.0, q, 1.0), rel=1e-12)
+    assert found.duration == pytest.approx(bounce.contact_time(0.5, 1.0, q, 1.0), rel=2e-12)
+    assert found.overlaps[0] == pytest.approx(bounce.largest_overlap(0.5, 1.0, q, 1.0), rel=1e-12)
     assert found.forces[0] == pytest.approx(found.overlaps[0] ** q, rel=1e-14)
 
 
@@ -187,14 +187,14 @@ def test_nothing_moves_nothing_happens():
 def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight, speed, tolerance):
     """Energy falls with damping, and without a jump: a little more of it never gives a rebound far from the first."""
     k, m = 1e6 * 0.001 ** (1.5 - q), 0.1
-    critical = 2.0 * math.sqrt(k * m * beta.largest_overlap(m, k, q, speed) ** (q - 1.0))
+    critical = 2.0 * math.sqrt(k * m * bounce.largest_overlap(m, k, q, speed) ** (q - 1.0))
 
     def kept(more):
         eta = critical * 10.0**thickness * more
         line = Row((math.inf, m), (0.0, -speed), (0.0,), (Contact(k, q, eta),), weight=weight)
         found = collision.collide(line, tolerance)
-        assert found.passage.outcome in ("released", "sticks")
-        return (found.passage.velocities[1] / speed) ** 2, found.errors["velocities"]
+        assert found.result.outcome in ("released", "sticks")
+        return (found.result.velocities[1] / speed) ** 2, found.errors["velocities"]
 
     (less, error), (more, _) = kept(1.001), kept(1.0)
     assert -10.0 * (error + tolerance) <= more - less <= 0.01 + 10.0 * (error + tolerance)

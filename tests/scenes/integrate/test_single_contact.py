@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 from corollary.scenes.forces.contact import Contact, stored
 from corollary.scenes.integrate import single_contact
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.models.beta import contact_time, largest_overlap
-from corollary.scenes.models.glance import glance
-from corollary.scenes.models.pair import NEAREST, Pair, Touching, after_parting, deepest, meet
+from corollary.scenes.models.bounce import contact_time, largest_overlap
+from corollary.scenes.models.pair import NEAREST, Pair, Touching, after_parting, deepest, meet, oblique
 from corollary.scenes.run import BadSetting, GuardFailed
 
 
@@ -29,7 +28,7 @@ def as_hard_as_the_chapters(q):
 def test_without_damping_steps_and_integrals_agree(q, across):
     pair = chapter(across=across, q=q, k=as_hard_as_the_chapters(q))
     met = meet(pair)
-    stepped, integrated = follow(pair, met, 1e-14), glance(pair, met)
+    stepped, integrated = follow(pair, met, 1e-14), oblique(pair, met)
     assert after_parting(pair, met, stepped) == pytest.approx(after_parting(pair, met, integrated), abs=2e-13)
     assert stepped.duration == pytest.approx(integrated.duration, rel=1e-12)
     assert stepped.overlap == pytest.approx(integrated.overlap, rel=1e-12)
@@ -38,7 +37,7 @@ def test_without_damping_steps_and_integrals_agree(q, across):
 
 def test_head_on_it_is_the_contact_of_the_reduced_mass():
     met = meet(chapter(across=0.0))
-    found = glance(chapter(across=0.0), met)
+    found = oblique(chapter(across=0.0), met)
     assert found.duration == pytest.approx(contact_time(0.05, 2e4, 1.5, 1.0), rel=1e-14)
     assert found.overlap == pytest.approx(largest_overlap(0.05, 2e4, 1.5, 1.0), rel=1e-14)
 
@@ -84,7 +83,7 @@ def test_however_soft_there_is_an_answer_until_the_centres_all_but_meet(eta, acr
         assert depth > (1.0 - 1.1 * NEAREST) * pair.reach
         return
     if eta == 0.0:
-        exact = glance(pair, met)
+        exact = oblique(pair, met)
         assert after_parting(pair, met, found) == pytest.approx(after_parting(pair, met, exact), abs=1e-11)
 
 
@@ -113,7 +112,7 @@ def test_a_start_that_overlaps_by_a_rounding_is_the_touch(exponent, q, across):
     """Head on, energy gives the speed and the depth; the time to cross the overlap that is there already is missing."""
     pair = chapter(across=across, q=q, k=as_hard_as_the_chapters(q))
     met = meet(pair)
-    touch = glance(pair, met)
+    touch = oblique(pair, met)
     share = 10.0**exponent
     overlap = share * touch.overlap
     found = follow(pair, replace(met, overlap=overlap), 1e-13)

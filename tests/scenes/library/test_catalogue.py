@@ -6,9 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from corollary.scenes import catalogue, library
 from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.library.ball_on_floor import HONEY
+from corollary.scenes.library.ball_on_floor import OVERDAMPED
 from corollary.scenes.models.bounce import deepest
 from corollary.scenes.run import BadSetting
 
@@ -166,7 +167,7 @@ def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
 @pytest.mark.parametrize("g", [0.0, 9.8])
 def test_honey_is_continuous_with_what_is_followed_in_steps(g):
     m, k, v = 0.1, 1e6, 2.8
-    edge = HONEY * math.sqrt(k * m * deepest(Contact(k), m, v, g) ** 0.5)
+    edge = OVERDAMPED * math.sqrt(k * m * deepest(Contact(k), m, v, g) ** 0.5)
     stepped, closed = (
         run("ball_on_floor", {"g": g, "v0": -v, "y0": 0.02, "eta": part * edge})
         for part in (1.0 - 1e-12, 1.0 + 1e-9)
@@ -221,3 +222,31 @@ def test_a_rockets_puffs_bracket_the_steady_burn(puffs, ratio):
     assert least < math.log(ratio) < most
     assert abs(found.observed["velocities"][0] - math.log(ratio)) <= found.errors["velocities"]
     assert most - least <= (ratio - 1.0) ** 2 / ratio / puffs * (1.0 + 1e-9)
+
+
+FALLING = """
+from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.run import Run
+
+def play(settings, tolerance):
+    speed = one(settings, "g") * one(settings, "t")
+    return Run({"velocities": (-speed,)}, {"velocities": 2e-15}, "conservation", "it falls freely", 0, "escaped")
+
+SCENE = SceneDefinition(
+    "a stone falls",
+    (Setting("g", "acceleration", "m/s^2", 9.8, above=0.0), Setting("t", "time", "s", 2.0, above=0.0)),
+    play,
+)
+"""
+
+
+def test_a_scene_is_one_file_in_the_library(tmp_path, monkeypatch):
+    (tmp_path / "falling_stone.py").write_text(FALLING, encoding="utf-8")
+    monkeypatch.setattr(library, "__path__", [*library.__path__, str(tmp_path)])
+    monkeypatch.setattr(catalogue, "SCENES", catalogue.Library())
+    found = run("falling_stone", {"t": 3.0})
+    assert found.observed == {"velocities": (-9.8 * 3.0,)}
+    assert found.settings == {"g": 9.8, "t": 3.0}
+    assert "falling_stone" not in SCENES
+    with pytest.raises(BadSetting, match="must be more than 0 s"):
+        run("falling_stone", {"t": -1.0})

@@ -21,7 +21,7 @@ def test_steps_find_the_same(share):
     found = damped_spring(m, k, eta, v)
     stepped = regularised.collide(Row((math.inf, m), (0.0, -v), (0.0,), (Contact(k, 1.0, eta),)), 1e-13)
     assert found.sticks == (stepped.outcome == "sticks") == (share >= 1.0)
-    assert found.kept * v == pytest.approx(stepped.velocities[1], abs=1e-9)
+    assert found.restitution * v == pytest.approx(stepped.velocities[1], abs=1e-9)
     assert found.overlap == pytest.approx(stepped.overlaps[0], rel=1e-10)
     assert found.force == pytest.approx(stepped.forces[0], rel=1e-9)
     if not found.sticks:
@@ -33,9 +33,9 @@ def test_restitution_does_not_depend_on_size_or_speed_and_energy_only_falls(m, k
     eta = 2.0 * share * math.sqrt(k * m)
     found, one = damped_spring(m, k, eta, v), damped_spring(1.0, 1.0, 2.0 * share, 1.0)
     # The exponent grows near critical damping, and its rounding with it.
-    assert found.kept == pytest.approx(one.kept, rel=1e-12 / (1.0 - share))
+    assert found.restitution == pytest.approx(one.restitution, rel=1e-12 / (1.0 - share))
     assert found.duration == pytest.approx(one.duration * math.sqrt(m / k), rel=1e-12 / (1.0 - share))
-    assert 0.0 <= found.kept < 1.0
+    assert 0.0 <= found.restitution < 1.0
     assert 0.5 * k * found.overlap**2 < 0.5 * m * v * v
     assert found.force >= eta * v
 
@@ -45,7 +45,7 @@ def test_from_critical_damping_on_it_sticks_and_more_damping_stops_it_sooner(m, 
     eta = 2.0 * share * math.sqrt(k * m)
     found, more = damped_spring(m, k, 1.001 * eta, v), damped_spring(m, k, 1.01 * eta, v)
     assert found.sticks
-    assert found.kept == 0.0
+    assert found.restitution == 0.0
     assert 0.0 < more.overlap < found.overlap
     # The dashpot alone would stop it within m v / eta; the spring only shortens that way.
     assert found.overlap <= m * v / (1.001 * eta) * (1.0 + 1e-9)

@@ -23,7 +23,7 @@ from corollary.scenes.integrate.time_variable import (
     stride_for,
     suited_variable,
 )
-from corollary.scenes.models.flight import asleep, first_touch, flown
+from corollary.scenes.models.flight import after_flight, first_touch, inactive
 from corollary.scenes.models.sticking import common_velocities, resting_overlaps, stays
 from corollary.scenes.row import (
     Row,
@@ -85,14 +85,14 @@ def _follow(problem: RowProblem) -> RowResult:
         # Before the sleepers: a contact that its damping holds for ever soon has too little in it to be seen.
         if problem.damped and stays(line, motion.state, motion.touching, problem.tolerance):
             return _arrived(problem, motion, extrema, "sticks")
-        if asleep(line, motion.state, motion.touching, problem.noise):
+        if inactive(line, motion.state, motion.touching, problem.noise):
             _let_go(line, motion, problem.noise)
             meeting = first_touch(line, motion.state, problem.noise, bounced=motion.began is not None)
             if meeting is None:
                 return _arrived(
                     problem, motion, extrema, "released" if motion.began is not None else "missed"
                 )
-            motion.state = flown(line, motion.state, meeting)
+            motion.state = after_flight(line, motion.state, meeting)
             motion.touching = [j == meeting.contact for j in range(len(line.gaps))]
             motion.variable, motion.landing, motion.lasted = TIME, False, FIRST_STRIDE
         if motion.began is None:

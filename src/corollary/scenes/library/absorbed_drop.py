@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.models.flow import faded_time
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("m", "mass of the body", "kg", 2.0, above=0.0),
@@ -22,7 +21,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities (body, drop) after the time t, the change of their total momentum, and the largest pull between them.
 
     The drop is dragged along by a dashpot. The relative velocity w obeys w' = F/m - (grip/mu) w, so it fades to F mu/(m grip): the
@@ -44,13 +43,13 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "peak_force": max(pulls),
     }
     fastest = max(abs(body), abs(drop), abs(v), abs(u)) or 1.0
-    caught = 4.0 * CLOSED + abs(left) / fastest
+    caught = 4.0 * ROUNDING + abs(left) / fastest
     # A difference of momenta: rounding counts in units of the impulse, or of the momenta where there is none.
     impulse = abs(force) * t
-    rounding = 4.0 * CLOSED * (total * fastest / impulse if impulse else 1.0)
-    errors = {"velocities": caught, "momentum_change": rounding, "peak_force": 4.0 * CLOSED}
+    rounding = 4.0 * ROUNDING * (total * fastest / impulse if impulse else 1.0)
+    errors = {"velocities": caught, "momentum_change": rounding, "peak_force": 4.0 * ROUNDING}
     why = "a dashpot under a constant force moves both in closed form"
-    return Played(observed, errors, "piecewise exact", why, 0, "sticks")
+    return Run(observed, errors, "piecewise exact", why, 0, "sticks")
 
 
-ABSORBED_DROP = SceneDefinition("absorbed_drop", "a body takes up a small drop", SETTINGS, play)
+SCENE = SceneDefinition("a body takes up a small drop", SETTINGS, play)

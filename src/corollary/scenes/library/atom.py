@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.well import Well
-from corollary.scenes.models.well import Radial, radial, swept
-from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.models.central import Radial, radial, swept
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("m", "mass of the atom", "kg", 2.0, above=0.0),
@@ -29,7 +28,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Bound: period of the distance, its turning points, the angle turned in one period. Else: the velocity far away.
 
     On a line `turning_points` are places and `velocities` has one component.
@@ -68,11 +67,11 @@ def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, 
     return (place[0], place[1]), (velocity[0], velocity[1])
 
 
-def _bound(motion: Radial, plane: bool) -> Played:
+def _bound(motion: Radial, plane: bool) -> Run:
     if motion.spin == 0.0:
-        period, angle, doubt, spent = 2.0 * math.pi / motion.frequency, 0.0, CLOSED, 0
+        period, angle, error_estimate, spent = 2.0 * math.pi / motion.frequency, 0.0, ROUNDING, 0
     else:
-        half, half_angle, doubt, spent = swept(motion, 0.0, math.pi)
+        half, half_angle, error_estimate, spent = swept(motion, 0.0, math.pi)
         period, angle = 2.0 * half, 2.0 * half_angle
     observed: dict[str, Observed] = {
         "period": period,
@@ -81,24 +80,24 @@ def _bound(motion: Radial, plane: bool) -> Played:
     }
     if plane:
         observed["angle"] = angle
-    errors = dict.fromkeys(observed, max(4.0 * doubt, CLOSED))
+    errors = dict.fromkeys(observed, max(4.0 * error_estimate, ROUNDING))
     if motion.spin == 0.0:
         why = "bound, on a line through the centre: a harmonic swing, known exactly"
-        return Played(observed, errors, "piecewise exact", why, spent, "bound")
+        return Run(observed, errors, "piecewise exact", why, spent, "bound")
     why = "bound in a plane: energy and angular momentum leave two integrals between the turning points"
-    return Played(observed, errors, "quadrature", why, spent, "bound")
+    return Run(observed, errors, "quadrature", why, spent, "bound")
 
 
 def _leaves(
     well: Well, motion: Radial, r: float, along: float, angle: float, plane: bool, before: float
-) -> Played:
+) -> Run:
     """In to the core or the turning point if it moves inward, then out over the edge; nothing acts beyond."""
     nearest = max(motion.low, well.wall)
     begin, core, edge = motion.phase(r), motion.phase(nearest), motion.phase(well.edge)
     inward = along < 0.0
     legs = [swept(motion, core, begin), swept(motion, core, edge)] if inward else [swept(motion, begin, edge)]
     time, turned = (math.fsum(leg[i] for leg in legs) for i in (0, 1))
-    doubt, spent = max(leg[2] for leg in legs), sum(leg[3] for leg in legs)
+    error_estimate, spent = max(leg[2] for leg in legs), sum(leg[3] for leg in legs)
     outward, across = math.sqrt(motion.square_of_speed(well.edge)), motion.spin / well.edge
     c, s = math.cos(angle + turned), math.sin(angle + turned)
     velocities = (outward * c - across * s, outward * s + across * c) if plane else (outward,)
@@ -109,14 +108,19 @@ def _leaves(
         "escapes": 1.0,
     }
     why = "it has the energy to leave: integrals of the energy give when and where, a straight line the rest"
-    return Played(
-        observed, dict.fromkeys(observed, max(8.0 * doubt, CLOSED)), "quadrature", why, spent, "escaped"
+    return Run(
+        observed,
+        dict.fromkeys(observed, max(8.0 * error_estimate, ROUNDING)),
+        "quadrature",
+        why,
+        spent,
+        "escaped",
     )
 
 
 def _from_outside(
     well: Well, m: float, r: float, along: float, across: float, angle: float, plane: bool
-) -> Played:
+) -> Run:
     """A straight line until the edge of the well, if it is met at all."""
     speed = math.hypot(along, across)
     room = (well.edge * speed - r * abs(across)) * (well.edge * speed + r * abs(across))
@@ -124,9 +128,9 @@ def _from_outside(
         c, s = math.cos(angle), math.sin(angle)
         velocities = (along * c - across * s, along * s + across * c) if plane else (along,)
         observed: dict[str, Observed] = {"velocities": velocities, "turning_points": (), "escapes": 1.0}
-        return Played(
+        return Run(
             observed,
-            dict.fromkeys(observed, CLOSED),
+            dict.fromkeys(observed, ROUNDING),
             "conservation",
             "it passes outside the well",
             0,
@@ -139,6 +143,4 @@ def _from_outside(
     return _leaves(well, motion, well.edge, -inward, entered, plane, after)
 
 
-ATOM = SceneDefinition(
-    "atom", "an atom in a truncated harmonic well, on a line or in a plane", SETTINGS, play
-)
+SCENE = SceneDefinition("an atom in a truncated harmonic well, on a line or in a plane", SETTINGS, play)

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING, collide
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.bounce import bounce, deepest
 from corollary.scenes.row import Row
-from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.setting import Setting, one
-from corollary.scenes.two_on_a_line import collide_two
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.1, above=0.0),
@@ -28,10 +26,10 @@ SETTINGS = (
 
 # From this many times the critical damping on, spring and weight have no say until the ball is at rest: they change its way by the
 # inverse square of that number, times its logarithm, times the share of the spring that is met at all.
-HONEY = 1e5
+OVERDAMPED = 1e5
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Rebound speed and impulse of the floor when the ball leaves y = R; peak force of the floor; duration of the contact."""
     m, k, q, r, y0, v0, g, eta = (
         one(settings, name) for name in ("m", "k", "q", "R", "y0", "v0", "g", "eta")
@@ -46,7 +44,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
             ("duration", "peak_force", "impulse", "largest_overlap"), 0.0
         )
         nothing["velocities"] = (v0,)
-        return Played(
+        return Run(
             nothing,
             dict.fromkeys(nothing, 0.0),
             "conservation",
@@ -67,27 +65,27 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "rebound_speed": speed,
         "energy_ratio": 1.0,
     }
-    errors = dict.fromkeys(observed, CLOSED) | {"duration": max(found.doubt, CLOSED)}
+    errors = dict.fromkeys(observed, ROUNDING) | {"duration": max(found.error_estimate, ROUNDING)}
     why = "one body, no damping: energy gives the rebound and the deepest point, an integral over the energy the duration"
-    return Played(observed, errors, "quadrature", why, found.evaluations, "released")
+    return Run(observed, errors, "quadrature", why, found.evaluations, "released")
 
 
-def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float) -> Played:
+def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float) -> Run:
     deep = deepest(contact, m, speed, g)
     thick = contact.eta / math.sqrt(contact.k * m * deep ** (contact.q - 1.0))
-    if thick > HONEY and (contact.q > 1.0 or g > 0.0):
+    if thick > OVERDAMPED and (contact.q > 1.0 or g > 0.0):
         change = 4.0 * math.log(thick) / thick**2 * (m * speed / contact.eta / deep) ** (contact.q - 1.0)
-        return _in_honey(m, contact, speed, g, change)
+        return _overdamped(m, contact, speed, g, change)
     line = Row((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
-    found = collide_two(line, tolerance)
-    passage, errors = found.passage, found.errors
-    rebound = passage.velocities[1]
+    found = collide(line, tolerance)
+    result, errors = found.result, found.errors
+    rebound = result.velocities[1]
     observed: dict[str, Observed] = {
         "velocities": (rebound,),
-        "duration": passage.duration,
-        "peak_force": passage.forces[0],
-        "impulse": m * (rebound + speed) + (m * g * passage.duration if g else 0.0),
-        "largest_overlap": passage.overlaps[0],
+        "duration": result.duration,
+        "peak_force": result.forces[0],
+        "impulse": m * (rebound + speed) + (m * g * result.duration if g else 0.0),
+        "largest_overlap": result.overlaps[0],
         "rebound_speed": rebound,
         "energy_ratio": (rebound / speed) ** 2,
     }
@@ -96,10 +94,10 @@ def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float
         name: errors[of.get(name, "velocities")] * (2.0 if name == "energy_ratio" else 1.0)
         for name in observed
     }
-    return Played(observed, sizes, found.model, found.why, found.spent, passage.outcome)
+    return Run(observed, sizes, found.model, found.why, found.spent, result.outcome)
 
 
-def _in_honey(m: float, contact: Contact, speed: float, g: float, change: float) -> Played:
+def _overdamped(m: float, contact: Contact, speed: float, g: float, change: float) -> Run:
     """So much damping that it alone stops the ball, in the way m v/eta; weight then lets it sink to where the floor carries it.
 
     Critical damping already keeps it down for ever. It pushes hardest when it begins, and sinks to its resting place without ever
@@ -116,13 +114,11 @@ def _in_honey(m: float, contact: Contact, speed: float, g: float, change: float)
         "rebound_speed": 0.0,
         "energy_ratio": 0.0,
     }
-    errors = dict.fromkeys(observed, CLOSED)
+    errors = dict.fromkeys(observed, ROUNDING)
     if stopped > rest:
-        errors["largest_overlap"] = max(CLOSED, change)
+        errors["largest_overlap"] = max(ROUNDING, change)
     why = "the damping is so much above the critical one that it alone decides"
-    return Played(observed, errors, "conservation", why, 0, "sticks")
+    return Run(observed, errors, "conservation", why, 0, "sticks")
 
 
-BALL_ON_FLOOR = SceneDefinition(
-    "ball_on_floor", "a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play
-)
+SCENE = SceneDefinition("a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.step import EVALUATIONS, tried
 from corollary.scenes.models.flow import faded_time
-from corollary.scenes.run import BadSetting, GuardFailed, Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run
 
 SETTINGS = (
     Setting("mA", "mass of the bullet", "kg", 0.01, above=0.0),
@@ -25,7 +24,7 @@ SETTINGS = (
 MOST_STEPS = 1000
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities (bullet, block) when the bullet is stuck, height and greatest angle of the swing, energy lost in the hit (J; negative).
 
     The block swings already while the bullet is braked; after dt it is held fast. From then on the rope does no work: energy gives
@@ -56,9 +55,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "angle": 2.0 * math.asin(min(1.0, math.sqrt(0.5 * height / length))),
         "energy_change": both * g * height - 0.5 * bullet * v**2,
     }
-    errors = dict.fromkeys(observed, 4.0 * CLOSED + 2.0 * error / common)
+    errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * error / common)
     why = "a block that swings while a dashpot brakes the bullet in it: step by step; then energy for the rest of the swing"
-    return Played(observed, errors, "integration", why, rough[2] + spent, "sticks")
+    return Run(observed, errors, "integration", why, rough[2] + spent, "sticks")
 
 
 def _held_fast(settings: Mapping[str, Observed], tolerance: float) -> tuple[float, float, int]:
@@ -103,6 +102,4 @@ def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[fl
     )
 
 
-BALLISTIC_PENDULUM = SceneDefinition(
-    "ballistic_pendulum", "a bullet gets stuck in a hanging block", SETTINGS, play
-)
+SCENE = SceneDefinition("a bullet gets stuck in a hanging block", SETTINGS, play)

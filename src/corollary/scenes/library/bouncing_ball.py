@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("h0", "drop height", "m", 2.0, above=0.0),
@@ -18,7 +17,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Heights after each bounce, the speed after the last, and the time until then: free fall and a hard floor in turn.
 
     A ball with r < 1 bounces infinitely often in the time sqrt(2 h0/g) (1 + r)/(1 - r), `rests_after`.
@@ -37,10 +36,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "rests_after": math.sqrt(2.0 * h0 / g) * (1.0 + r) / (1.0 - r) if r < 1.0 else math.inf,
     }
     why = "free fall from bounce to bounce is known exactly"
-    errors = dict.fromkeys(observed, CLOSED * len(heights))
-    return Played(observed, errors, "piecewise exact", why, 0, "sticks" if r == 0.0 else "released")
+    errors = dict.fromkeys(observed, ROUNDING * len(heights))
+    return Run(observed, errors, "piecewise exact", why, 0, "sticks" if r == 0.0 else "released")
 
 
-BOUNCING_BALL = SceneDefinition(
-    "bouncing_ball", "a ball bounces on a floor with a coefficient of restitution", SETTINGS, play
-)
+SCENE = SceneDefinition("a ball bounces on a floor with a coefficient of restitution", SETTINGS, play)

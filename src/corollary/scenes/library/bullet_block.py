@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.models.flow import Mover, faded_time, stopping, under_dashpot
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("m", "mass of the bullet", "kg", 0.1, above=0.0),
@@ -20,7 +19,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """`distance` is how far the block slides on the rough region, `energy_change` that of the collision (J).
 
     The bullet is braked by a dashpot that leaves less than 1e-17 of its velocity relative to the block; only then does the
@@ -39,11 +38,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "depth": bullet.x - stuck.x,
         "peak_force": grip * v,
     }
-    errors = dict.fromkeys(observed, 2.0 * CLOSED + 2.0 * abs(bullet.v - stuck.v) / stuck.v)
+    errors = dict.fromkeys(observed, 2.0 * ROUNDING + 2.0 * abs(bullet.v - stuck.v) / stuck.v)
     why = "a dashpot, then constant friction: each moves the bodies in closed form"
-    return Played(observed, errors, "piecewise exact", why, 0, "sticks")
+    return Run(observed, errors, "piecewise exact", why, 0, "sticks")
 
 
-BULLET_BLOCK = SceneDefinition(
-    "bullet_block", "a bullet gets stuck in a block that slides to rest", SETTINGS, play
-)
+SCENE = SceneDefinition("a bullet gets stuck in a block that slides to rest", SETTINGS, play)

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
-from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("N", "number of links", "1", 1000.0, least=1.0, most=1e6, whole=True),
@@ -20,7 +19,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Impulse and work of the hand until the last link hangs, energy lost, and the mean force while one link is lifted about y.
 
     Every link jerks the hand with (m/N) v0, as momentum demands; between jerks the hand carries what hangs. Link i leaves the
@@ -50,9 +49,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "work": impulse * v0,
         "energy_lost": math.fsum(lost),
     }
-    errors = dict.fromkeys(observed, CLOSED * math.sqrt(count))
+    errors = dict.fromkeys(observed, ROUNDING * math.sqrt(count))
     why = "links picked up one by one: momentum at every jerk, weight between; all sums are closed"
-    return Played(observed, errors, "piecewise exact", why, count, "released")
+    return Run(observed, errors, "piecewise exact", why, count, "released")
 
 
-CHAIN = SceneDefinition("chain", "a chain lifted from a heap at constant speed", SETTINGS, play)
+SCENE = SceneDefinition("a chain lifted from a heap at constant speed", SETTINGS, play)

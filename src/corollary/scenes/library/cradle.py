@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from corollary.scenes.collision import collide
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.row import Row
-from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.setting import Setting, one, row
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("N", "number of balls", "1", 3.0, least=2.0, most=200.0, whole=True),
@@ -23,7 +22,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities after the last opening, time from the first touch until then, the largest overlap and force of any pair.
 
     The cradle is scaled to mass, force constant and speed one, so cradles that differ only in these share one collision.
@@ -42,13 +41,13 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         contacts=(Contact(1.0, q),) * (count - 1),
     )
     found = collide(line, tolerance)
-    passage = found.passage
-    return Played(
+    result = found.result
+    return Run(
         observed={
-            "velocities": tuple(v0 * v for v in passage.velocities),
-            "duration": passage.duration * length / v0,
-            "largest_overlap": length * max(passage.overlaps),
-            "peak_force": m * v0 * v0 / length * max(passage.forces),
+            "velocities": tuple(v0 * v for v in result.velocities),
+            "duration": result.duration * length / v0,
+            "largest_overlap": length * max(result.overlaps),
+            "peak_force": m * v0 * v0 / length * max(result.forces),
         },
         errors={
             "velocities": found.errors["velocities"],
@@ -59,10 +58,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         model=found.model,
         why=found.why,
         evaluations=found.spent,
-        outcome=passage.outcome,
+        outcome=result.outcome,
     )
 
 
-CRADLE = SceneDefinition(
-    "cradle", "Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play
-)
+SCENE = SceneDefinition("Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play)

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
-from corollary.scenes.observe import Observable
-from corollary.scenes.run import Observed
+from corollary.scenes.run import Observable, Observed, Run
 from corollary.scenes.scene import Body, Scene
-from corollary.scenes.setting import Setting, one
 
 SETTINGS = (
     Setting("m", "mass of the drop at the start", "kg", 2.0, above=0.0),
@@ -23,7 +21,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocity and way (both downwards) after the time t, and the mass then.
 
     Each moment the vapour, slower by v - u, pulls with R (v - u): that is what bringing it to the drop's velocity takes.
@@ -39,7 +37,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     assert isinstance(place, tuple)
     observed: dict[str, Observed] = {"velocities": (-fall[0],), "way": -place[0], "mass": m + rate * t}
     errors = {"velocities": run.errors["velocities"], "way": run.errors["trajectory"], "mass": 2e-16}
-    return Played(observed, errors, run.model, run.why, run.evaluations, "bound")
+    return Run(observed, errors, run.model, run.why, run.evaluations, "bound")
 
 
-GROWING_DROP = SceneDefinition("growing_drop", "a drop takes up vapour as it falls", SETTINGS, play)
+SCENE = SceneDefinition("a drop takes up vapour as it falls", SETTINGS, play)

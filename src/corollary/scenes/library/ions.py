@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
-from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("C", "force constant", "N m^2", 0.0012, above=0.0),
@@ -20,7 +19,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """The closest distance, the largest force, and the relative speed far away, from energy and angular momentum.
 
     mu v^2/2 + C/r0 = mu (s v)^2/(2 r^2) + C/r at the closest point, a quadratic in 1/r.
@@ -38,7 +37,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "escapes": 1.0,
     }
     why = "energy and angular momentum of the pair: the closest distance is the root of a quadratic"
-    return Played(observed, dict.fromkeys(observed, 4.0 * CLOSED), "conservation", why, 0, "escaped")
+    return Run(observed, dict.fromkeys(observed, 4.0 * ROUNDING), "conservation", why, 0, "escaped")
 
 
-IONS = SceneDefinition("ions", "two ions repel each other and turn round", SETTINGS, play)
+SCENE = SceneDefinition("two ions repel each other and turn round", SETTINGS, play)

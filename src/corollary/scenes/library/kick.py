@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.models.gauss import integral
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("m", "mass of the body", "kg", 0.43, above=0.0),
@@ -28,7 +27,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocity after the push, impulse, greatest force, and the way made meanwhile: Newton's second law, integrated."""
     m, v0, force, dt, pulse = (one(settings, name) for name in ("m", "v0", "F", "dt", "pulse"))
     # The mean of sin^p over half a turn is Gamma((p + 1)/2) / (sqrt(pi) Gamma(p/2 + 1)).
@@ -37,8 +36,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     def push(part: float) -> float:
         return peak * math.sin(math.pi * part) ** pulse
 
-    impulse, doubt, first = integral(push, 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
-    arm, doubt_of_arm, second = (
+    impulse, error_estimate, first = integral(push, 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
+    arm, error_of_arm, second = (
         integral(lambda part: push(part) * (1.0 - part), 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
     )
     observed: dict[str, Observed] = {
@@ -47,9 +46,14 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "peak_force": peak,
         "way": v0 * dt + arm * dt * dt / m,
     }
-    errors = {"velocities": doubt, "impulse": doubt, "peak_force": CLOSED, "way": doubt_of_arm}
+    errors = {
+        "velocities": error_estimate,
+        "impulse": error_estimate,
+        "peak_force": ROUNDING,
+        "way": error_of_arm,
+    }
     why = "one body, a force given in time: the velocity is an integral over the force"
-    return Played(observed, errors, "quadrature", why, first + second, "released")
+    return Run(observed, errors, "quadrature", why, first + second, "released")
 
 
-KICK = SceneDefinition("kick", "a body pushed for a short time by a force of given mean", SETTINGS, play)
+SCENE = SceneDefinition("a body pushed for a short time by a force of given mean", SETTINGS, play)

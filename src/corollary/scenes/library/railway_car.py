@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("v", "speed of the car", "m/s", 4.0),
@@ -19,7 +18,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Mean pull, impulse and work in the time t, and the energy lost as every shovel of sand is brought to the car's speed."""
     v, rate, u, t = (one(settings, name) for name in ("v", "R", "ux", "t"))
     count = round(one(settings, "N"))
@@ -33,11 +32,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "energy_lost": impulse * v - gained,
     }
     why = "every shovel is a perfectly inelastic collision with a car that is held at its speed"
-    return Played(
-        observed, dict.fromkeys(observed, CLOSED * math.sqrt(count)), "conservation", why, count, "sticks"
+    return Run(
+        observed, dict.fromkeys(observed, ROUNDING * math.sqrt(count)), "conservation", why, count, "sticks"
     )
 
 
-RAILWAY_CAR = SceneDefinition(
-    "railway_car", "sand falls into a car that is pulled at constant speed", SETTINGS, play
-)
+SCENE = SceneDefinition("sand falls into a car that is pulled at constant speed", SETTINGS, play)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.definition import Played, SceneDefinition
-from corollary.scenes.run import BadSetting, Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
     Setting("m0", "mass at the start", "kg", 1000.0, above=0.0),
@@ -18,7 +17,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """`velocities` is the final velocity, between the two of `bracket`.
 
     A puff that leaves with v_rel relative to the rocket after it gives dm v_rel / (mass before), relative to the rocket before it
@@ -35,7 +34,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     observed: dict[str, Observed] = {"velocities": (0.5 * (least + most),), "bracket": (least, most)}
     errors = {"velocities": max(0.5 * (most - least) / v_rel, 2e-15), "bracket": 2e-15 * math.sqrt(count)}
     why = "momentum at every puff; exhaust measured before and after it brackets the steady burn"
-    return Played(observed, errors, "conservation", why, count, "escaped")
+    return Run(observed, errors, "conservation", why, count, "escaped")
 
 
-ROCKET = SceneDefinition("rocket", "a rocket that throws out its fuel in N puffs", SETTINGS, play)
+SCENE = SceneDefinition("a rocket that throws out its fuel in N puffs", SETTINGS, play)

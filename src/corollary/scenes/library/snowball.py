@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.models.flow import Mover, faded_time, under_dashpot, under_force
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("M", "your mass", "kg", 80.0, above=0.0),
@@ -28,7 +27,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities along the ice, toward the son. `velocities_after_throw` and `velocities` are (yours, your son's).
 
     Thrown by a constant force between hand and ball (each feels it, oppositely); caught by a dashpot between ball and son that
@@ -49,9 +48,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "velocities": (yours.v, sons.v),
         "peak_force": max(force, grip * thrown.v),
     }
-    errors = dict.fromkeys(observed, CLOSED) | {"velocities": CLOSED + abs(caught.v - sons.v) / level}
+    errors = dict.fromkeys(observed, ROUNDING) | {"velocities": ROUNDING + abs(caught.v - sons.v) / level}
     why = "a constant force and a dashpot, one after the other: each moves the bodies in closed form"
-    return Played(observed, errors, "piecewise exact", why, 0, "sticks")
+    return Run(observed, errors, "piecewise exact", why, 0, "sticks")
 
 
-SNOWBALL = SceneDefinition("snowball", "a snowball thrown and caught on ice", SETTINGS, play)
+SCENE = SceneDefinition("a snowball thrown and caught on ice", SETTINGS, play)

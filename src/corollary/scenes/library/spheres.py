@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.models.glance import glance
-from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet
-from corollary.scenes.run import BadSetting, GuardFailed, Observed
-from corollary.scenes.setting import Setting, one, row
+from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet, oblique
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run
 
 SETTINGS = (
     Setting("mA", "mass of A", "kg", 0.1, above=0.0),
@@ -27,7 +25,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """`velocities` is (A x, A y, B x, B y) once the spheres are apart, `impulse` the one on B, `deflection` the angle B turned.
 
     Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step.
@@ -45,11 +43,11 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
             "velocities": (*va, *vb), "duration": 0.0, "largest_overlap": 0.0, "peak_force": 0.0, "impulse": (0.0, 0.0),
             "energy_ratio": 1.0,
         }  # fmt: skip
-        return Played(
+        return Run(
             nothing, dict.fromkeys(nothing, 0.0), "conservation", "the spheres pass each other", 0, "missed"
         )
     if contact.eta == 0.0 and met.overlap == 0.0:
-        parted, error, spent = _sure(glance(pair, met))
+        parted, error, spent = _sure(oblique(pair, met))
         model, why = "quadrature", "no damping: energy and angular momentum of the pair leave two integrals"
     else:
         parted, error, spent = _twice(pair, met, tolerance)
@@ -71,7 +69,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "impulse": (pair.mass * change[0], pair.mass * change[1]),
         "energy_ratio": _energy_ratio(ma, mb, va, vb, change),
     }
-    return Played(
+    return Run(
         observed, dict.fromkeys(observed, error), model, why, spent, "sticks" if parted.sticks else "released"
     )
 
@@ -86,7 +84,7 @@ def _energy_ratio(
 
 
 def _sure(parted: Parting) -> tuple[Parting, float, int]:
-    return parted, 4.0 * parted.doubt, parted.evaluations
+    return parted, 4.0 * parted.error_estimate, parted.evaluations
 
 
 def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float, int]:
@@ -104,6 +102,4 @@ def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float,
     return fine, max(*seen, 2e-15), coarse.evaluations + fine.evaluations
 
 
-SPHERES = SceneDefinition(
-    "spheres", "two spheres collide in a plane, with or without damping", SETTINGS, play
-)
+SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play)

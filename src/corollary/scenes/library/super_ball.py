@@ -6,15 +6,13 @@ import math
 from collections.abc import Mapping
 
 from corollary.scenes.collision import collide
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
-from corollary.scenes.observe import Observable
 from corollary.scenes.row import Row, RowResult
-from corollary.scenes.run import BadSetting, GuardFailed, Observed
+from corollary.scenes.run import BadSetting, GuardFailed, Observable, Observed, Run
 from corollary.scenes.scene import Body, Scene
-from corollary.scenes.setting import Setting, one
 
 SETTINGS = (
     Setting("mA", "mass of the lower ball", "kg", 0.6, above=0.0),
@@ -38,7 +36,7 @@ SETTINGS = (
 AFTER_ALL = 1.05
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities (lower, upper; up positive) after the last opening, and the height to which the upper ball then rises.
 
     With a gap the lower ball leaves the floor before they meet, as the example supposes; without one all three touch at once and
@@ -50,25 +48,25 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     line = Row((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
     found = collide(line, tolerance)
     if one(settings, "weighed"):
-        return _weighed(line, found.passage, g, gap, tolerance)
-    _, lower, upper = found.passage.velocities
+        return _weighed(line, found.result, g, gap, tolerance)
+    _, lower, upper = found.result.velocities
     observed: dict[str, Observed] = {
         "velocities": (lower, upper),
         "heights": (max(lower, 0.0) ** 2 / (2.0 * g), max(upper, 0.0) ** 2 / (2.0 * g)),
-        "duration": found.passage.duration,
-        "peak_force": max(found.passage.forces),
+        "duration": found.result.duration,
+        "peak_force": max(found.result.forces),
     }
     # Weight takes g times the time of contact from every speed: that is what leaving it out neglects.
-    neglected = g * found.passage.duration / speed
+    neglected = g * found.result.duration / speed
     errors = dict.fromkeys(observed, found.errors["velocities"] + neglected)
     errors["duration"], errors["peak_force"] = (
         found.errors["duration"] + neglected,
         found.errors["forces"] + 2.0 * neglected,
     )
-    return Played(observed, errors, found.model, found.why, found.spent, found.passage.outcome)
+    return Run(observed, errors, found.model, found.why, found.spent, found.result.outcome)
 
 
-def _weighed(line: Row, free: RowResult, g: float, gap: float, tolerance: float) -> Played:
+def _weighed(line: Row, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
     """The same with weight, followed until all touches are over; `free` is what comes of it without.
 
     Energy gives each height: it does not change as the balls fly on, nor when the floor turns the lower one round again.
@@ -113,7 +111,7 @@ def _weighed(line: Row, free: RowResult, g: float, gap: float, tolerance: float)
     observed: dict[str, Observed] = run.observed | {"velocities": velocities[1:], "heights": heights[1:]}
     error = run.errors.pop("trajectory")
     errors = run.errors | {"heights": 2.0 * run.errors["velocities"] + error * max(places) / max(heights[1:])}
-    return Played(observed, errors, run.model, run.why, run.evaluations, "released")
+    return Run(observed, errors, run.model, run.why, run.evaluations, "released")
 
 
-SUPER_BALL = SceneDefinition("super_ball", "a small ball on a large one, dropped together", SETTINGS, play)
+SCENE = SceneDefinition("a small ball on a large one, dropped together", SETTINGS, play)

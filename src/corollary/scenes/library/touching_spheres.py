@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
 from corollary.scenes.models.pair import hold_apart
-from corollary.scenes.observe import Observable
-from corollary.scenes.run import BadSetting, Observed
+from corollary.scenes.run import BadSetting, Observable, Observed, Run
 from corollary.scenes.scene import Body, Scene
-from corollary.scenes.setting import Setting, one, row
 
 SETTINGS = (
     Setting("mA", "mass of A", "kg", 0.2, above=0.0),
@@ -33,7 +31,7 @@ SETTINGS = (
 MOST_FADING = 1e4
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """After the time t: `velocities` (A x, A y, B x, B y), the total `momentum` (x, y), and the kinetic energy over that at the start.
 
     `duration` is how long they touched while they were watched.
@@ -65,25 +63,23 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         (m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:]))
     )
     # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
-    doubt = errors["velocities"] * max(map(abs, after)) * max(ma, mb)
+    error_estimate = errors["velocities"] * max(map(abs, after)) * max(ma, mb)
     observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
-    errors["momentum"] = _share(2.0 * doubt, observed["momentum"])
+    errors["momentum"] = _share(2.0 * error_estimate, observed["momentum"])
     if overlap > 0.0:
         observed["mean_force"] = on_a[0] / t, (on_a[1] + ma * g * t) / t
-        errors["mean_force"] = _share(doubt / t, observed["mean_force"])
+        errors["mean_force"] = _share(error_estimate / t, observed["mean_force"])
     if g:
         observed["momentum_change"] = on_a[0] + on_b[0], on_a[1] + on_b[1]
-        errors["momentum_change"] = _share(2.0 * doubt, observed["momentum_change"])
-    return Played(
+        errors["momentum_change"] = _share(2.0 * error_estimate, observed["momentum_change"])
+    return Run(
         observed, errors, run.model, run.why, run.evaluations, "released" if overlap > 0.0 else "missed"
     )
 
 
-def _share(doubt: float, of: tuple[float, ...]) -> float:
+def _share(error_estimate: float, of: tuple[float, ...]) -> float:
     size = math.hypot(*of)
-    return doubt / size if size > 0.0 else doubt
+    return error_estimate / size if size > 0.0 else error_estimate
 
 
-TOUCHING_SPHERES = SceneDefinition(
-    "touching_spheres", "two spheres push each other while both fall", SETTINGS, play
-)
+SCENE = SceneDefinition("two spheres push each other while both fall", SETTINGS, play)

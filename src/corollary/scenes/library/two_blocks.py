@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING, collide
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.row import Row, reduced_mass
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
-from corollary.scenes.two_on_a_line import collide_two
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("mA", "mass of A, on the left", "kg", 2.0, above=0.0),
@@ -23,7 +21,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities after the contact, the impulse on B, and what is left of the kinetic energy.
 
     A spring with a dashpot lets go with r = exp(-pi z / sqrt(1 - z^2)), z its share of critical damping, whatever the masses and
@@ -33,23 +31,21 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
     log = -math.log(r) if r else math.inf
     share = log / math.hypot(math.pi, log) if r else 1.0
     eta = 2.0 * share * math.sqrt(k * reduced_mass(ma, mb)) * (1.0 if r else 1.0 + 1e-9)
-    found = collide_two(Row((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
-    passage = found.passage
-    a, b = passage.velocities
+    found = collide(Row((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
+    result = found.result
+    a, b = result.velocities
     before = ma * va * va + mb * vb * vb
     observed: dict[str, Observed] = {
         "velocities": (a, b),
-        "duration": passage.duration,
-        "peak_force": passage.forces[0],
-        "largest_overlap": passage.overlaps[0],
+        "duration": result.duration,
+        "peak_force": result.forces[0],
+        "largest_overlap": result.overlaps[0],
         "impulse": mb * (b - vb),
         "energy_ratio": (ma * a * a + mb * b * b) / before if before else 1.0,
     }
     of = {"duration": "duration", "peak_force": "forces", "largest_overlap": "overlaps"}
-    errors = {name: found.errors.get(of.get(name, "velocities"), CLOSED) for name in observed}
-    return Played(observed, errors, found.model, found.why, found.spent, passage.outcome)
+    errors = {name: found.errors.get(of.get(name, "velocities"), ROUNDING) for name in observed}
+    return Run(observed, errors, found.model, found.why, found.spent, result.outcome)
 
 
-TWO_BLOCKS = SceneDefinition(
-    "two_blocks", "two bodies on a line with a coefficient of restitution", SETTINGS, play
-)
+SCENE = SceneDefinition("two bodies on a line with a coefficient of restitution", SETTINGS, play)

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import CLOSED
-from corollary.scenes.definition import Played, SceneDefinition
+from corollary.scenes.collision import ROUNDING
+from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.models.flow import Mover, under_spring
-from corollary.scenes.run import Observed
-from corollary.scenes.setting import Setting, one
+from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.2, above=0.0),
@@ -26,7 +25,7 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
+def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Vectors are (along the wall, away from the wall). The wall has no friction and gives like a spring.
 
     A spring's contact lasts half its period whatever the speed, so k = m (pi/dt)^2, and its motion is known exactly.
@@ -49,7 +48,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Played:
         "energy_ratio": (along**2 + after.v**2) / v0**2,
     }
     why = "a smooth wall that gives like a spring: the motion into it is half a swing, known exactly"
-    return Played(observed, dict.fromkeys(observed, CLOSED), "piecewise exact", why, 0, "released")
+    return Run(observed, dict.fromkeys(observed, ROUNDING), "piecewise exact", why, 0, "released")
 
 
-WALL = SceneDefinition("wall", "a ball reflected from a stiff smooth wall at an angle", SETTINGS, play)
+SCENE = SceneDefinition("a ball reflected from a stiff smooth wall at an angle", SETTINGS, play)

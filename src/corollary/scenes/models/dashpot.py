@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Damped:
-    """`kept` is the speed of parting over that of meeting (the coefficient of restitution), zero for bodies that stick.
+    """`restitution` is the speed of parting over that of meeting, zero for bodies that stick.
 
     `overlap` (m) and `force` (N) are the largest, `duration` (s) is infinite for bodies that stick.
     """
 
-    kept: float
+    restitution: float
     duration: float
     overlap: float
     force: float

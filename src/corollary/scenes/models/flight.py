@@ -26,7 +26,7 @@ def fall_of(line: Row, contact: int) -> float:
     return right - left
 
 
-def asleep(line: Row, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
+def inactive(line: Row, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
     """Whether no contact pushes or is about to: all are open, or touch without closing and with too little stored to matter.
 
     `noise` is the speed that cannot be told from none; where a dashpot brings it about, closing has to end first: it decides
@@ -69,7 +69,7 @@ def first_touch(line: Row, state: Sequence[float], noise: float, bounced: bool) 
     return best
 
 
-def flown(line: Row, state: Sequence[float], meeting: Meeting) -> list[float]:
+def after_flight(line: Row, state: Sequence[float], meeting: Meeting) -> list[float]:
     """The state at the meeting."""
     count, t = len(line.masses), meeting.after
     speeds = state[count:]

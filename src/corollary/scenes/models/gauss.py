@@ -36,12 +36,12 @@ def integral(
 ) -> tuple[float, float, int]:
     """The integral, the difference between the last two orders relative to it, and how often the function was evaluated."""
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    last, spent, doubt = math.inf, 0, math.inf
+    last, spent, error_estimate = math.inf, 0, math.inf
     for n in (12, 18, 27, 40, 60, 90, 135):
         value = half * math.fsum(weight * function(middle + half * x) for x, weight in nodes(n))
         spent += n
-        doubt = abs(value - last) / abs(value) if value else abs(value - last)
-        if doubt <= tolerance:
+        error_estimate = abs(value - last) / abs(value) if value else abs(value - last)
+        if error_estimate <= tolerance:
             break
         last = value
-    return value, max(doubt, 2e-16), spent
+    return value, max(error_estimate, 2e-16), spent

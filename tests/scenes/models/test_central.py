@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from corollary.scenes.models.kepler import orbit
+from corollary.scenes.models.central import orbit
 
 sizes, speeds = st.floats(0.1, 10.0), st.floats(-3.0, 3.0)
 

@@ -1,4 +1,4 @@
-"""An atom in a truncated harmonic well: the radial motion between its turning points, by quadrature."""
+"""Motion about a fixed centre: orbits under an inverse-square force in closed form, in a truncated harmonic well by quadrature."""
 
 from __future__ import annotations
 
@@ -8,6 +8,34 @@ from dataclasses import dataclass
 
 from corollary.scenes.forces.well import Well
 from corollary.scenes.models.gauss import integral
+
+
+@dataclass(frozen=True, slots=True)
+class Orbit:
+    """Distances (m) nearest to the centre and farthest from it, and the period (s); both infinite when the body escapes."""
+
+    nearest: float
+    farthest: float
+    period: float
+
+
+def orbit(pull: float, r: float, along: float, across: float) -> Orbit | None:
+    """The orbit of a body at distance r with these velocities along the radius and across it; none when it meets the centre.
+
+    `pull` is the attraction in m^3/s^2 (strength over mass), negative for a repulsion. Energy and angular momentum make 1/r at the
+    turning points the roots of a quadratic; its discriminant is written as a sum of squares, so that a circle loses no digits.
+    """
+    spin = r * across
+    root = math.hypot(spin * along, spin * spin / r - pull)
+    double_energy = along * along + across * across - 2.0 * pull / r
+    if spin == 0.0 and pull > 0.0:
+        return None
+    # Of the two ways to write the root, the one that adds.
+    nearest = spin * spin / (pull + root) if pull > 0.0 else (root - pull) / double_energy
+    if double_energy >= 0.0:
+        return Orbit(nearest, math.inf, math.inf)
+    axis = -pull / double_energy
+    return Orbit(nearest, -(pull + root) / double_energy, 2.0 * math.pi * axis * math.sqrt(axis / pull))
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +128,11 @@ def _root(square: Callable[[float], float], outside: float, inside: float) -> fl
 
 
 def swept(motion: Radial, start: float, end: float) -> tuple[float, float, float, int]:
-    """Time and angle between two phases, the doubt about them, and the evaluations spent."""
+    """Time and angle between two phases, the error_estimate about them, and the evaluations spent."""
     if start == end:
         return 0.0, 0.0, 0.0, 0
-    time, doubt, spent = integral(motion.pace, start, end)
+    time, error_estimate, spent = integral(motion.pace, start, end)
     if motion.spin == 0.0:
-        return time, 0.0, doubt, spent
-    angle, doubt_of_angle, spent_too = integral(motion.turn, start, end)
-    return time, angle, max(doubt, doubt_of_angle), spent + spent_too
+        return time, 0.0, error_estimate, spent
+    angle, error_of_angle, spent_too = integral(motion.turn, start, end)
+    return time, angle, max(error_estimate, error_of_angle), spent + spent_too
