@@ -23,15 +23,14 @@ from rich.table import Table
 from students import FIXED, SORTS, Tallies, simulate, wild
 
 from corollary.answers.equality import Different, Equal, Undecided, compare
-from corollary.answers.questions import question_of
-from corollary.answers.registry import answer_type
 from corollary.derive.load import NotDerivable
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
 from corollary.formula.value import Real, Text, Value
-from corollary.grading.judge import verdict_on
+from corollary.grading.expected import expected_of
+from corollary.grading.judge import read, verdict_on
 from corollary.grading.key import Key
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_order, files, open_bank
@@ -195,9 +194,8 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
 
 def one_verdict(key: Key, part: Part, answer: Value) -> object:
     """Reading and judging, without the other parts."""
-    return verdict_on(
-        key, part, answer_type(part.kind).read(answer, question_of(key.variant.problem, part)), {}
-    )
+    expected = expected_of(key, part)
+    return verdict_on(part.kind, read(part, answer, expected), expected)
 
 
 def _median(run: Callable[[], object]) -> float:

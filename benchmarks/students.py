@@ -10,16 +10,18 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from corollary.answers.evaluation import number
+from corollary.answers.expected import Values
+from corollary.answers.tolerance import within
 from corollary.answers.verdict import Follows, Mistaken, Right, word
 from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.value import Items, Text, Value
 from corollary.grading.assign import admitted, differs, first_asked
-from corollary.grading.closeness import within
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
-from corollary.grading.replay import Values, WhatIf, number, replay
+from corollary.grading.replay import WhatIf, replay
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.units.unit import canonical

@@ -61,3 +61,8 @@ def _translations(domain: str, code: str) -> gettext.NullTranslations:
     places = list(spec.submodule_search_locations or ()) if spec is not None else []
     folder = Path(places[0], "locale") if places else None
     return gettext.translation(domain, folder, [code], fallback=True)
+
+
+def N_(message: str, /) -> str:
+    """Marks a message that stands in a table; it is looked up when it is spoken."""
+    return message

@@ -12,8 +12,8 @@ from corollary.grading.assign import admitted, assign_variant, collisions
 from corollary.grading.judge import judge
 from corollary.grading.key import make_key
 from corollary.grading.replay import WhatIf, replay
+from corollary.grading.rounding import MOST
 from corollary.grading.solutions import Solutions
-from corollary.grading.tolerance import MOST
 from corollary.problem.bank import home
 from corollary.problem.sampling import sample
 

@@ -13,7 +13,7 @@ from corollary.formula.ball import Undefined
 from corollary.formula.text import text
 from corollary.grading.key import make_key
 from corollary.grading.replay import WhatIf, replay
-from corollary.grading.tolerance import LEAST, MOST
+from corollary.grading.rounding import LEAST, MOST
 from corollary.problem.sampling import sample
 
 CODES = ("X12.5", "X12.7", "X12.8", "X12.10", "P12.14")
@@ -98,8 +98,8 @@ def test_tolerances_keep_their_bounds_and_come_out_the_same_again(solution, code
             assert LEAST <= truth.tolerance <= MOST
             assert truth.tolerance == again.truths[part].tolerance
             assert truth.tolerance >= min(MOST, truth.noise)
-            assert len(truth.doubt) == len(truth.values)
-            assert max(truth.doubt) <= truth.noise * truth.scale + 2e-9 * truth.scale
+            assert len(truth.uncertain) == len(truth.values)
+            assert max(truth.uncertain) <= truth.noise * truth.scale + 2e-9 * truth.scale
 
 
 def test_sums_that_cancel_and_g_widen_the_tolerance(key):

@@ -11,6 +11,7 @@ from typing import Literal
 
 from flint import arb
 
+from corollary.answers.common_errors import ratio_of_formulas
 from corollary.formula.ast import Call, Expr, Power, names, walk
 from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.exact import constant
@@ -25,16 +26,6 @@ NEARLY_ZERO = arb(2) ** -1000
 POSITIVE = (0.1, 10.0)
 
 Seen = Literal["equal", "different", "undecided", "nowhere"]
-RATIOS = (
-    (-1.0, "the sign is the other way round"), (2.0, "it is twice too large"), (0.5, "it is half as large as it should be"),
-    (-2.0, "the sign and a factor 2 are wrong"), (-0.5, "the sign and a factor 1/2 are wrong"),
-    (4.0, "it is four times too large"), (0.25, "it is a quarter of what it should be"),
-    (1000.0, "it is 1000 times too large: look at the units"), (0.001, "it is 1000 times too small: look at the units"),
-    (3.141592653589793 / 180, "an angle was converted to radians once too often"),
-    (180 / 3.141592653589793, "an angle is in degrees where radians are needed"),
-    (2**0.5, "a factor √2 is too much"), (0.5**0.5, "a factor √2 is missing"),
-    (3.6, "a speed is in km/h where m/s is needed"), (1 / 3.6, "a speed was converted from km/h once too often"),
-)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,15 +78,7 @@ def compare(
 
 def hint(difference: Different) -> str:
     """What the constant ratio between the two tells: a sign, a factor 2, a unit; "" where it tells nothing."""
-    ratio = difference.ratio
-    if ratio is None:
-        return ""
-    for known, meaning in RATIOS:
-        if abs(ratio / known - 1) < 1e-9:
-            return meaning
-    if abs(ratio - 1) < 0.01:
-        return "a constant was rounded"
-    return ""
+    return "" if difference.ratio is None else ratio_of_formulas(difference.ratio)
 
 
 def _branches(tree: Expr) -> bool:
@@ -139,12 +122,12 @@ def _at(student: Expr, truth: Expr, values: Mapping[str, arb], precisions: tuple
             continue
         if not given.overlaps(right):
             return "different"
-        if bits >= BITS_TO_AGREE and given.is_finite() and right.is_finite() and _close(given, right):
+        if bits >= BITS_TO_AGREE and given.is_finite() and right.is_finite() and _agree(given, right):
             return "equal"
     return "undecided"
 
 
-def _close(given: arb, right: arb) -> bool:
+def _agree(given: arb, right: arb) -> bool:
     size = abs(right).lower()
     if size > 0:
         return bool(abs(given - right) < AGREED * size)

@@ -5,11 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
+from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
+from corollary.answers.verdict import Verdict
+
+if TYPE_CHECKING:  # what is expected is made of certified numbers, which reading an answer does not need
+    from corollary.answers.expected import Expected
 
 GROUP = "corollary.answers"
 BUILT_IN = ("value", "vector", "expression", "choice", "example", "code", "plot", "explain", "proof")
@@ -20,7 +25,9 @@ class UnknownAnswerType(LookupError):
 
 
 class Judging(Protocol):
-    """What `judging.py` of an answer type holds."""
+    """What `judging.py` of an answer type holds. `judge` is handed what its `reading` made of an answer that could be read."""
+
+    def judge(self, answer: Answer, expected: Expected) -> Verdict: ...
 
     def samples(self, truth: Truth, question: Question) -> Sequence[Sample]: ...
 

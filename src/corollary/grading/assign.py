@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from corollary.answers.tolerance import within
 from corollary.derive.solution import ClosedForms, Rule, Solution, Unknown
 from corollary.formula.ast import names
 from corollary.formula.ball import Undefined
-from corollary.grading.closeness import within
 from corollary.grading.key import Key, make_key
 from corollary.grading.replay import WhatIf, ancestors, replay
-from corollary.grading.tolerance import MOST
+from corollary.grading.rounding import MOST
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import draws
 from corollary.problem.variant import Variant, chapter

@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from corollary.answers.evaluation import as_exact, number
 from corollary.derive.solution import Measured, Solution, Unknown
 from corollary.formula.ball import Undefined, certified, holds
-from corollary.grading.replay import as_exact, compute, simulated
-from corollary.grading.replay import number as plain_number
-from corollary.grading.tolerance import LEAST, MOST, noise_of
+from corollary.grading.replay import compute, simulated
+from corollary.grading.rounding import LEAST, MOST, noise_of
 from corollary.problem.variant import Variant
 
 MARGIN, TINY = 1.25, 1e-9
@@ -21,7 +21,7 @@ class Truth:
     """The answer to one part: SI values, whether their digits are certified, and what may be off.
 
     `scale` is what the tolerance is relative to: the length of the answer, or what the problem names where that is zero.
-    `doubt` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
+    `uncertain` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
     """
 
     place: int
@@ -31,7 +31,7 @@ class Truth:
     scale: float
     tolerance: float
     noise: float
-    doubt: tuple[float, ...]
+    uncertain: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +68,9 @@ def make_key(solution: Solution, variant: Variant) -> Key:
             proven, error = stated[place]
             scale = scale_of(find, values[place], givens | named(solution, values))
             off = MARGIN * noise[place].distance / scale if scale else 0.0
-            doubt = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
+            uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
             truths[find.part] = Truth(
-                place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, doubt
+                place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, uncertain
             )
     choices = {part: chosen(truth.options, givens, part) for part, truth in solution.choices.items()}
     return Key(solution, variant, tuple(values), truths, choices)
@@ -86,7 +86,7 @@ def answer(
     known = variant.exact | named(solution, before)
     match find.local:
         case Measured(scene, settings, observe):
-            at = tuple((name, plain_number(tree, known)) for name, tree in settings.items())
+            at = tuple((name, number(tree, known)) for name, tree in settings.items())
             numbers, error = simulated(scene, at, observe)
             return numbers, False, error
         case rule:
@@ -97,10 +97,10 @@ def named(solution: Solution, values: list[tuple[float, ...]]):
     """The finds so far, by their letters, as exact numbers."""
 
     return {
-        name: as_exact(number)
+        name: as_exact(value)
         for find, numbers in zip(solution.finds, values, strict=False)
-        for name, number in zip(find.names, numbers, strict=True)
-        if math.isfinite(number)
+        for name, value in zip(find.names, numbers, strict=True)
+        if math.isfinite(value)
     }
 
 
@@ -110,7 +110,7 @@ def scale_of(find: Unknown, values: tuple[float, ...], known) -> float:
     if length > 0 or find.scale is None:
         return length
     try:
-        return abs(plain_number(find.scale, known))
+        return abs(number(find.scale, known))
     except Undefined:
         return 0.0
 

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import lru_cache
 
+from corollary.answers.evaluation import as_exact, number
+from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, Unknown
-from corollary.formula.ast import Expr, names
-from corollary.formula.ball import RationalPi, Undefined, evaluate
+from corollary.formula.ast import names
+from corollary.formula.ball import RationalPi, Undefined
 from corollary.scenes.run import BadSetting, GuardFailed
-
-BITS = 96
-Values = tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +41,8 @@ def replay(
             numbers = compute(deviation.rules.get(place, find.local), values)
             if deviation.rounding is not None and isinstance(find.local, ClosedForms):
                 numbers = tuple(map(deviation.rounding, numbers))
-        for name, number in zip(find.names, numbers, strict=True):
-            values[name] = as_exact(number)
+        for name, value in zip(find.names, numbers, strict=True):
+            values[name] = as_exact(value)
         found.append(numbers)
         if place == until:
             break
@@ -60,21 +58,6 @@ def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Values:
             return observed(
                 scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe
             )
-
-
-def number(tree: Expr, values: Mapping[str, RationalPi]) -> float:
-    """A formula's value as a double, close to the last bit. Raises Undefined."""
-    value = float(evaluate(tree, values, BITS).mid())
-    if value != value or value in (float("inf"), float("-inf")):
-        raise Undefined("the value is beyond the numbers of this machine")
-    return value
-
-
-def as_exact(value: float) -> RationalPi:
-    """The double itself. Raises Undefined for what is no number."""
-    if value != value or value in (float("inf"), float("-inf")):
-        raise Undefined("the value is beyond the numbers of this machine")
-    return RationalPi(Fraction(value))
 
 
 @lru_cache(maxsize=4096)

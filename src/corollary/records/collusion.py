@@ -10,10 +10,10 @@ import msgspec
 from corollary.answers.answer import Numbers
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
+from corollary.answers.tolerance import within
 from corollary.atomic import write_whole
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
-from corollary.grading.closeness import within
 from corollary.grading.replay import replay
 from corollary.grading.solutions import Solutions
 from corollary.problem.part import Part

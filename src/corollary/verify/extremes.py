@@ -7,10 +7,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from corollary.answers.evaluation import as_exact
 from corollary.derive.solution import Measured, Solution
 from corollary.formula.ast import names
 from corollary.formula.ball import Certified, RationalPi, Undefined, certified
-from corollary.grading.replay import as_exact, compute
+from corollary.grading.replay import compute
 from corollary.problem.given import Given
 from corollary.problem.variant import Variant, chapter
 from corollary.units.unit import ONE

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import math
 
+from corollary.answers.evaluation import number
 from corollary.answers.quantity import read_quantity
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
+from corollary.answers.tolerance import coarse
 from corollary.answers.verdict import Right, Unmarked, Unread, word
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
 from corollary.formula.text import text
-from corollary.grading.closeness import coarse
 from corollary.grading.from_json import plainly
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key, named
-from corollary.grading.replay import number
 from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.problem.variant import chapter

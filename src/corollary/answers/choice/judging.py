@@ -2,8 +2,24 @@
 
 from __future__ import annotations
 
+from corollary.answers.answer import Answer, Letter
+from corollary.answers.expected import Expected
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
+from corollary.answers.verdict import Mistaken, Right, Verdict, Wrong
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
+
+
+def judge(answer: Answer, expected: Expected) -> Verdict:
+    """Right, or what the option chosen overlooks."""
+    assert isinstance(answer, Letter)
+    assert expected.option is not None
+    if answer.letter == expected.option.letter:
+        return Right()
+    overlooked = expected.option.misconceptions.get(answer.letter)
+    return Mistaken(overlooked) if overlooked else Wrong(_("Another option is the right one."))
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:

@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
+from corollary.answers.answer import Answer
+from corollary.answers.expected import Expected
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
+from corollary.answers.verdict import Unmarked, Verdict
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
+
+
+def judge(answer: Answer, expected: Expected) -> Verdict:
+    """A person decides, by the rubric."""
+    return Unmarked(_("A person will read this."), expected.rubric)
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:

@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
+from corollary.answers.answer import Answer, Formulas
+from corollary.answers.expected import Expected
+from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
+from corollary.answers.verdict import Verdict
+
+
+def judge(answer: Answer, expected: Expected) -> Verdict:
+    """In symbols: numbers put in for some of them are not enough."""
+    assert isinstance(answer, Formulas)
+    assert expected.quantity is not None
+    return judge_formulas(answer, expected.quantity, expected.question, in_symbols=True)
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:

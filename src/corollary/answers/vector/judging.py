@@ -2,8 +2,25 @@
 
 from __future__ import annotations
 
+from corollary.answers.answer import Answer, Formulas, Numbers
+from corollary.answers.expected import Expected
+from corollary.answers.judge_formulas import judge_formulas
+from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth, unit_name
+from corollary.answers.verdict import Verdict
+
+
+def judge(answer: Answer, expected: Expected) -> Verdict:
+    """All components together: a tolerance is relative to their length."""
+    assert expected.quantity is not None
+    match answer:
+        case Numbers():
+            return judge_numbers(answer, expected.quantity, expected.question)
+        case Formulas():
+            return judge_formulas(answer, expected.quantity, expected.question)
+        case _:
+            raise TypeError(f"a vector is judged by numbers or formulas, not by {type(answer).__name__}")
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:

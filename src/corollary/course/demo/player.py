@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from corollary.answers.evaluation import number
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.grading.key import Key, named
-from corollary.grading.replay import number
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.roster import Student
 

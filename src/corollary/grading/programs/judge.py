@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import assert_never
 
 from corollary.answers.answer import Numbers, Unclear
@@ -63,6 +63,18 @@ def inputs_of(
         return low + (high - low) * number / (1 << 53)
 
     return code.inputs(variant.si, draw)
+
+
+def verdicts_on_runs(
+    solution: Solution, variant: Variant, part: Part, shown: ProgramRun, secret: bytes, student: str
+) -> dict[str, Callable[[], Verdict]]:
+    """How a part's function and figures are judged, by answer type; empty where nothing was run."""
+    if not shown.ran:
+        return {}
+    return {
+        "code": lambda: judge_code(solution, variant, part, shown, secret, student),
+        "plot": lambda: judge_plot(solution, variant, part, shown),
+    }
 
 
 def judge_code(

@@ -8,9 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from corollary.answers.expected import Values
 from corollary.derive.solution import Solution
 from corollary.formula.ball import RationalPi, Undefined
-from corollary.grading.replay import Values, WhatIf, replay
+from corollary.grading.replay import WhatIf, replay
 
 REPLAYS = 32
 FIGURES = 3

@@ -1,0 +1,106 @@
+"""The slips that everybody makes: a sign, a factor, a power of ten, units, degrees for radians, components exchanged."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from corollary.answers.expected import Values
+from corollary.messages import N_, catalogue
+from corollary.units.unit import ONE, Unit
+
+_ = catalogue(__name__)
+
+TEN = N_("The power of ten is off (by a factor of {factor}); check prefixes such as g and kg, ms and s.")
+
+
+@dataclass(frozen=True, slots=True)
+class Ratio:
+    """A factor that answers are often off by, as it is written, and what it tells of a number and of a formula ("": nothing)."""
+
+    factor: float
+    written: str
+    number: str = ""
+    formula: str = ""
+
+    def of_number(self) -> str:
+        """What the student reads."""
+        return _(self.number, factor=self.written)
+
+    def of_formula(self) -> str:
+        """What the student reads, in the middle of a sentence."""
+        return _(self.formula)
+
+
+RATIOS = (
+    Ratio(-1.0, "-1", "", N_("the sign is the other way round")),
+    Ratio(2.0, "2", N_("A factor of 2 too large."), N_("it is twice too large")),
+    Ratio(0.5, "1/2", N_("A factor of 2 too small."), N_("it is half as large as it should be")),
+    Ratio(-2.0, "-2", "", N_("the sign and a factor 2 are wrong")),
+    Ratio(-0.5, "-1/2", "", N_("the sign and a factor 1/2 are wrong")),
+    Ratio(4.0, "4", "", N_("it is four times too large")),
+    Ratio(0.25, "1/4", "", N_("it is a quarter of what it should be")),
+    Ratio(1e1, "10", TEN),
+    Ratio(1e-1, "1/10", TEN),
+    Ratio(1e2, "100", TEN),
+    Ratio(1e-2, "1/100", TEN),
+    Ratio(1e3, "1000", TEN, N_("it is 1000 times too large: look at the units")),
+    Ratio(1e-3, "1/1000", TEN, N_("it is 1000 times too small: look at the units")),
+    Ratio(1e4, "10000", TEN),
+    Ratio(1e-4, "1/10000", TEN),
+    Ratio(1e6, "1000000", TEN),
+    Ratio(1e-6, "1/1000000", TEN),
+    Ratio(math.pi / 180, "pi/180", "", N_("an angle was converted to radians once too often")),
+    Ratio(180 / math.pi, "180/pi", "", N_("an angle is in degrees where radians are needed")),
+    Ratio(2**0.5, "√2", "", N_("a factor √2 is too much")),
+    Ratio(0.5**0.5, "1/√2", "", N_("a factor √2 is missing")),
+    Ratio(
+        3.6,
+        "3.6",
+        N_("A factor of 3.6 too large: km/h and m/s have been mixed."),
+        N_("a speed is in km/h where m/s is needed"),
+    ),
+    Ratio(
+        1 / 3.6,
+        "1/3.6",
+        N_("A factor of 3.6 too small: km/h and m/s have been mixed."),
+        N_("a speed was converted from km/h once too often"),
+    ),
+)
+
+
+def slips(values: Values, unit: Unit) -> Iterator[tuple[Values, str]]:
+    """What the values become by each slip that needs nothing but them, and what the student reads."""
+    if any(values):
+        sign = (
+            _("The sign is wrong: check which direction is positive.")
+            if len(values) == 1
+            else _(
+                "Every component has the wrong sign: check which way the axes point, or what acts on what."
+            )
+        )
+        yield tuple(-x for x in values), sign
+    if len(values) > 1:
+        for place, value in enumerate(values):
+            if value:
+                turned = (*values[:place], -value, *values[place + 1 :])
+                yield turned, _("The sign of one component is wrong.")
+        if len(values) == 2 and values[0] != values[1]:
+            yield (values[1], values[0]), _("The two components have changed places.")
+    if unit.dimension == ONE:
+        degrees = _("That looks like degrees where radians are asked for; write the unit, as in 30 deg.")
+        yield tuple(map(math.degrees, values)), degrees
+        yield tuple(map(math.radians, values)), _("That looks like radians written as degrees.")
+    if any(values):
+        for ratio in RATIOS:
+            if ratio.number:
+                yield tuple(ratio.factor * x for x in values), ratio.of_number()
+
+
+def ratio_of_formulas(ratio: float) -> str:
+    """What a constant ratio of the student's formula to the right one tells; "" where it tells nothing."""
+    for known in RATIOS:
+        if known.formula and abs(ratio / known.factor - 1) < 1e-9:
+            return known.of_formula()
+    return _("a constant was rounded") if abs(ratio - 1) < 0.01 else ""

@@ -1,0 +1,107 @@
+"""What is expected of an answer: all that an answer type may judge it by; what takes a derivation is computed when asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from corollary.answers.question import Question
+from corollary.answers.verdict import Verdict
+from corollary.formula.ast import Expr, Relation
+from corollary.formula.ball import RationalPi
+
+Values = tuple[float, ...]
+Point = Mapping[str, RationalPi]
+"""A value for every letter, in SI."""
+
+
+@dataclass(frozen=True, slots=True)
+class FollowThrough:
+    """A value that the laws give with the student's own answers to the parts `earlier` (none: with the givens alone).
+
+    `misconceptions` and `slips` are the values that a known misconception, or a slip in what goes into the formulas, makes of
+    it; with each the sentence that the student reads.
+    """
+
+    values: Values
+    earlier: tuple[str, ...]
+    misconceptions: Callable[[], Iterable[tuple[Values, str]]]
+    slips: Callable[[], Iterable[tuple[Values, str]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """One number or several, in SI, and the formulas for them.
+
+    `tolerance` is relative to `scale`: the length of the answer, or what the problem names where that is zero. A component
+    smaller than `uncertain` (absolute) has no sign of its own, for rounding moves it that far. `formulas` are in givens alone
+    (None: the values come from a simulation), to be compared on `domain`; `givens` are the student's numbers. `routes` are the
+    values by each way from the givens, `follow_through` those and the ones by earlier answers.
+    """
+
+    values: Values
+    scale: float
+    tolerance: float
+    uncertain: Values
+    givens: Point
+    formulas: tuple[Expr, ...] | None
+    domain: Callable[[], Mapping[str, tuple[float, float]]]
+    wrong_formulas: Callable[[], Iterable[tuple[tuple[Expr, ...], str]]]
+    routes: Callable[[], Iterable[FollowThrough]]
+    follow_through: Callable[[], Iterable[FollowThrough]]
+
+
+@dataclass(frozen=True, slots=True)
+class Option:
+    """The letter of the right option, and what students who choose another overlook."""
+
+    letter: str
+    misconceptions: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class NamedLaw:
+    """A law, and its equations in the letters of the problem."""
+
+    name: str
+    equations: tuple[Relation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Requirement:
+    """What numbers of the student's own, called `names`, must satisfy: `laws`, at `known`.
+
+    `excluded` are values that satisfy them without being an example, and why; distances are relative to `scale`.
+    """
+
+    names: tuple[str, ...]
+    laws: tuple[NamedLaw, ...]
+    known: Point
+    excluded: tuple[tuple[tuple[Expr, ...], str], ...]
+    scale: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """An equation to be shown from laws; `wrong` are equations that tell a misconception, `points` where every law holds."""
+
+    laws: tuple[Relation, ...]
+    target: Relation
+    wrong: tuple[tuple[Relation, str], ...]
+    points: Callable[[], Sequence[Point]]
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """What is right for one question; of a sort that the question does not ask for there is none.
+
+    `rubric` is for the person who marks. `runs` are the verdicts on what was run, by answer type; none where nothing ran.
+    """
+
+    question: Question
+    quantity: Quantity | None = None
+    option: Option | None = None
+    requirement: Requirement | None = None
+    claim: Claim | None = None
+    rubric: tuple[str, ...] = ()
+    runs: Mapping[str, Callable[[], Verdict]] = field(default_factory=dict[str, Callable[[], Verdict]])

@@ -1,0 +1,157 @@
+"""The verdict on numbers: right, right from what came before, a known misconception, a slip, or wrong."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import chain
+
+from corollary.answers.answer import Numbers
+from corollary.answers.common_errors import slips
+from corollary.answers.expected import FollowThrough, Quantity, Values
+from corollary.answers.question import Question
+from corollary.answers.tolerance import NEAR, coarse, coarse_polar, same_signs, within
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
+from corollary.messages import catalogue
+from corollary.units.unit import called, show
+
+_ = catalogue(__name__)
+
+
+def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
+    """What a good marker says of these numbers."""
+    if answer.in_words:
+        return _in_words(replace(answer, in_words=False), wanted, question)
+    if answer.missing:
+        verdict = judge_numbers(replace(answer, missing=""), wanted, question)
+        if not isinstance(verdict, (Right, Follows)):
+            return verdict
+        return Slip(_("The number is right, but its unit is missing; a quantity is a number *and* a unit."))
+    if answer.misfit:
+        return _misfit(answer.misfit, judge_numbers(replace(answer, misfit=""), wanted, question))
+    if _meets(answer, wanted, wanted.values):
+        return Right()
+    ways = list(wanted.follow_through())
+    for way in ways:
+        if _meets(answer, wanted, way.values):
+            return Follows(way.earlier) if way.earlier else Right()
+    if few := _coarse(answer, wanted, question, wanted.values):
+        if few > 1 and not _fits_misconception(answer, wanted, question, ways):
+            return Right(_("Right, but coarse: {figures} figures are few; give three.", figures=few))
+        return Slip(_("Rounded too far to tell: give three significant figures."))
+    for way in ways:
+        for value, sentence in way.misconceptions():
+            if _meets(answer, wanted, value):
+                return Mistaken(sentence, way.earlier)
+    for way in ways:
+        if way.earlier and _coarse(answer, wanted, question, way.values) > 1:
+            return Follows(way.earlier)
+    for way in _distinct(ways):
+        for value, sentence in chain(slips(way.values, question.unit), way.slips()):
+            if _meets(answer, wanted, value):
+                return Slip(sentence)
+    return Wrong(_hint(answer, wanted, question))
+
+
+def _in_words(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
+    """A sign that was given as a direction in words: where the other sign would be right, a person looks at the words."""
+    verdict = judge_numbers(answer, wanted, question)
+    if isinstance(verdict, (Right, Follows)):
+        return verdict
+    turned = replace(answer, values=tuple(-value for value in answer.values))
+    if not isinstance(judge_numbers(turned, wanted, question), (Right, Follows)):
+        return verdict
+    return Unmarked(
+        _("The size is right; a person will read your words on the direction: {answer}.", answer=answer.shown)
+    )
+
+
+def _misfit(why: str, verdict: Verdict) -> Verdict:
+    """A wrong unit is a slip on a right number, is told by a known misconception, and settles everything else."""
+    match verdict:
+        case Right() | Follows():
+            return Slip(_("The number is right, but not its unit: {why}.", why=why))
+        case Mistaken():
+            return verdict
+        case _:
+            return Wrong(f"{why[0].upper()}{why[1:]}.")
+
+
+def _meets(answer: Numbers, wanted: Quantity, target: Values) -> bool:
+    """Within the tolerance of the target's length, every component pointing the right way."""
+    return within(answer.values, target, wanted.tolerance, _length(target, wanted)) and same_signs(
+        answer.values, target, wanted.uncertain
+    )
+
+
+def _length(target: Values, wanted: Quantity) -> float:
+    """What a tolerance is relative to: the length of the target, or the part's own scale where that is zero."""
+    return math.hypot(*target) or wanted.scale
+
+
+def _coarse(answer: Numbers, wanted: Quantity, question: Question, target: Values) -> int:
+    """How many figures were written, where they are too few to tell the answer from the target; else 0."""
+    unit = float(question.unit.factor) * math.pi**question.unit.pi
+    sizes: Sequence[float] = answer.sizes or (unit,) * len(target)
+    near = NEAR * wanted.tolerance
+    if answer.polar is not None:
+        return coarse_polar(answer.values, answer.polar, target, sizes[0], near)
+    if not all(answer.figures):
+        return 0
+    enough = near * _length(target, wanted) if len(target) > 1 else 0.0
+    return coarse(answer.values, answer.figures, target, sizes, (enough,) * len(target))
+
+
+def _fits_misconception(
+    answer: Numbers, wanted: Quantity, question: Question, ways: Sequence[FollowThrough]
+) -> bool:
+    """Whether so few figures fit a known misconception as well."""
+    return any(
+        _coarse(answer, wanted, question, value)
+        for way in ways[:1]
+        for value, _sentence in way.misconceptions()
+    )
+
+
+def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
+    first: dict[Values, FollowThrough] = {}
+    for way in ways:
+        first.setdefault(way.values, way)
+    return first.values()
+
+
+def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
+    """What may be said without giving the value away."""
+    sort, unit = called(question.unit.dimension), show(question.unit)
+    close = _("Close, but outside what rounding explains: carry four figures and round at the end.")
+    if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
+        ratio = answer.values[0] / wanted.values[0]
+        if abs(ratio) > 100 or abs(ratio) < 0.01:
+            return _("The size cannot be right for {sort} here: look at powers of ten and units.", sort=sort)
+        if ratio < 0:
+            return _("Neither the sign nor the size fits.")
+        if abs(ratio - 1) < 0.05:
+            return close
+    if len(answer.values) > 1:
+        off = wanted.tolerance * wanted.scale
+        triples = zip(question.components, answer.values, wanted.values, strict=True)
+        right = [name for name, x, target in triples if abs(x - target) <= off]
+        if len(right) == len(answer.values):
+            return close
+        if right:
+            return _components_fit(right, len(answer.values) - len(right))
+    if unit:
+        return _("Read as {sort} in {unit}; it does not follow from the numbers given.", sort=sort, unit=unit)
+    return _("Read as {sort}; it does not follow from the numbers given.", sort=sort)
+
+
+def _components_fit(right: Sequence[str], others: int) -> str:
+    first, last = ", ".join(right[:-1]), right[-1]
+    if not first and others == 1:
+        return _("Component {name} fits; look at the other again.", name=last)
+    if not first:
+        return _("Component {name} fits; look at the others again.", name=last)
+    if others == 1:
+        return _("Components {names} and {name} fit; look at the other again.", names=first, name=last)
+    return _("Components {names} and {name} fit; look at the others again.", names=first, name=last)
