@@ -49,6 +49,8 @@ def test_what_is_guaranteed_to_an_ordinary_user_is_so(without: tuple[str, ...], 
     for guarantee in found["guaranteed"]:
         assert found[guarantee], (guarantee, found)
     assert (found["level"] >= 1) == (set(found["guaranteed"]) == FOUR)
+    if not {"seccomp", "pyseccomp"} & set(without) and kernel.has_seccomp():
+        assert {"signals", "network"} <= set(found["guaranteed"])
     assert found["zygote"], "a notebook opened the zygote's memory"
     for layer, library in (("Landlock", "landlockpy"), ("seccomp", "pyseccomp")):
         if library in without:

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
 
-from corollary.sandbox.file import MOST_BYTES, Unreadable
+from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.notebook import Notebook, code_cells, notebook_of, read_notebook
 
 
@@ -99,10 +99,13 @@ def test_a_byte_order_mark_and_odd_cells_are_survived() -> None:
         (b'{"nbformat": 4, "cells": [3]}', "no cells"),
         (b'{"nbformat": 3}', ""),
         (b'{"nbformat": 2, "worksheets": 7}', ""),
-        (b"[" * 10**6, "nested"),
+        (b"[" * 10**5, "nested"),
         (b'{"a":' * 10**5 + b"1" + b"}" * 10**5, "nested"),
         (b'{"nbformat":4,"cells":' + b"[" * 200 + b"]" * 200 + b"}", "nested"),
-        (b" " * (MOST_BYTES + 1), "larger"),
+        (b" " * (20 * 2**20 + 1), "larger"),
+        (b'{"cells": [' + b"{}," * 6_000_000 + b"{}]}", "values"),
+        (b'{"cells": ' + b"[[]," * 4_000_000, "values"),
+        (book(code(metadata={"x": [{}] * 120_000})), "values beside the outputs"),
         (b"1" * 10_000, "not a notebook"),
         (book(*[code()] * 2001), "more than"),
     ],
@@ -115,12 +118,69 @@ def test_what_is_no_notebook_is_said_in_a_sentence(content: bytes, words: str) -
     assert answer.why.endswith(".")
 
 
+def test_many_outputs_are_no_bomb_and_are_left_out() -> None:
+    plotly = {"output_type": "display_data", "metadata": {}, "data": {"application/json": [0.25] * 200_000}}
+    notebook = opened(book(code(outputs=[plotly]), code("b = '[,,{' * 3 # " + "[,{" * 400_000)))
+    assert [cell.outputs for cell in notebook.node.cells] == [[], []]
+    assert len(code_cells(notebook)) == 2
+
+
+def test_half_surrogates_are_replaced_wherever_they_stand() -> None:
+    pictures = {"\ud800.png": {"image/png": "\udfff"}}
+    text = {"cell_type": "markdown", "source": "\ud800", "metadata": {}, "attachments": pictures}
+    about = {"\ud800": ["\ud800"], "whole": "\U0001f600"}
+    notebook = opened(book(code("a = '\ud800'", id="x\udc00"), text, metadata=about))
+    json.dumps(notebook.node, ensure_ascii=False).encode("utf-8")
+    assert code_cells(notebook)[0].source == "a = '?'"
+    assert list(notebook.node.cells[1].attachments) == ["?.png"]
+    assert notebook.node.metadata == {"?": ["?"], "whole": "\U0001f600"}
+
+
+@pytest.mark.parametrize("name", ["../../x", "a b", "x\n", "<b>", "", "x" * 65])
+def test_an_id_that_is_none_is_replaced(name: str) -> None:
+    assert opened(book(code(id=name))).node.cells[0].id == "cell-1"
+
+
 def test_files_that_are_none_are_refused(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "real").write_bytes(book(code()))
     (tmp_path / "link").symlink_to(tmp_path / "real")
     for name in ("pipe", "link", "absent", ".", "bad\0name"):
         assert isinstance(read_notebook(tmp_path / name), Unreadable), name
+
+
+def test_a_link_a_device_and_a_huge_file_are_refused_by_name(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to("/dev/zero")
+    with (tmp_path / "sparse").open("wb") as file:
+        file.truncate(40 << 30)
+    for path, words in (
+        (tmp_path / "link", "is a link"),
+        (Path("/dev/zero"), "not a file"),
+        (tmp_path / "sparse", "larger than 20 MB"),
+        (tmp_path / "x" / "y", "cannot be opened"),
+    ):
+        answer = bytes_of(path)
+        assert isinstance(answer, Unreadable)
+        assert words in answer.why
+        assert answer.why.endswith(".")
+    assert bytes_of(Path("/proc/self/status"), 10) == Unreadable(
+        "The file is larger than 10 bytes: clear the outputs and hand it in again."
+    )
+
+
+def test_no_folder_on_the_way_may_be_a_link(tmp_path: Path) -> None:
+    (tmp_path / "submitted" / "ada" / "week1").mkdir(parents=True)
+    (tmp_path / "submitted" / "ada" / "week1" / "n").write_bytes(b"x")
+    (tmp_path / "submitted" / "bob").symlink_to(tmp_path / "submitted" / "ada")
+    (tmp_path / "submitted" / "eve").mkdir()
+    (tmp_path / "submitted" / "eve" / "week1").symlink_to(tmp_path / "submitted" / "ada" / "week1")
+    below = tmp_path / "submitted"
+    assert bytes_of(below / "ada" / "week1" / "n", within=below) == b"x"
+    for student in ("bob", "eve"):
+        answer = bytes_of(below / student / "week1" / "n", within=below)
+        assert isinstance(answer, Unreadable)
+        assert "link" in answer.why
+    assert isinstance(bytes_of(tmp_path / "elsewhere", within=below), Unreadable)
 
 
 @given(some.binary(max_size=200))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from dataclasses import dataclass
@@ -23,20 +24,61 @@ def content_of(path: str | Path) -> bytes:
     return content if isinstance(content, bytes) else content.why.encode()
 
 
-def bytes_of(path: str | Path) -> bytes | Unreadable:
-    """What is in a file that was handed in; never raises, never waits."""
+def bytes_of(
+    path: str | Path, most_bytes: int = MOST_BYTES, within: str | Path | None = None
+) -> bytes | Unreadable:
+    """What is in a file that was handed in; never raises, never waits, and reads nothing of a file that is too large.
+
+    The file itself must not be a link; below the folder `within`, none of the folders that lead to it either.
+    """
     try:
-        # A named pipe would wait for ever, and a link leads where the student could not go.
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        descriptor = _opened(Path(path), Path(within) if within is not None else None)
     except (OSError, ValueError) as error:
-        return Unreadable(
-            f"The file cannot be opened: {error.strerror if isinstance(error, OSError) else error}."
-        )
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        return Unreadable(_why(error))
+    status = os.fstat(descriptor)
+    if not stat.S_ISREG(status.st_mode) or status.st_size > most_bytes:
         os.close(descriptor)
-        return Unreadable("This is not a file.")
+        return too_large(most_bytes) if stat.S_ISREG(status.st_mode) else Unreadable("This is not a file.")
     with open(descriptor, "rb") as file:
         try:
-            return file.read(MOST_BYTES + 1)
+            content = file.read(most_bytes + 1)  # it may be growing
         except OSError as error:
             return Unreadable(f"The file cannot be read: {error.strerror}.")
+    return content if len(content) <= most_bytes else too_large(most_bytes)
+
+
+def too_large(most_bytes: int) -> Unreadable:
+    size = f"{most_bytes >> 20} MB" if most_bytes >= 1 << 20 else f"{most_bytes} bytes"
+    return Unreadable(f"The file is larger than {size}: clear the outputs and hand it in again.")
+
+
+def _opened(path: Path, within: Path | None) -> int:
+    # A named pipe would wait for a writer, and a link leads where the student could not go.
+    flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY
+    if within is None:
+        return os.open(path, flags)
+    *folders, name = path.relative_to(within).parts
+    folder = os.open(within, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        for each in folders:
+            inner = os.open(each, flags | os.O_DIRECTORY, dir_fd=folder)
+            os.close(folder)
+            folder = inner
+        return os.open(name, flags, dir_fd=folder)
+    finally:
+        os.close(folder)
+
+
+def _why(error: OSError | ValueError) -> str:
+    if isinstance(error, ValueError):
+        return f"The file cannot be opened: {error}."
+    if error.errno in (
+        errno.ELOOP,
+        errno.EMLINK,
+    ):  # what O_NOFOLLOW says of a link (open(2); FreeBSD has EMLINK)
+        return "The file is a link, which is not followed: hand in the file itself."
+    if error.errno == errno.ENOTDIR:  # O_DIRECTORY with O_NOFOLLOW says this of a link to a folder
+        return (
+            "The folder it lies in is a link or no folder, which is not followed: hand in the folder itself."
+        )
+    return f"The file cannot be opened: {error.strerror}."

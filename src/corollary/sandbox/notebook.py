@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,11 +11,19 @@ from typing import Any
 
 import nbformat
 
-from corollary.sandbox.file import MOST_BYTES, Unreadable, bytes_of
+from corollary.sandbox.file import MOST_BYTES, Unreadable, bytes_of, too_large
 from corollary.sandbox.job import Cell
 
 MOST_CELLS = 2_000
 DEEPEST = 60
+# 20 MB of "{}," would become ten million objects, a gigabyte and minutes. These bounds keep any file below about 300 MB and
+# two seconds; a thousand cells with their outputs have some 20 000 values, a plot of plotly's some 100 000.
+MOST_VALUES = 500_000
+MOST_VALUES_KEPT = 100_000  # without the outputs, which nobody needs: all cells are run again
+
+_STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"', re.DOTALL)
+_HALF_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
+_CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat 4.5 has it
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,15 +43,17 @@ def read_notebook(path: str | Path) -> Notebook | Unreadable:
 def notebook_of(content: bytes) -> Notebook | Unreadable:
     """The notebook in these bytes; never raises."""
     if len(content) > MOST_BYTES:
-        return Unreadable(
-            f"The file is larger than {MOST_BYTES >> 20} MB: clear the outputs and hand it in again."
-        )
+        return too_large(MOST_BYTES)
     if not content.strip():
         return Unreadable("The file is empty.")
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return Unreadable("The file is not text in UTF-8, so it is not a notebook.")
+    if _values_in(content) > MOST_VALUES:
+        return Unreadable(
+            f"The file holds more than {MOST_VALUES} values: clear the outputs and hand it in again."
+        )
     try:
         raw = json.loads(text, parse_constant=lambda _: None)
     except RecursionError:
@@ -51,8 +62,16 @@ def notebook_of(content: bytes) -> Notebook | Unreadable:
         return Unreadable(f"The file is not a notebook: its JSON is broken ({error}).")
     if not isinstance(raw, dict):
         return Unreadable("The file is JSON, but not a notebook: it does not begin with {.")
-    if _depth(raw) > DEEPEST:
+    _drop_outputs(raw)
+    depth, count = _measure(raw)
+    if depth > DEEPEST:
         return Unreadable("The file is nested too deeply to be a notebook.")
+    if count > MOST_VALUES_KEPT:
+        return Unreadable(
+            f"The file holds more than {MOST_VALUES_KEPT} values beside the outputs of its cells."
+        )
+    if _HALF_SURROGATE.search(text):
+        raw = _whole_texts(raw)
     return _mended(raw)
 
 
@@ -94,7 +113,7 @@ def _mended(raw: dict) -> Notebook | Unreadable:
 
 
 def _sound_cells(cells: list, notes: list[str]) -> list[Any]:
-    sound, taken = [], set()
+    sound, ids = [], set()
     for number, raw in enumerate(cells, 1):
         if not isinstance(raw, dict) or raw.get("cell_type") not in ("code", "markdown", "raw"):
             notes.append(f"cell {number} is left out: it is neither code nor text")
@@ -103,46 +122,70 @@ def _sound_cells(cells: list, notes: list[str]) -> list[Any]:
         source = cell.get("source", "")
         if isinstance(source, list):
             source = "".join(line for line in source if isinstance(line, str))
-        cell.source = _whole(source) if isinstance(source, str) else ""
+        cell.source = source if isinstance(source, str) else ""
         if not isinstance(cell.get("metadata"), dict):
             cell.metadata = nbformat.NotebookNode()
         name = cell.get("id")
-        if not isinstance(name, str) or not name or len(name) > 64 or name in taken or not name.isascii():
-            if isinstance(name, str) and name in taken:
+        if not isinstance(name, str) or not _CELL_ID.fullmatch(name) or name in ids:
+            if isinstance(name, str) and name in ids:
                 notes.append(f"cell {number} has the id of an earlier cell: it gets its own")
-            name = _free_id(number, taken)
-        taken.add(name)
+            name = _free_id(number, ids)
+        ids.add(name)
         cell.id = name
         if cell.cell_type == "code":
-            outputs = cell.get("outputs")
-            cell.outputs = (
-                [each for each in outputs if isinstance(each, dict)] if isinstance(outputs, list) else []
-            )
+            cell.outputs = []
             cell.setdefault("execution_count", None)
         sound.append(cell)
     return sound
 
 
-def _free_id(number: int, taken: set[str]) -> str:
+def _free_id(number: int, ids: set[str]) -> str:
     name = f"cell-{number}"
-    while name in taken:
+    while name in ids:
         name += "x"
     return name
 
 
-def _whole(text: str) -> str:
-    """Without half surrogates, which JSON can write but no file can hold."""
-    return text.encode("utf-8", "replace").decode("utf-8")
+def _values_in(content: bytes) -> int:
+    """How many values a JSON text holds at least, counted without making any of them."""
+    if _commas_and_brackets(content) <= MOST_VALUES:
+        return 0
+    return _commas_and_brackets(_STRING.sub(b"", content))
 
 
-def _depth(raw: object) -> int:
-    """How deeply lists and dictionaries lie in one another, counted without recursion."""
-    deepest, waiting = 0, [(raw, 1)]
-    while waiting and deepest <= DEEPEST:
+def _commas_and_brackets(content: bytes) -> int:
+    return content.count(b",") + content.count(b"[") + content.count(b"{")
+
+
+def _drop_outputs(raw: dict) -> None:
+    """In nbformat 4, and in the worksheets of 2 and 3."""
+    sheets = raw.get("worksheets")
+    for sheet in (raw, *(sheets if isinstance(sheets, list) else ())):
+        cells = sheet.get("cells") if isinstance(sheet, dict) else None
+        for cell in cells if isinstance(cells, list) else ():
+            if isinstance(cell, dict) and "outputs" in cell:
+                cell["outputs"] = []
+
+
+def _measure(raw: object) -> tuple[int, int]:
+    """How deeply lists and dictionaries lie in one another, and how many values there are; counted without recursion."""
+    deepest, count, waiting = 0, 0, [(raw, 1)]
+    while waiting and deepest <= DEEPEST and count <= MOST_VALUES_KEPT:
         value, depth = waiting.pop()
-        deepest = max(deepest, depth)
+        deepest, count = max(deepest, depth), count + 1
         if isinstance(value, dict):
             waiting.extend((each, depth + 1) for each in value.values())
         elif isinstance(value, list):
             waiting.extend((each, depth + 1) for each in value)
-    return deepest
+    return deepest, count
+
+
+def _whole_texts(raw: Any) -> Any:
+    """All texts, names of attachments too, without half surrogates, which JSON can write but no file can hold."""
+    if isinstance(raw, str):
+        return raw.encode("utf-8", "replace").decode("utf-8")
+    if isinstance(raw, list):
+        return [_whole_texts(each) for each in raw]
+    if isinstance(raw, dict):
+        return {_whole_texts(name): _whole_texts(each) for name, each in raw.items()}
+    return raw

@@ -15,7 +15,7 @@ from corollary.sandbox.report import result_of
 from corollary.sandbox.rerun import run_with_reruns
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.session import WorkerState, follow, send_job
-from corollary.sandbox.zygote import Worker, Zygote
+from corollary.sandbox.zygote import CannotStart, Worker, Zygote
 
 _NO_JOB = Job((), ())
 
@@ -83,10 +83,15 @@ class Runner:
         return self._zygote
 
     def _probe(self, zygote: Zygote) -> WorkerState:
-        """What holds, tried in a worker; nothing does when that fails."""
+        """What holds, tried in a worker. Raises CannotStart where not even that can be run."""
         state = WorkerState()
-        with suppress(OSError):
+        try:
             self._give(zygote, zygote.fork(), _NO_JOB, state, zygote.canary())
+        except OSError as error:
+            state.ended = str(error)
+        if not state.done:
+            self._stop()
+            raise CannotStart(f"The process that runs notebooks cannot run any: {state.ended or 'it died'}.")
         return state
 
     def _stop(self) -> None:

@@ -24,7 +24,8 @@ if __name__ == "__main__":
     sys.dont_write_bytecode = True
     config = json.load(sys.stdin)
     sys.path.extend(config["libraries"])
+    loaded: dict = sys.modules
     for name in config["absent"]:
-        sys.modules[name] = None  # importing it then raises ModuleNotFoundError
+        loaded[name] = None  # importing it then raises ModuleNotFoundError
     install("sandbox", config["modules"])
     sys.modules["sandbox.zygote"].serve(config)
