@@ -10,7 +10,7 @@ from typing import Any
 
 from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.cli.progress import steps
-from corollary.scenes.integrate.tableau import METHODS
+from corollary.scenes.integrate.fixed_step import METHODS
 
 from .case import Case
 from .measures import WANTED, lies_beyond, orders, reaching
@@ -21,8 +21,8 @@ NAMESPACE = '<svg xmlns="http://www.w3.org/2000/svg" '
 """A drawing in a page needs none; one in a file of its own does."""
 
 COSTS: dict[str, tuple[str, Callable[[Timing], float]]] = {
-    "evaluations": ("evaluations of the force", lambda lap: float(max(lap.evaluations, 1))),
-    "seconds": ("processor time, s", lambda lap: lap.seconds),
+    "evaluations": ("evaluations of the force", lambda timing: float(max(timing.evaluations, 1))),
+    "seconds": ("processor time, s", lambda timing: timing.seconds),
 }
 
 
@@ -65,7 +65,7 @@ def table(raced: Sequence[WorkPrecision], found: dict[str, Any]) -> str:
     for each in raced:
         row = [each.case.name]
         for wanted in WANTED:
-            ways = sorted(reaching(each, wanted).values(), key=lambda lap: lap.seconds)
+            ways = sorted(reaching(each, wanted).values(), key=lambda timing: timing.seconds)
             row.append(
                 f"{ways[0].method}: {ways[0].evaluations}; {1e3 * ways[0].seconds:.2f} ms" if ways else "none"
             )
@@ -145,17 +145,19 @@ def _write(folder: Path, raced: Sequence[WorkPrecision], found: dict[str, Any], 
     (folder / "trade.md").write_text(table(raced, found) + "\n", encoding="utf-8")
     for each in raced:
         name = each.case.name.replace(" ", "_").replace("=", "")
-        methods = dict.fromkeys(lap.method for lap in each.laps)
+        methods = dict.fromkeys(timing.method for timing in each.timings)
         for what in costs:
             curves = []
             for method in methods:
                 # Beyond a hundred per cent a curve says nothing; below 1e-17 there are no doubles left.
-                laps = [lap for lap in each.laps if lap.method == method and lap.error <= 1.0]
+                timings = [
+                    timing for timing in each.timings if timing.method == method and timing.error <= 1.0
+                ]
                 curves.append(
                     Curve(
                         method,
-                        tuple(COSTS[what][1](lap) for lap in laps),
-                        tuple(max(lap.error, 1e-17) for lap in laps),
+                        tuple(COSTS[what][1](timing) for timing in timings),
+                        tuple(max(timing.error, 1e-17) for timing in timings),
                     )
                 )
             alt = f"{each.case.name}: error of the {each.case.observable} against {what}, for {', '.join(methods)}"

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.runge_kutta import Tableau
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.integrate.tableau import RK4
 from corollary.scenes.models.pair import Pair, after_parting, meet
 
 from .measures import Order, at_the_fine_end

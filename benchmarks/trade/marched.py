@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.scenes.integrate.fixed_step import march
-from corollary.scenes.integrate.tableau import METHODS, Method
+from corollary.scenes.integrate.fixed_step import METHODS, Method, march
 
 from .case import Answer, Case, Route
 

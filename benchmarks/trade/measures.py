@@ -28,8 +28,8 @@ class Order:
 def orders(raced: WorkPrecision) -> dict[str, Order]:
     """For each method in steps that met the power law in four runs at least."""
     found = {}
-    for method in dict.fromkeys(lap.method for lap in raced.laps if lap.knob == "step"):
-        points = [(lap.setting, lap.error) for lap in raced.laps if lap.method == method]
+    for method in dict.fromkeys(timing.method for timing in raced.timings if timing.knob == "step"):
+        points = [(timing.setting, timing.error) for timing in raced.timings if timing.method == method]
         inside = _asymptotic(points)
         if len(inside) >= 4:
             found[method] = at_the_fine_end(inside)
@@ -75,8 +75,8 @@ def _slope(xs: Sequence[float], ys: Sequence[float], fitted_numbers: int) -> tup
     spread = math.fsum((a - x) ** 2 for a in xs)
     slope = math.fsum((a - x) * (b - y) for a, b in zip(xs, ys, strict=True)) / spread
     left = math.fsum((b - y - slope * (a - x)) ** 2 for a, b in zip(xs, ys, strict=True))
-    doubt = 2.0 * math.sqrt(left / (n - fitted_numbers) / spread)
-    return Order(slope, slope - doubt, slope + doubt), left
+    error = 2.0 * math.sqrt(left / (n - fitted_numbers) / spread)
+    return Order(slope, slope - error, slope + error), left
 
 
 def _beside(values: Sequence[float], by: Sequence[float]) -> list[float]:
@@ -88,37 +88,37 @@ def _beside(values: Sequence[float], by: Sequence[float]) -> list[float]:
 def reaching(raced: WorkPrecision, wanted: float) -> dict[str, Timing]:
     """For each method its cheapest run that is as exact as wanted; so must be every finer run, a lucky hit does not count."""
     found: dict[str, Timing] = {}
-    for method in dict.fromkeys(lap.method for lap in raced.laps):
-        laps = [lap for lap in raced.laps if lap.method == method]
-        for lap in reversed(laps):
+    for method in dict.fromkeys(timing.method for timing in raced.timings):
+        timings = [timing for timing in raced.timings if timing.method == method]
+        for timing in reversed(timings):
             # Rounding may lift the finest runs a little above the error of coarser ones.
-            if lap.error > max(wanted, 1e-13):
+            if timing.error > max(wanted, 1e-13):
                 break
-            if lap.error <= wanted:
-                found[method] = lap
+            if timing.error <= wanted:
+                found[method] = timing
     return found
 
 
 def cheapest(raced: WorkPrecision, wanted: float) -> Timing | None:
     """The run that takes the least time among those as exact as wanted."""
-    return min(reaching(raced, wanted).values(), key=lambda lap: lap.seconds, default=None)
+    return min(reaching(raced, wanted).values(), key=lambda timing: timing.seconds, default=None)
 
 
 def frontier(raced: WorkPrecision) -> list[Timing]:
     """The runs that no other one beats in both error and time, the quickest first."""
     best, found = math.inf, []
-    for lap in sorted(raced.laps, key=lambda lap: (lap.seconds, lap.error)):
-        if lap.error < best:
-            best = lap.error
-            found.append(lap)
+    for timing in sorted(raced.timings, key=lambda timing: (timing.seconds, timing.error)):
+        if timing.error < best:
+            best = timing.error
+            found.append(timing)
     return found
 
 
 def lies_beyond(raced: WorkPrecision, method: str = "euler_cromer") -> float | None:
     """The longest step, as a part of the contact time, up to which every run stays within one per cent."""
     honest = None
-    for lap in reversed([lap for lap in raced.laps if lap.method == method]):
-        if lap.error > LIE:
+    for timing in reversed([timing for timing in raced.timings if timing.method == method]):
+        if timing.error > LIE:
             break
-        honest = lap.setting / raced.case.contact_time
+        honest = timing.setting / raced.case.contact_time
     return honest

@@ -38,10 +38,10 @@ class Timing:
 
 @dataclass(frozen=True, slots=True)
 class WorkPrecision:
-    """All laps of a scene, which method the planner takes there, and what could not run, with the reason."""
+    """All timings of a scene, which method the planner takes there, and what could not run, with the reason."""
 
     case: Case
-    laps: tuple[Timing, ...]
+    timings: tuple[Timing, ...]
     planned: str
     missing: Mapping[str, str]
 
@@ -59,16 +59,16 @@ def race(case: Case, quick: bool = False) -> WorkPrecision:
         ways["heyoka"] = taylor.route(case)
     except taylor.NoSeries as reason:
         missing["heyoka"] = str(reason)
-    laps: list[Timing] = []
+    timings: list[Timing] = []
     for name, route in ways.items():
         try:
-            laps += _laps(case, name, route, quick)
+            timings += _timings(case, name, route, quick)
         except GuardFailed as refused:
             missing[name] = str(refused)
-    return WorkPrecision(case, tuple(laps), PLANNED[run(case.ready, case.settings).model], missing)
+    return WorkPrecision(case, tuple(timings), PLANNED[run(case.ready, case.settings).model], missing)
 
 
-def _laps(case: Case, name: str, route: Route, quick: bool) -> list[Timing]:
+def _timings(case: Case, name: str, route: Route, quick: bool) -> list[Timing]:
     found: list[Timing] = []
     _timed(case, route, route.settings[0], 1)  # the first run pays for imports
     for setting in route.settings[:: 2 if quick and route.knob == "tolerance" else 1]:

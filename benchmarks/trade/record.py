@@ -25,14 +25,16 @@ def record(raced: WorkPrecision) -> dict[str, Any]:
             "source": case.reference.source,
         },
         "contact_time": case.contact_time,
-        "runs": [lap_record(lap) for lap in raced.laps],
+        "runs": [timing_record(timing) for timing in raced.timings],
         "order": {method: round(order.value, 3) for method, order in measured.items()},
         "order_bounds": {
             method: [round(order.low, 3), round(order.high, 3)] for method, order in measured.items()
         },
-        "cheapest": {wanted: lap.method if lap else None for wanted, lap in best.items()},
-        "cheapest_runs": {wanted: lap_record(lap) if lap else None for wanted, lap in best.items()},
-        "frontier": [lap_record(lap) for lap in frontier(raced)],
+        "cheapest": {wanted: timing.method if timing else None for wanted, timing in best.items()},
+        "cheapest_runs": {
+            wanted: timing_record(timing) if timing else None for wanted, timing in best.items()
+        },
+        "frontier": [timing_record(timing) for timing in frontier(raced)],
         "lies_beyond": {"euler_cromer": honest},
         "planned": raced.planned,
         "missing": dict(raced.missing),
@@ -44,8 +46,8 @@ def label(wanted: float) -> str:
     return f"1e{round(math.log10(wanted))}"
 
 
-def lap_record(lap: Timing) -> dict[str, Any]:
-    error = lap.error if math.isfinite(lap.error) else "inf"
+def timing_record(timing: Timing) -> dict[str, Any]:
+    error = timing.error if math.isfinite(timing.error) else "inf"
     return {
-        "method": lap.method, lap.knob: lap.setting, "error": error, "evaluations": lap.evaluations, "seconds": lap.seconds,
+        "method": timing.method, timing.knob: timing.setting, "error": error, "evaluations": timing.evaluations, "seconds": timing.seconds,
     }  # fmt: skip

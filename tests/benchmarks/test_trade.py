@@ -17,8 +17,8 @@ from trade.record import record
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
+from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.integrate.tableau import RK4
 from corollary.scenes.models.bounce import contact_time, suggested_step
 from corollary.scenes.models.pair import meet
 
@@ -53,13 +53,13 @@ def test_references_of_cradles_are_those_of_the_other_program():
 
 def test_the_planned_route_agrees_with_the_reference_to_twelve_digits(raced):
     for name, each in raced.items():
-        assert min(lap.error for lap in each.laps if lap.method == each.planned) < 1e-12, name
+        assert min(timing.error for timing in each.timings if timing.method == each.planned) < 1e-12, name
 
 
 def test_the_planner_takes_what_is_cheapest_for_twelve_digits(raced):
     """In evaluations, which no other work on the machine can change; a model without steps pays none or few."""
     for name, each in raced.items():
-        ways = {method: lap.evaluations for method, lap in reaching(each, 1e-12).items()}
+        ways = {method: timing.evaluations for method, timing in reaching(each, 1e-12).items()}
         assert each.planned in ways, name
         # Equal steps have no opinion about their own error; an adaptive route pays for its own. heyoka compiles, and is optional.
         rivals = [cost for method, cost in ways.items() if method not in (each.planned, "heyoka")]
@@ -68,8 +68,8 @@ def test_the_planner_takes_what_is_cheapest_for_twelve_digits(raced):
 
 def test_what_every_method_finds_gets_better(raced):
     for name, each in raced.items():
-        for method in dict.fromkeys(lap.method for lap in each.laps):
-            errors = [lap.error for lap in each.laps if lap.method == method]
+        for method in dict.fromkeys(timing.method for timing in each.timings):
+            errors = [timing.error for timing in each.timings if timing.method == method]
             if len(errors) > 3:
                 assert min(errors[-2:]) < 0.3 * max(errors[:2]), (name, method)
 
@@ -105,9 +105,9 @@ def test_the_step_suggested_to_students_is_a_hundredth_of_the_contact_and_good(r
     for name in ("cradle N=3 q=1.5", "cradle N=3 q=3"):
         each = raced[name]
         near = [
-            lap
-            for lap in each.laps
-            if lap.method == "euler_cromer" and lap.setting < each.case.contact_time / 70.0
+            timing
+            for timing in each.timings
+            if timing.method == "euler_cromer" and timing.setting < each.case.contact_time / 70.0
         ]
         assert near[0].error < 5e-4, name
 
@@ -127,18 +127,18 @@ def test_a_straight_line_has_its_slope_and_no_doubt():
     assert found == Order(pytest.approx(3.0), pytest.approx(3.0), pytest.approx(3.0))
 
 
-def lap(method, error, evaluations, seconds):
+def timing(method, error, evaluations, seconds):
     return Timing(method, "step", 1.0 / evaluations, error, evaluations, seconds)
 
 
 def test_a_lucky_hit_is_not_an_accuracy():
     lucky = (
-        lap("a", 1e-2, 10, 1e-3),
-        lap("a", 1e-7, 20, 2e-3),
-        lap("a", 1e-4, 40, 4e-3),
-        lap("a", 1e-6, 80, 8e-3),
+        timing("a", 1e-2, 10, 1e-3),
+        timing("a", 1e-7, 20, 2e-3),
+        timing("a", 1e-4, 40, 4e-3),
+        timing("a", 1e-6, 80, 8e-3),
     )
-    found = WorkPrecision(cases()[0], (*lucky, lap("b", 1e-7, 9, 9e-3)), "a", {})
+    found = WorkPrecision(cases()[0], (*lucky, timing("b", 1e-7, 9, 9e-3)), "a", {})
     best = cheapest(found, 1e-5)
     assert best is not None
     assert (best.method, best.evaluations) == ("a", 80)

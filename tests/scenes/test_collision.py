@@ -2,7 +2,7 @@
 
 import pytest
 
-from corollary.scenes.collision import MOST_SWINGING, collide
+from corollary.scenes.collision import MOST_FOR_NORMAL_MODES, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.row import Row
@@ -36,8 +36,8 @@ def test_the_error_stated_is_never_less_than_the_true_one(count, tolerance):
 
 
 def test_long_rows_of_springs_are_followed_in_steps():
-    assert collide(cradle(MOST_SWINGING, 1.0), 1e-9).model == "piecewise exact"
-    assert collide(cradle(MOST_SWINGING + 1, 1.0), 1e-9).model == "integration"
+    assert collide(cradle(MOST_FOR_NORMAL_MODES, 1.0), 1e-9).model == "piecewise exact"
+    assert collide(cradle(MOST_FOR_NORMAL_MODES + 1, 1.0), 1e-9).model == "integration"
 
 
 def test_a_collision_is_found_once_and_kept():

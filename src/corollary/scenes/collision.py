@@ -17,8 +17,8 @@ from corollary.scenes.run import BadSetting, GuardFailed, Model
 
 # What rounding leaves of a closed formula.
 ROUNDING = 2e-15
-# In longer rows of springs a sum of swings costs more than steps.
-MOST_SWINGING = 20
+# In longer rows of springs a sum of normal modes costs more than steps.
+MOST_FOR_NORMAL_MODES = 20
 COMPILED = "COROLLARY_COMPILED"
 """The environment variable that asks for compiled steps; unset, empty or 0: plain Python."""
 
@@ -44,8 +44,8 @@ def collide(line: Row, tolerance: float) -> Collided:
         return _two_bodies(line)
     if _one_damped_spring(line):
         return _spring_and_dashpot(line)
-    if _springs(line) and len(line.masses) <= MOST_SWINGING:
-        return _swinging(line)
+    if _springs(line) and len(line.masses) <= MOST_FOR_NORMAL_MODES:
+        return _by_normal_modes(line)
     return _integrated(line, tolerance)
 
 
@@ -70,7 +70,7 @@ def _springs(line: Row) -> bool:
     return line.weight == 0.0 and all(c.q == 1.0 and c.eta == 0.0 for c in line.contacts)
 
 
-def _swinging(line: Row) -> Collided:
+def _by_normal_modes(line: Row) -> Collided:
     from corollary.scenes.models import modal  # here, since it brings numpy, which most scenes never need
 
     result = modal.collide(line)

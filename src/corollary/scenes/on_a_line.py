@@ -10,7 +10,7 @@ from corollary.scenes.collision import ROUNDING, Collided, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.models.bounce import largest_overlap
-from corollary.scenes.models.pair import hold_apart
+from corollary.scenes.models.pair import refuse_too_soft
 from corollary.scenes.row import Row, reduced_mass
 from corollary.scenes.run import Observable, Observed, Run
 from corollary.scenes.scene import Scene
@@ -30,7 +30,7 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
     if two and set(observe) <= BEFORE_AND_AFTER and line.weight == 0.0 and line.contacts[0].eta == 0.0:
         if line.velocities[0] > line.velocities[1]:
             closing = line.velocities[0] - line.velocities[1]
-            _keep_apart(
+            _refuse_too_soft(
                 scene,
                 (
                     largest_overlap(
@@ -40,15 +40,15 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
             )
         return _conserved(line, observe)
     found = collide(line, tolerance)
-    _keep_apart(scene, found.result.overlaps)
+    _refuse_too_soft(scene, found.result.overlaps)
     return _collided(line, found, observe)
 
 
-def _keep_apart(scene: Scene, overlaps: Sequence[float]) -> None:
+def _refuse_too_soft(scene: Scene, overlaps: Sequence[float]) -> None:
     """Raises BadSetting when neighbours are so soft that they pass through each other; points without a radius keep their order."""
     for overlap, (a, b) in zip(overlaps, pairwise(scene.bodies), strict=True):
         if a.radius + b.radius > 0.0:
-            hold_apart(overlap, a.radius + b.radius)
+            refuse_too_soft(overlap, a.radius + b.radius)
 
 
 def as_line(scene: Scene) -> Row | None:

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
-from corollary.scenes.closed import in_a_plane, in_a_well, round_a_centre
+from corollary.scenes.closed_forms import in_a_plane, in_a_well, round_a_centre
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.conserved import conserved, parts_undamped
 from corollary.scenes.integrate.motion import never_touch
@@ -47,7 +47,7 @@ def plan(
     left = [o for o in observe if o not in known]
     if not left and (scene.until is not None or parts_undamped(scene)):
         why = "all that is asked is conserved: the start says it"
-        return Plan("conservation", why, lambda: _kept(scene, known, why))
+        return Plan("conservation", why, lambda: _at_the_start(scene, known, why))
     for closed in (on_a_line, in_a_plane, in_a_well, round_a_centre):
         found = closed(scene, observe, tolerance)
         if found is not None:
@@ -83,7 +83,7 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
     return tuple(times)
 
 
-def _kept(scene: Scene, known: dict[Observable, Observed], why: str) -> Run:
+def _at_the_start(scene: Scene, known: dict[Observable, Observed], why: str) -> Run:
     observed = {o.value: value for o, value in known.items()}
     outcome: Outcome = (
         "bound" if scene.until is not None else ("missed" if never_touch(scene) else "released")

@@ -5,8 +5,7 @@ from itertools import pairwise
 
 import pytest
 
-from corollary.scenes.integrate.fixed_step import march
-from corollary.scenes.integrate.tableau import METHODS
+from corollary.scenes.integrate.fixed_step import METHODS, march
 
 
 def pendulum(x, v):

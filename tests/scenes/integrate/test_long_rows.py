@@ -53,7 +53,7 @@ def test_long_cradles_agree_with_plain_time(count, q):
 
 
 def test_a_finer_step_only_changes_what_the_coarser_one_left_open():
-    """Also where an overlap nearly ends within a step in time: its own clock takes over before."""
+    """Also where an overlap nearly ends within a step in time: its own variable takes over before."""
     coarse, fine = (collide(cradle(20, 1.5), tolerance) for tolerance in (1e-12, 1e-15))
     assert max(abs(a - b) for a, b in zip(coarse.velocities, fine.velocities, strict=True)) < 5e-12
     assert coarse.duration == pytest.approx(fine.duration, rel=1e-11)

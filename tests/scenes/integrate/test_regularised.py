@@ -90,7 +90,7 @@ def test_momentum_and_energy_are_kept_and_no_body_passes_through_another(line):
 
 
 def test_an_overlap_that_nearly_ends_and_turns_back():
-    """Its own clock stands still where its speed turns: the time must take over."""
+    """Its own variable does not grow where its speed turns: the time must take over."""
     line = Row(
         (5.392647120560536, 0.3111643669578199, 9.093658973051353, 5.569843140251806, 3.6224949109301647),
         (1.0, 0.66, -0.66, 0.37, 0.0),
@@ -181,7 +181,7 @@ def test_nothing_moves_nothing_happens():
     st.sampled_from([1e-3, 0.1, 3.0]),
     st.sampled_from([1e-6, 1e-8, 1e-10, 1e-12]),
 )
-@example(1.25, 5.1845, 9.8, 0.25, 1e-6)  # a step past the top, where the clock of the contact would run back
+@example(1.25, 5.1845, 9.8, 0.25, 1e-6)  # past the top its variable would run back
 @example(2.0, 6.0, 0.0, 0.1, 1e-10)  # too faint to be seen before its damping has decided
 @settings(max_examples=60, deadline=None)
 def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight, speed, tolerance):

@@ -13,8 +13,7 @@ from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.floor_bugs import USUAL, Scheme, wrong_bounce
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import march
-from corollary.scenes.integrate.tableau import EULER_CROMER
+from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
 
 ARGUMENTS = ("m", "k", "R", "y0", "v0", "g")
 COUNTED = 2.5  # steps: a contact counted in steps may be one longer or shorter at each end

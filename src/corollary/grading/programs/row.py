@@ -13,8 +13,7 @@ from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs
 from corollary.grading.programs.convergence import Family, Standard, judged
 from corollary.grading.programs.row_bugs import USUAL, wrong_cradle
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import march
-from corollary.scenes.integrate.tableau import EULER_CROMER
+from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
 
 
 def contact_time(m: float, k: float, q: float, v: float) -> float:

@@ -9,8 +9,7 @@ from corollary.derive.statements import Fault
 from corollary.grading.programs.bound import NAMED, SAFETY, measured
 from corollary.grading.programs.called import Called, Inputs, miscounted
 from corollary.grading.programs.convergence import Standard
-from corollary.scenes.integrate.fixed_step import march
-from corollary.scenes.integrate.tableau import EULER_CROMER, RK4, Method
+from corollary.scenes.integrate.fixed_step import EULER_CROMER, RK4, Method, march
 
 FINEST = 1 << 15
 Force = Callable[[float, float, float, float], tuple[float, float]]  # on A, from r_B - r_A and v_B - v_A

@@ -7,8 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.grading.programs.called import Inputs
-from corollary.scenes.integrate.fixed_step import march
-from corollary.scenes.integrate.tableau import EULER_CROMER
+from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
 
 State = tuple[float, float, float, float]
 

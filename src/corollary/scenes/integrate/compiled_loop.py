@@ -34,7 +34,7 @@ def _closing(state, j):
 
 
 @njit(cache=True, error_model="numpy")
-def _reading(state, variable, power):
+def _value_in(state, variable, power):
     if variable == TIME:
         return state[0]
     return state[1 + variable] if power == 1 else max(state[1 + variable], 0.0) ** (1.0 / power)
@@ -50,7 +50,7 @@ def _enter(variable, power, w, y, state):
 
 
 @njit(cache=True, error_model="numpy")
-def _asleep(state, touching, inverse, terms, noise):
+def _inactive(state, touching, inverse, terms, noise):
     for j in range(len(touching)):
         if touching[j]:
             k, q, faint = terms[j, 0], terms[j, 1], 0.5 * noise**2 / (inverse[j] + inverse[j + 1])
@@ -186,7 +186,7 @@ def follow(state, inverse, terms, extrema, tolerance):
         for j in range(count):
             if state[1 + j] == 0.0:
                 touching[j] = _closing(state, j) >= 0.0
-        if _asleep(state, touching, inverse, terms, noise):
+        if _inactive(state, touching, inverse, terms, noise):
             for j in range(count):
                 if touching[j] and state[1 + j] > 0.0:
                     opening = -_closing(state, j)
@@ -215,7 +215,7 @@ def follow(state, inverse, terms, extrema, tolerance):
         if variable != TIME:
             ahead = max(state[1 + variable] + base[variable] * lasted, 0.0)
             power = int(terms[variable, 2]) if touching[variable] else 1
-            stride = ahead ** (1.0 / power) - _reading(state, variable, power)
+            stride = ahead ** (1.0 / power) - _value_in(state, variable, power)
         if variable == last_variable and 0.0 < abs(last_stride) < abs(stride):
             stride = last_stride
         if stride == 0.0:  # too short for this variable to tick
@@ -225,7 +225,7 @@ def follow(state, inverse, terms, extrema, tolerance):
             if trial == MOST_TRIALS:
                 return NO_STEP, began, ended, openings, evaluations
             power = int(terms[variable, 2]) if variable != TIME and touching[variable] else 1
-            x = _reading(state, variable, power)
+            x = _value_in(state, variable, power)
             lands = variable != TIME and x * stride < 0.0 and abs(stride) >= abs(x)
             h = -x if lands else stride
             y[:], slopes[0] = state[1:], base
@@ -247,7 +247,7 @@ def follow(state, inverse, terms, extrema, tolerance):
                 break
             if crossing != GRAZING and base[crossing] != 0.0 and (base[crossing] < 0.0) == touching[crossing]:
                 variable, landing = crossing, True
-                stride = -_reading(state, variable, int(terms[variable, 2]) if touching[variable] else 1)
+                stride = -_value_in(state, variable, int(terms[variable, 2]) if touching[variable] else 1)
             else:
                 stride = 0.5 * h
         for j in range(count):

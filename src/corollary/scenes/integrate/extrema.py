@@ -12,7 +12,7 @@ from corollary.scenes.row import Row, closing_speed
 
 
 class Extrema:
-    """Keeps the greatest overlap and force met by each contact; told of every step of a motion."""
+    """The greatest overlap and force of each contact so far; every step of a motion is handed to `look_within`."""
 
     def __init__(self, line: Row) -> None:
         self.line = line
@@ -28,10 +28,10 @@ class Extrema:
                 force = push(self.line.contacts[j], state[1 + j], closing_speed(self.line, state, j))
                 self.forces[j] = max(self.forces[j], force)
 
-    def passed(
+    def look_within(
         self, state: list[float], step: Step, touching: Sequence[bool], base: Sequence[float], in_time: Slope
     ) -> None:
-        """Look for a crest within a step from a state; `base` is the slope there, `in_time` the law that gave it."""
+        """Look for a maximum within a step from a state; `base` is the slope there, `in_time` the law that gave it."""
         after, count = step.after, len(self.overlaps)
         for j, on in enumerate(touching):
             if (
@@ -39,7 +39,7 @@ class Extrema:
                 and base[j] > 0.0 >= after[1 + count + j] - after[2 + count + j]
                 and state[1 + j] >= 0.0 <= after[1 + j]
             ):
-                overlap, spent = top(step, j)
+                overlap, spent = largest_overlap(step, j)
                 self.evaluations += spent
                 if overlap > self.overlaps[j]:
                     self.overlaps[j] = overlap
@@ -58,7 +58,7 @@ class Extrema:
         rising, falling = self._growth(state, base, j), growth(step.after)
         self.evaluations += 1
         if rising > 0.0 >= falling:
-            best, spent = top_between(rising, falling, step.part_way, growth)
+            best, spent = maximum_between(rising, falling, step.part_way, growth)
             self.evaluations += spent
             force = push(self.line.contacts[j], best[1 + j], closing_speed(self.line, best, j))
             self.forces[j] = max(self.forces[j], force)
@@ -72,7 +72,7 @@ class Extrema:
         )
 
 
-def top(step: Step, j: int) -> tuple[float, int]:
+def largest_overlap(step: Step, j: int) -> tuple[float, int]:
     """The largest overlap of a contact within a step in which its closing speed falls through zero; and the evaluations spent.
 
     A cubic through the closing speeds at both ends says where; there the overlap still missing is speed^2/(2 deceleration).
@@ -113,7 +113,7 @@ def _zero(before: float, after: float, rise: float, fall: float) -> float:
     return 0.5 * (low + high)
 
 
-def top_between(
+def maximum_between(
     before: float,
     after: float,
     part_way: Callable[[float], list[float]],
@@ -121,7 +121,7 @@ def top_between(
 ) -> tuple[list[float], int]:
     """The state within a step where `growth` falls through zero, and the evaluations spent.
 
-    A crest is flat, so half the digits of its place give all those of its height.
+    A maximum is flat, so half the digits of its place give all those of its height.
     """
     left, right, held, spent = 0.0, 1.0, 0, 0
     top, place = part_way(1.0), 1.0

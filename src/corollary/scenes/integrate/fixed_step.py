@@ -1,4 +1,7 @@
-"""The small engine that runs every fixed-step method, and counts each force it asks for."""
+"""Fixed-step methods as tables of coefficients, and the one loop that runs them and counts each force it asks for.
+
+Euler-Cromer, velocity Verlet, RK4, and Yoshida's of order 4, 6 and 8; another one is a table and a line in METHODS.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +10,72 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import assert_never
 
-from corollary.scenes.integrate.runge_kutta import Tableau, step
-from corollary.scenes.integrate.tableau import Method, Splitting
+from corollary.scenes.integrate.runge_kutta import Coefficients, Tableau, step
+
+
+@dataclass(frozen=True, slots=True)
+class Splitting:
+    """Kicks (v += kick dt a) and drifts (x += drift dt v) in turn, a kick first.
+
+    A kick of zero costs nothing; `order` is the one for smooth forces that depend on places only.
+    """
+
+    order: int
+    kicks: tuple[float, ...]
+    drifts: tuple[float, ...]
+
+
+def composed(order: int, outer: Sequence[float]) -> Splitting:
+    """Verlet steps of lengths w_k … w_1 w_0 w_1 … w_k (parts of dt, summing to one), neighbouring half kicks joined."""
+    middle = 1.0 - 2.0 * sum(outer)
+    parts = [*reversed(outer), middle, *outer]
+    kicks = [0.5 * (a + b) for a, b in zip([0.0, *parts], [*parts, 0.0], strict=True)]
+    return Splitting(order, tuple(kicks), (*parts, 0.0))
+
+
+EULER_CROMER = Splitting(1, (1.0,), (1.0,))
+VELOCITY_VERLET = composed(2, ())
+
+_CUBE_ROOT = 2.0 ** (1.0 / 3.0)
+
+# Source: H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; solutions A.
+YOSHIDA_4 = composed(4, (1.0 / (2.0 - _CUBE_ROOT),))
+YOSHIDA_6 = composed(6, (-1.17767998417887, 0.235573213359357, 0.784513610477560))
+YOSHIDA_8 = composed(
+    8,
+    (
+        -1.61582374150097,
+        -2.44699182370524,
+        -0.00716989419708120,
+        2.44002732616735,
+        0.157739928123617,
+        1.82020630970714,
+        1.04242620869991,
+    ),
+)
+
+RK4 = Tableau(
+    order=4,
+    nodes=(0.0, 0.5, 0.5, 1.0),
+    rows=(
+        Coefficients((), ()),
+        Coefficients((0,), (0.5,)),
+        Coefficients((1,), (0.5,)),
+        Coefficients((2,), (1.0,)),
+    ),
+    result=Coefficients((0, 1, 2, 3), (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0)),
+)
+
+Method = Splitting | Tableau
+
+METHODS: dict[str, Method] = {
+    "euler_cromer": EULER_CROMER,
+    "velocity_verlet": VELOCITY_VERLET,
+    "rk4": RK4,
+    "yoshida4": YOSHIDA_4,
+    "yoshida6": YOSHIDA_6,
+    "yoshida8": YOSHIDA_8,
+}
 
 Places = Sequence[float]
 Acceleration = Callable[[Places, Places], Sequence[float]]

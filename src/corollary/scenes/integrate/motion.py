@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, law_of_motion
 from corollary.scenes.integrate.step import EVALUATIONS, Step, tried
-from corollary.scenes.models.pair import hold_apart
+from corollary.scenes.models.pair import refuse_too_soft
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.scene import Event, Scene, overlap, pairs, seen_from, start_of, velocity
 
@@ -87,7 +87,7 @@ def integrate(scene: Scene, tolerance: float) -> Trajectory:
             if not step.size <= 1.0:
                 h = 0.5 * step.h
                 continue
-        _keep_apart(scene, step)
+        _refuse_too_soft(scene, step)
         if step.h > 0.0:
             path.steps.append(step)
         path.time, path.state = step.x + step.h, step.after
@@ -171,7 +171,7 @@ def _grazes(scene: Scene, step: Step) -> bool:
     return False
 
 
-def _keep_apart(scene: Scene, step: Step) -> None:
+def _refuse_too_soft(scene: Scene, step: Step) -> None:
     """Raises BadSetting when two bodies that touch are so soft that their centres all but meet, or have met within a step."""
     if not scene.contacts:
         return
@@ -181,7 +181,7 @@ def _keep_apart(scene: Scene, step: Step) -> None:
             (was, _), (now, _) = seen_from(scene, step.before, a, b), seen_from(scene, step.after, a, b)
             reach = scene.bodies[a].radius + scene.bodies[b].radius
             met = sum(x * y for x, y in zip(was, now, strict=True)) <= 0.0
-            hold_apart(reach if met else depth, reach)
+            refuse_too_soft(reach if met else depth, reach)
 
 
 def _first_event(events: list[Event], step: Step, path: Trajectory) -> tuple[float, Event | None]:
@@ -211,7 +211,7 @@ def _first_event(events: list[Event], step: Step, path: Trajectory) -> tuple[flo
 
 
 def _turn(scene: Scene, event: Event, path: Trajectory, fastest: float) -> bool:
-    """Give the body its new velocity; true when that is as good as none."""
+    """Give the body its new velocity; true when that is too slow to be told from rest."""
     new = event.turn(path.state) if event.turn else []
     start = scene.axes * (len(scene.bodies) + event.body)
     old = velocity(scene, path.state, event.body)

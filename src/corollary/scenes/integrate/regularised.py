@@ -19,9 +19,9 @@ from corollary.scenes.integrate.time_variable import (
     TIME,
     TimeVariable,
     landing_variable,
-    reading,
     stride_for,
     suited_variable,
+    value_in,
 )
 from corollary.scenes.models.flight import after_flight, first_touch, inactive
 from corollary.scenes.models.sticking import common_velocities, resting_overlaps, stays
@@ -41,7 +41,7 @@ from corollary.scenes.row import (
 from corollary.scenes.run import GuardFailed, Outcome
 
 # A middle ball 1e-6 as heavy as its neighbours takes 45 000 steps; 1e-7 as heavy would take 150 000, and a step of a long row
-# costs as much as twenty of a short one: beyond, nobody waits for it.
+# costs as much as twenty of a short one: beyond, a run would take minutes.
 MOST_STEPS, MOST_STEPS_OF_A_LONG_ROW = 50_000, 20_000
 MOST_TRIALS = 80
 FIRST_STRIDE, LEAST_STRIDE = 0.05, 1e-12
@@ -84,14 +84,12 @@ def _follow(problem: RowProblem) -> RowResult:
         _settle(line, motion)
         # Before the sleepers: a contact that its damping holds for ever soon has too little in it to be seen.
         if problem.damped and stays(line, motion.state, motion.touching, problem.tolerance):
-            return _arrived(problem, motion, extrema, "sticks")
+            return _result(problem, motion, extrema, "sticks")
         if inactive(line, motion.state, motion.touching, problem.noise):
-            _let_go(line, motion, problem.noise)
+            _release_faint(line, motion, problem.noise)
             meeting = first_touch(line, motion.state, problem.noise, bounced=motion.began is not None)
             if meeting is None:
-                return _arrived(
-                    problem, motion, extrema, "released" if motion.began is not None else "missed"
-                )
+                return _result(problem, motion, extrema, "released" if motion.began is not None else "missed")
             motion.state = after_flight(line, motion.state, meeting)
             motion.touching = [j == meeting.contact for j in range(len(line.gaps))]
             motion.variable, motion.landing, motion.lasted = TIME, False, FIRST_STRIDE
@@ -112,7 +110,7 @@ def _settle(line: Row, motion: Motion) -> None:
             motion.touching[j] = closing_speed(line, motion.state, j) >= 0.0
 
 
-def _let_go(line: Row, motion: Motion, noise: float) -> None:
+def _release_faint(line: Row, motion: Motion, noise: float) -> None:
     """Contacts with too little left in them to matter end on their own, as if nothing pushed."""
     for j, on in enumerate(motion.touching):
         overlap, opening = motion.state[1 + j], -closing_speed(line, motion.state, j)
@@ -124,7 +122,7 @@ def _let_go(line: Row, motion: Motion, noise: float) -> None:
             motion.touching[j], motion.state[1 + j] = False, 0.0
 
 
-def _arrived(problem: RowProblem, motion: Motion, extrema: Extrema, outcome: Outcome) -> RowResult:
+def _result(problem: RowProblem, motion: Motion, extrema: Extrema, outcome: Outcome) -> RowResult:
     line, lost = problem.line, 1e3 * problem.tolerance + 1e-15 * motion.evaluations
     guard(
         line,
@@ -159,7 +157,7 @@ def _advance(problem: RowProblem, motion: Motion, extrema: Extrema) -> None:
     if problem.damped:
         extrema.onset(state, touching)
     tried, landing = _accepted(problem, motion, base)
-    extrema.passed(state, tried, touching, base, in_time)
+    extrema.look_within(state, tried, touching, base, in_time)
     growth = factor(tried.size)
     motion.variable, motion.landing, motion.stride = (
         tried.variable,
@@ -204,7 +202,7 @@ def _accepted(problem: RowProblem, motion: Motion, base: Sequence[float]) -> tup
         own = tried.variable.contact
         if (
             own is not None and speeds[own] * base[own] < 0.0
-        ):  # its variable stood still on the way: beyond, time would run back
+        ):  # the overlap turned on the way and no longer grows with time: beyond, time would run back
             stride = 0.2 * tried.h
             continue
         crossing = first_crossing(problem, state, base, tried, speeds, touching)
@@ -215,7 +213,7 @@ def _accepted(problem: RowProblem, motion: Motion, base: Sequence[float]) -> tup
             return tried, landing
         if base[crossing] != 0.0 and (base[crossing] < 0.0) == touching[crossing]:
             variable, landing = landing_variable(problem.powers, crossing, touching), True
-            stride = -reading(variable, state)
+            stride = -value_in(variable, state)
         else:
             stride = 0.5 * tried.h
     raise GuardFailed("No step is small enough to follow the collision. Make the settings less extreme.")

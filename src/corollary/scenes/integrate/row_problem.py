@@ -1,4 +1,4 @@
-"""A row of bodies made ready for integration: its law in every variable, and how a step is taken and tried."""
+"""A row of bodies made ready for integration: its law in every variable, and how a step is tried."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from corollary.scenes.integrate.time_variable import (
     TimeVariable,
     beside,
     in_time,
-    reading,
     smoothing_powers,
+    value_in,
 )
 from corollary.scenes.integrate.written_out import StepFunction
 from corollary.scenes.row import Row
@@ -82,7 +82,7 @@ def attempt(
 
     `base` is the slope of (overlaps, velocities) in time.
     """
-    slope, x = problem.law(touching, variable), reading(variable, state)
+    slope, x = problem.law(touching, variable), value_in(variable, state)
     lands = variable.contact is not None and x * stride < 0.0 and abs(stride) >= abs(x)
     h = -x if lands else stride
     before = beside(variable, state)

@@ -1,7 +1,7 @@
 """One contact between two spheres, damping and turning included, in a time stretched where the contact is young.
 
 With overlap = w^s and dt = s w^(s-1) d(sigma) the equations are polynomials in w, and the release is a simple zero of w, reached
-exactly with w itself as the clock of the last step.
+exactly with w itself as the variable of the last step.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 from corollary.scenes.forces.contact import smoothing_power
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.extrema import top_between
+from corollary.scenes.integrate.extrema import maximum_between
 from corollary.scenes.integrate.step import Step, tried
-from corollary.scenes.models.pair import Pair, Parting, Touching, deepest, hold_apart, loaded_speed
+from corollary.scenes.models.pair import Pair, Parting, Touching, deepest, loaded_speed, refuse_too_soft
 from corollary.scenes.models.sticking import never_faster
 from corollary.scenes.run import GuardFailed
 
@@ -143,13 +143,13 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
             h *= min(0.5, factor(size))
             continue
         if state[P] > 0.0 >= new[P]:
-            top, cost = top_between(state[P], new[P], trial.part_way, lambda y: y[P])
+            top, cost = maximum_between(state[P], new[P], trial.part_way, lambda y: y[P])
             top_overlap, spent = top[W] ** groups.s, spent + cost
-            hold_apart(top_overlap * groups.thickness, 1.0)
-        hold_apart(new[W] ** groups.s * groups.thickness, 1.0)
+            refuse_too_soft(top_overlap * groups.thickness, 1.0)
+        refuse_too_soft(new[W] ** groups.s * groups.thickness, 1.0)
         rising, falling = groups.force_growth(state), groups.force_growth(new)
         if rising > 0.0 >= falling:
-            top, cost = top_between(rising, falling, trial.part_way, groups.force_growth)
+            top, cost = maximum_between(rising, falling, trial.part_way, groups.force_growth)
             top_force, spent = max(top_force, groups.force(top)), spent + cost
         state, ended = new, trial.lands
         h *= factor(size)
@@ -158,7 +158,7 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
 
 
 def _try(groups: Groups, state: list[float], h: float, tolerance: float) -> Step:
-    """One step in stretched time; when that would pass the release, one with w as the clock that ends there."""
+    """One step in stretched time; when that would pass the release, one with w as the variable that ends there."""
     allowed = [tolerance] * len(state)
     stepped = tried(groups.slope, 0.0, state, h, allowed)
     if stepped.after[W] > 0.0 or state[P] >= 0.0 or state[W] == 0.0:

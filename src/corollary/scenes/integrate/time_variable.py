@@ -1,4 +1,7 @@
-"""What ticks in a collision: the time, or the root of the overlap of one contact."""
+"""The independent variable of a collision: the time, or the root of the overlap of one contact (a time transformation).
+
+Source: M. Henon, Physica D 5 (1982) 412, for a variable that ends a step exactly where it is wanted.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ class TimeVariable:
     power: int = 1
 
     def overlap(self, w: float) -> float:
-        """The overlap when the variable shows w."""
+        """The overlap at w."""
         return w**self.power
 
     def stretch(self, w: float, rates: Sequence[float]) -> float:
@@ -38,8 +41,8 @@ def variable_of(contact: int, power: int) -> TimeVariable:
     return TimeVariable(contact, power)
 
 
-def reading(variable: TimeVariable, state: Sequence[float]) -> float:
-    """What the variable shows."""
+def value_in(variable: TimeVariable, state: Sequence[float]) -> float:
+    """The value of the variable in a state."""
     if variable.contact is None:
         return state[0]
     overlap = state[1 + variable.contact]
@@ -91,11 +94,11 @@ def stride_for(
     if variable.contact is None:
         return lasting
     ahead = state[1 + variable.contact] + base[variable.contact] * lasting
-    return max(ahead, 0.0) ** (1.0 / variable.power) - reading(variable, state)
+    return max(ahead, 0.0) ** (1.0 / variable.power) - value_in(variable, state)
 
 
 def beside(variable: TimeVariable, state: Sequence[float]) -> list[float]:
-    """What the variable does not show: (overlaps, velocities), the time in the place of the variable's own overlap."""
+    """The state beside the variable: (overlaps, velocities), the time in the place of the variable's own overlap."""
     y = list(state[1:])
     if variable.contact is not None:
         y[variable.contact] = state[0]
@@ -103,7 +106,7 @@ def beside(variable: TimeVariable, state: Sequence[float]) -> list[float]:
 
 
 def in_time(variable: TimeVariable, w: float, y: Sequence[float]) -> list[float]:
-    """The state, when the variable shows w."""
+    """The state of the row where the variable is w."""
     if variable.contact is None:
         return [w, *y]
     state = [y[variable.contact], *y]

@@ -9,7 +9,7 @@ from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
-from corollary.scenes.models.pair import hold_apart
+from corollary.scenes.models.pair import refuse_too_soft
 from corollary.scenes.run import BadSetting, Observable, Observed, Run
 from corollary.scenes.scene import Body, Scene
 
@@ -57,7 +57,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     after, overlap = run.observed["velocities"], run.observed["largest_overlap"]
     assert isinstance(after, tuple)
     assert isinstance(overlap, float)
-    hold_apart(overlap, reach)
+    refuse_too_soft(overlap, reach)
     observed, errors = dict(run.observed), dict(run.errors)
     on_a, on_b = (
         (m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:]))

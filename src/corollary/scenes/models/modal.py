@@ -1,4 +1,4 @@
-"""Springs between bodies in a row: while the same ones touch, the motion is a sum of swings and is known exactly."""
+"""Springs between bodies in a row: while the same ones touch, the motion is a sum of normal modes and is known exactly."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ CELL, CELLS = 0.05, 256
 
 
 @dataclass(frozen=True, slots=True)
-class Swing:
+class NormalModes:
     """The overlaps as sums of modes: shapes @ (start cos wt + speed sin wt / w), a straight line where w is zero.
 
     shapes is (contacts, modes); frequencies, start and speed are (modes,). `apart` (contacts,) is what open contacts begin with: no
-    force knows of it, and the rounding of a gap of miles would be more than all that swings.
+    force knows of it, and the rounding of a gap of miles would be more than all that oscillates.
     """
 
     shapes: Array
@@ -43,23 +43,23 @@ class Swing:
     def at(self, times: Array) -> tuple[Array, Array]:
         """Overlaps and their rates at some times, each (contacts, times)."""
         w = self.frequencies[:, None]
-        cosine, swung = (
+        cosine, sine = (
             np.cos(w * times),
             np.where(w > 0.0, np.sin(w * times) / np.where(w > 0.0, w, 1.0), times),
         )
-        place = self.start[:, None] * cosine + self.speed[:, None] * swung
-        rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * swung
+        place = self.start[:, None] * cosine + self.speed[:, None] * sine
+        rate = self.speed[:, None] * cosine - self.start[:, None] * w**2 * sine
         return self.shapes @ place + self.apart[:, None], self.shapes @ rate
 
-    def of(self, contact: int) -> Alone:
+    def of(self, contact: int) -> OneOverlap:
         """The overlap of one contact."""
         shape = self.shapes[contact]
         parts = self.frequencies.tolist(), (shape * self.start).tolist(), (shape * self.speed).tolist()
-        return Alone(((0.0, float(self.apart[contact]), 0.0), *zip(*parts, strict=True)))
+        return OneOverlap(((0.0, float(self.apart[contact]), 0.0), *zip(*parts, strict=True)))
 
 
 @dataclass(frozen=True, slots=True)
-class Alone:
+class OneOverlap:
     """One overlap in time: (frequency, start, speed) of each mode. For single times plain sums are faster than arrays."""
 
     modes: tuple[tuple[float, float, float], ...]
@@ -73,12 +73,12 @@ class Alone:
         return sum(b * math.cos(w * time) - a * w * math.sin(w * time) for w, a, b in self.modes)
 
 
-def swing(line: Row, touching: Flags, overlaps: Array, rates: Array) -> Swing:
+def normal_modes(line: Row, touching: Flags, overlaps: Array, rates: Array) -> NormalModes:
     """The motion of the overlaps while exactly these contacts touch.
 
     overlap'' = -M K overlap, where M couples neighbours by their inverse masses and K holds the springs that touch. With
     M = L L^T the matrix L^T K L is symmetric, so its modes are orthogonal however unequal the masses are. Every open contact
-    gives one mode that does not swing.
+    gives one mode that does not oscillate.
     """
     inverse = np.array([1.0 / m for m in line.masses])
     coupling = np.diag(inverse[:-1] + inverse[1:]) - np.diag(inverse[1:-1], 1) - np.diag(inverse[1:-1], -1)
@@ -86,7 +86,7 @@ def swing(line: Row, touching: Flags, overlaps: Array, rates: Array) -> Swing:
     springs = np.array([c.k for c in line.contacts]) * touching
     squares, modes = np.linalg.eigh(lower.T @ (springs[:, None] * lower))
     squares[: int(np.sum(~touching))] = 0.0
-    return Swing(
+    return NormalModes(
         lower @ modes,
         np.sqrt(np.maximum(squares, 0.0)),
         modes.T @ np.linalg.solve(lower, np.where(touching, overlaps, 0.0)),
@@ -126,9 +126,9 @@ def _follow(line: Row) -> RowResult:
             overlaps, touching = overlaps + rates * closing[j], np.arange(len(rates)) == j
             overlaps[j] = 0.0
         began = min(began, time)
-        motion = swing(line, touching, overlaps, rates)
-        j, lasted, crests = _until_change(motion, touching)
-        largest = np.maximum(largest, crests)
+        motion = normal_modes(line, touching, overlaps, rates)
+        j, lasted, maxima = _until_change(motion, touching)
+        largest = np.maximum(largest, maxima)
         overlaps, rates = (values[:, 0] for values in motion.at(np.array([lasted])))
         time += lasted
         overlaps[j] = 0.0
@@ -140,11 +140,11 @@ def _follow(line: Row) -> RowResult:
     )
 
 
-def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
+def _until_change(motion: NormalModes, touching: Flags) -> tuple[int, float, Array]:
     """The contact that opens or closes next, after how long, and the largest overlap of each contact until then."""
     cell = CELL / float(motion.frequencies.max())
     sign = np.where(touching, 1.0, -1.0)[:, None]
-    crests = np.zeros(len(touching))
+    maxima = np.zeros(len(touching))
     for block in range(MOST_BLOCKS):
         times = cell * (CELLS * block + np.arange(CELLS + 1))
         overlaps, rates = motion.at(times)
@@ -160,7 +160,7 @@ def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
             strict=True,
         ):
             alone = motion.of(int(j))
-            crests[j] = max(crests[j], alone.overlap(_zero(alone.rate, float(times[i]), float(times[i + 1]))))
+            maxima[j] = max(maxima[j], alone.overlap(_zero(alone.rate, float(times[i]), float(times[i + 1]))))
         if found:
             left, right = float(times[stop - 1]), float(times[stop])
             moment, j = min(
@@ -168,13 +168,13 @@ def _until_change(motion: Swing, touching: Flags) -> tuple[int, float, Array]:
                 for i, j in found
                 if i == stop - 1
             )
-            return j, moment, crests
+            return j, moment, maxima
     raise GuardFailed(
-        "Springs that touch never part: the bodies are as good as at rest. Make the masses less unequal."
+        "Springs that touch never part: the bodies are nearly at rest. Make the masses less unequal."
     )
 
 
-def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array) -> Flags:
+def _dips(motion: NormalModes, times: Array, values: Array, slopes: Array, sign: Array) -> Flags:
     """Cells inside which a value falls below zero and is back at the end: those with a minimum, looked at closely."""
     dips = np.zeros((len(values), len(times) - 1), dtype=bool)
     near = values[:, 1:] < CELL**2 * np.abs(values).max(axis=1, initial=NOISE)[:, None]
@@ -187,7 +187,7 @@ def _dips(motion: Swing, times: Array, values: Array, slopes: Array, sign: Array
     return dips
 
 
-def _falling_zero(alone: Alone, sign: float, left: float, right: float) -> float:
+def _falling_zero(alone: OneOverlap, sign: float, left: float, right: float) -> float:
     def value(t: float) -> float:
         return sign * alone.overlap(t)
 

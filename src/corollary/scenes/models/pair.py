@@ -101,7 +101,7 @@ def after_parting(pair: Pair, met: Touching, parted: Parting) -> Vector:
     return parted.outward * c - across * s, parted.outward * s + across * c
 
 
-def hold_apart(overlap: float, reach: float) -> None:
+def refuse_too_soft(overlap: float, reach: float) -> None:
     """Raises BadSetting when two spheres are so soft that their centres all but meet."""
     if overlap > (1.0 - NEAREST) * reach:
         raise BadSetting(
@@ -145,7 +145,7 @@ def oblique(pair: Pair, met: Touching) -> Parting:
     """
     d, q = pair.reach, pair.contact.q
     depth = deepest(pair, met)
-    hold_apart(depth, d)
+    refuse_too_soft(depth, d)
     s, p = max(smoothing_power(pair.contact), 2), q + 1.0
     stiff, turning, nearest = 2.0 * pair.contact.k / (p * pair.mass) * depth**p, met.spin**2, d - depth
 
