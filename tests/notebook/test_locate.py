@@ -8,9 +8,9 @@ import pytest
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
-from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
+from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, plot_cells, written_text
 from corollary.notebook.notebook import notebook
-from corollary.notebook.worksheet import Worksheet
+from corollary.notebook.worksheet import Prompt, Worksheet
 
 
 @pytest.fixture
@@ -22,16 +22,22 @@ def cell(nb, id: str):
     return next(cell for cell in nb.cells if cell.id == id)
 
 
-def test_an_untouched_explanation_is_no_explanation(nb):
-    assert explain_text(nb, "X12_5_e") is None
+@pytest.fixture
+def words(ada: Worksheet) -> Prompt:
+    return next(prompt for prompt in ada.prompts if prompt.key == "X12_5_e")
+
+
+def test_an_untouched_explanation_is_no_explanation(nb, words: Prompt):
+    assert written_text(nb, words) is None
     cell(nb, "X12_5_e").source = "  \n"
-    assert explain_text(nb, "X12_5_e") is None
-    assert explain_text(nb, "X99_a") is None
+    assert written_text(nb, words) is None
+    nb.cells.remove(cell(nb, "X12_5_e"))
+    assert written_text(nb, words) is None
 
 
-def test_an_explanation_is_what_was_written(nb):
+def test_an_explanation_is_what_was_written(nb, words: Prompt):
     cell(nb, "X12_5_e").source = "*Your answer here.*\n\nBecause $F = J/\\Delta t$."
-    assert explain_text(nb, "X12_5_e") == "Because $F = J/\\Delta t$."
+    assert written_text(nb, words) == "Because $F = J/\\Delta t$."
 
 
 def test_a_copied_cell_does_not_replace_the_original(nb):

@@ -1,33 +1,82 @@
-"""The modules that a notebook carries: all of them, in order, and none that a student's computer lacks."""
+"""The modules that a notebook carries: all that reading needs, and none that a student's computer lacks."""
 
 from __future__ import annotations
 
 import ast
+import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
-from corollary.notebook.packing import readers
+from corollary.answers import registry
+from corollary.answers.registry import BUILT_IN
+from corollary.notebook import packing
+from corollary.notebook.packing import NotCarried, modules
 
 
-def test_every_reader_comes_after_those_it_imports():
-    seen: set[str] = set()
-    for name, source in readers("notebook/as_read", "notebook/as_formula", "sandbox/worker/encode"):
-        for node in ast.walk(ast.parse(source)):
-            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("corollary_check."):
-                assert node.module.removeprefix("corollary_check.") in seen
-            assert not (isinstance(node, ast.ImportFrom) and (node.module or "").startswith("corollary."))
-        seen.add(name)
-    assert {"encode", "unit", "number", "read", "as_read", "syntax", "as_formula"} <= seen
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_every_answer_type_is_read_with_python_alone(name: str):
+    carried = modules((name,))
+    assert f"corollary.answers.{name}.reading" in carried
+    assert not {each for each in carried if each.startswith(("corollary.problem", "corollary.grading"))}
+    for text in carried.values():
+        for node in ast.parse(text).body:
+            roots = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            roots += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            assert {root.partition(".")[0] for root in roots} <= sys.stdlib_module_names | {"corollary"}
 
 
-def test_readers_need_only_python_itself():
-    for _, source in readers("notebook/as_read", "sandbox/worker/encode"):
-        for node in ast.parse(source).body:
-            if isinstance(node, ast.Import):
-                assert {alias.name.partition(".")[0] for alias in node.names} <= sys.stdlib_module_names
+def test_the_modules_themselves_load_where_nothing_is_installed(tmp_path: Path):
+    for name, text in modules(BUILT_IN).items():
+        path = tmp_path.joinpath(*name.split("."))
+        package = any(other.startswith(name + ".") for other in modules(BUILT_IN))
+        path = path / "__init__.py" if package else path.with_suffix(".py")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    names = [f"corollary.answers.{name}.reading" for name in BUILT_IN]
+    program = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import {', '.join(names)}; print('loaded')"
+    done = subprocess.run(
+        [sys.executable, "-S", "-I", "-c", program], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.stdout == "loaded\n", done.stderr
 
 
-def test_a_module_that_needs_more_is_refused():
-    with pytest.raises(ValueError, match=r"ball\.py imports flint, which a student's computer may not have"):
-        readers("formula/ball")
+@pytest.fixture
+def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """A package of somebody else's with an answer type `interval`, whose reading.py begins so."""
+
+    def put(first_line: str) -> None:
+        place = tmp_path / "their_package" / "interval"
+        place.mkdir(parents=True)
+        (tmp_path / "their_package" / "__init__.py").write_text('"""Theirs."""\nimport numpy\n')
+        (place / "__init__.py").write_text("")
+        (place / "bounds.py").write_text("LOW = 0\n")
+        (place / "reading.py").write_text(first_line + "\nTYPE = None\n")
+        monkeypatch.syspath_prepend(tmp_path)
+        monkeypatch.setattr(registry, "_brought", lambda: {"interval": "their_package.interval"})
+        for name in [each for each in sys.modules if each.startswith("their_package")]:
+            monkeypatch.delitem(sys.modules, name)
+
+    packing.modules.cache_clear()
+    yield put
+    packing.modules.cache_clear()
+    for name in [each for each in sys.modules if each.startswith("their_package")]:
+        del sys.modules[name]
+
+
+def test_reading_that_needs_more_than_python_is_refused_in_one_sentence(plugin):
+    plugin("import numpy as np")
+    with pytest.raises(NotCarried) as raised:
+        modules(("interval",))
+    assert str(raised.value) == (
+        "the answer type interval of their_package cannot be read in a notebook: their_package.interval.reading imports "
+        "numpy, which a student's computer may not have; what reading.py imports must be in Python's standard library"
+    )
+
+
+def test_reading_of_others_is_carried_with_what_it_imports(plugin):
+    plugin("from .bounds import LOW\nfrom corollary.answers.answer_type import AnswerType")
+    carried = modules(("interval",))
+    assert carried["their_package.interval.bounds"] == "LOW = 0\n"
+    assert carried["their_package"] == "'Theirs.'\n"

@@ -56,7 +56,7 @@ class Items:
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """A value no answer can be read from; `why` is a sentence, `shown` a short picture of it."""
+    """A value no answer can be read from; `why` is a predicate (`is a set`), `shown` a short picture of it."""
 
     why: str
     shown: str = ""

@@ -15,7 +15,7 @@ def plainly(answer: Any) -> Value:
         case None:
             return Nothing()
         case bool():
-            return Refused("true and false are no answers; write a number", str(answer))
+            return Refused("is true or false, not a number", str(answer))
         case int():
             return Exact(Fraction(answer))
         case Fraction():
@@ -32,7 +32,7 @@ def plainly(answer: Any) -> Value:
             )
             return Items(items, (len(items), *inner))
         case _:
-            return Refused("this kind of value is no answer", type(answer).__name__)
+            return Refused("is of a kind that no answer has", type(answer).__name__)
 
 
 def finite(value: float) -> float | str:

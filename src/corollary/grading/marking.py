@@ -14,7 +14,7 @@ from corollary.grading.key import Key
 from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
-from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, explain_text, plot_cells
+from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, plot_cells, written_text
 from corollary.notebook.notebook import notebook as handed_out
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.sandbox.file import Unreadable
@@ -98,7 +98,7 @@ def _grade(
 
 def _answer(prompt: Prompt, notebook: Notebook, taken: ExecutionResult) -> Value:
     if answer_type(prompt.part.kind).found_in == "cell":
-        text = explain_text(notebook.node, prompt.key)
+        text = written_text(notebook.node, prompt)
         return Text(text) if text else Nothing()
     return taken.values.get(prompt.name, Nothing())
 

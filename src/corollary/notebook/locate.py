@@ -6,8 +6,9 @@ from collections.abc import Mapping
 
 from nbformat import NotebookNode
 
-from corollary.notebook.templates import WRITTEN_ANSWER
-from corollary.notebook.worksheet import Worksheet
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.registry import answer_type
+from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.part import Part
 
 SILENT_CHECK = "def check(*names):\n    pass"
@@ -37,26 +38,27 @@ def grade_id(cell: NotebookNode) -> str:
     return id if isinstance(id, str) else ""
 
 
+def cell_id(key: str, its_type: AnswerType) -> str:
+    """The grade_id of the cell in which an answer of this type is written."""
+    return {"cell": key, "figure": f"{key}_plot"}.get(its_type.found_in, f"{key}_answer")
+
+
 def answer_id(key: str, part: Part) -> str:
     """The grade_id of the cell that holds the answer; for a function with a plot, the function's."""
-    match part.kinds:
-        case ("explain",):
-            return key
-        case ("plot",):
-            return f"{key}_plot"
-        case _:
-            return f"{key}_answer"
+    return cell_id(key, answer_type(part.kind))
 
 
 def plot_id(key: str, part: Part) -> str | None:
     """The grade_id of the cell whose figures matter; None for a part without a plot."""
-    return f"{key}_plot" if "plot" in part.kinds else None
+    drawn = [each for each in map(answer_type, part.kinds) if each.found_in == "figure"]
+    return cell_id(key, drawn[0]) if drawn else None
 
 
-def explain_text(nb: NotebookNode, key: str) -> str | None:
-    """What was written in the cell of an explain part; None when it is missing or was left as it was."""
-    cell = cells_by_id(nb).get(key)
-    text = str(cell.source).replace(WRITTEN_ANSWER, "").strip() if cell is not None else ""
+def written_text(nb: NotebookNode, prompt: Prompt) -> str | None:
+    """What was written in a cell of words; None when it is missing or was left as it was."""
+    cell = cells_by_id(nb).get(prompt.key)
+    blank = prompt.answer_types[0].blank(prompt.question)
+    text = str(cell.source).replace(blank, "").strip() if cell is not None else ""
     return text or None
 
 

@@ -12,10 +12,8 @@ from nbformat import NotebookNode
 
 from corollary.notebook.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
 from corollary.notebook.check_cell import check_source
-from corollary.notebook.templates import WRITTEN_ANSWER, blank, plot_blank
+from corollary.notebook.locate import cell_id
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
-from corollary.problem.part import Part
-from corollary.units.unit import show
 
 METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
@@ -89,15 +87,13 @@ def _exercise_cells(exercise: Exercise) -> Iterator[NotebookNode]:
 
 
 def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:
-    key, kinds = prompt.key, prompt.part.kinds
+    key, question = prompt.key, prompt.question
     yield reading_cell(f"{key}_text", _question(prompt))
-    if kinds == ("explain",):
-        yield written_cell(key, WRITTEN_ANSWER, prompt.out_of)
-        return
-    if kinds != ("plot",):
-        yield answer_cell(f"{key}_answer", blank(prompt))
-    if "plot" in kinds:
-        yield answer_cell(f"{key}_plot", plot_blank(prompt.part))
+    for each in prompt.answer_types:
+        if each.found_in == "cell":
+            yield written_cell(key, each.blank(question), prompt.out_of)
+            return
+        yield answer_cell(cell_id(key, each), each.blank(question))
     yield graded_cell(key, f'check("{key}")', prompt.out_of)
 
 
@@ -135,26 +131,6 @@ def _question(prompt: Prompt) -> str:
         lines.append(prompt.text)
     if prompt.options:
         lines.append("\n".join(f"- **({option.letter})** {option.text}" for option in prompt.options))
-    if wish := _wish(part):
-        lines.append(f"*{wish}*")
+    if expected := prompt.answer_types[0].heading(prompt.question):
+        lines.append(f"*{expected}*")
     return "\n\n".join(lines)
-
-
-def _wish(part: Part) -> str:
-    """What kind of answer is expected, where the blank does not say it better."""
-    unit = show(part.unit)
-    match part.kind:
-        case "value":
-            return f"A number, in {unit}." if unit else "A plain number, without a unit."
-        case "vector":
-            return f"A list [{', '.join(part.components)}]{f', in {unit}' if unit else ''}."
-        case "choice":
-            return "One letter."
-        case "expression":
-            return "A formula."
-        case "code" if "plot" in part.kinds:
-            return f"A function {part.signature}, and a plot made with it."
-        case "code":
-            return f"A function {part.signature}."
-        case _:
-            return ""

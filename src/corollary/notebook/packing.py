@@ -1,58 +1,89 @@
-"""The code that reads answers, as text that can stand in a notebook: modules in the order of their imports, comments and all."""
+"""The modules that read answers, gathered for a notebook to carry: by their dotted names, and none but Python itself beside."""
 
 from __future__ import annotations
 
 import ast
-import re
 import sys
+from collections.abc import Iterator, Mapping
 from functools import cache
-from importlib.resources import files
+from importlib.abc import InspectLoader
+from importlib.util import find_spec, resolve_name
 
-PACKAGE = "corollary_check"  # what the readers are called where corollary is not installed
+from corollary.answers.registry import folder
+
+CHECK = "corollary.notebook.check"
+
+
+class NotCarried(ValueError):
+    """An answer type cannot be read in a student's notebook; one sentence says which, and why."""
 
 
 @cache
-def readers(*roots: str) -> tuple[tuple[str, str], ...]:
-    """The (name, source) of the named modules ("sheet/as_read") and of everything of ours that they import, imported first.
+def modules(types: tuple[str, ...]) -> Mapping[str, str]:
+    """The text of everything that `check` needs for these answer types, by module, in the order of the imports.
 
-    Raises ValueError when one of them could not run in a notebook: it needs more than Python itself, or holds the quotes
-    that its text is put between.
+    Packages on the way are carried with their first sentence only. Raises NotCarried for a module that needs more than
+    Python's standard library.
     """
     found: dict[str, str] = {}
-    for root in roots:
-        _follow(root, found)
-    names = [place.rpartition("/")[2] for place in found]
-    if len(set(names)) != len(names):
-        raise ValueError(f"two of the readers {', '.join(found)} have the same name")
-    return tuple(zip(names, found.values(), strict=True))
+    _follow(CHECK, "check", found)
+    for name in types:
+        _follow(f"{folder(name)}.reading", f"the answer type {name}", found)
+    return found
 
 
-def _follow(place: str, found: dict[str, str]) -> None:
-    if place in found:
+def _follow(name: str, wanted_by: str, found: dict[str, str]) -> None:
+    if name in found:
         return
-    text = files("corollary").joinpath(place + ".py").read_text(encoding="utf-8")
-    if "'''" in text:
-        raise ValueError(f"{place}.py holds ''' and so cannot stand in a notebook as plain text")
-    for module in _imports(text):
-        family = module.partition(".")[0]
-        if family == "corollary":
-            _follow(module.removeprefix("corollary.").replace(".", "/"), found)
-        elif family not in sys.stdlib_module_names:
-            raise ValueError(f"{place}.py imports {module}, which a student's computer may not have")
-    found[place] = re.sub(
-        r"^from corollary(?:\.\w+)*\.(\w+) import", rf"from {PACKAGE}.\1 import", text, flags=re.MULTILINE
-    )
+    package = name.partition(".")[0]
+    text, is_package = _text(name)
+    tree = ast.parse(text)
+    for other in _imports(tree, name if is_package else name.rpartition(".")[0]):
+        root = other.partition(".")[0]
+        if root in ("corollary", package):
+            _follow(other, wanted_by, found)
+        elif root not in sys.stdlib_module_names:
+            raise NotCarried(
+                f"{wanted_by} of {package} cannot be read in a notebook: {name} imports {root}, which a student's computer "
+                "may not have; what reading.py imports must be in Python's standard library"
+            )
+    for place, sign in enumerate(name):
+        if sign == ".":
+            found.setdefault(name[:place], _first_sentence(name[:place]))
+    found[name] = text
 
 
-def _imports(text: str) -> list[str]:
+def _text(name: str) -> tuple[str, bool]:
+    """The text of a module, and whether it is a package."""
+    spec = find_spec(name)
+    if spec is None or not isinstance(spec.loader, InspectLoader):
+        raise NotCarried(f"there is no module {name} whose text a notebook could carry")
+    return spec.loader.get_source(name) or "", spec.submodule_search_locations is not None
+
+
+def _first_sentence(package: str) -> str:
+    words = ast.get_docstring(ast.parse(_text(package)[0])) or ""
+    return f"{words!r}\n"
+
+
+def _imports(tree: ast.Module, package: str) -> Iterator[str]:
     """The modules imported at the top; what a function imports when it is called is its own affair."""
-    modules = []
-    for node in ast.parse(text).body:
+    for node in tree.body:
         match node:
-            case ast.ImportFrom(module=str(module)):
-                modules.append(module)
+            case ast.ImportFrom(module=module, names=names, level=level):
+                source = resolve_name("." * level + (module or ""), package) if level else module or ""
+                inside = [f"{source}.{alias.name}" for alias in names]
+                yield from {each if _is_module(each) else source: None for each in inside}
             case ast.Import(names=names):
-                modules += [alias.name for alias in names]
+                yield from (alias.name for alias in names)
             case _:
-                pass
-    return modules
+                continue
+
+
+def _is_module(name: str) -> bool:
+    """Whether a dotted name of ours or of a plug-in is a module, and not what is in one."""
+    package = name.rpartition(".")[0]
+    if name.partition(".")[0] in sys.stdlib_module_names:
+        return False
+    spec = find_spec(package)
+    return spec is not None and spec.submodule_search_locations is not None and find_spec(name) is not None

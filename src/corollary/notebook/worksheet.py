@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.question import Question
+from corollary.answers.questions import checked, question_of
+from corollary.answers.registry import answer_type
 from corollary.problem.part import Option, Part
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
@@ -30,6 +34,16 @@ class Prompt:
     @property
     def key(self) -> str:
         return self.name
+
+    @property
+    def question(self) -> Question:
+        """The part as readers of answers see it."""
+        return question_of(self.problem, self.part)
+
+    @property
+    def answer_types(self) -> tuple[AnswerType, ...]:
+        """One; or two, for a function and a figure drawn with it."""
+        return tuple(map(answer_type, self.part.kinds))
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,13 +73,13 @@ class Worksheet:
 
 
 def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
-    """What a student reads of one variant."""
-    problem = variant.problem
+    """What a student reads of one variant. Raises Malformed when a part's heading does not fit its answer type."""
+    problem = checked(variant.problem)
     prompts = tuple(
         Prompt(
             problem,
             part,
-            filled(part.text, variant) + letters(problem, part),
+            _text(problem, part, variant),
             tuple(Option(option.letter, filled(option.text, variant)) for option in part.options),
             part.points * weight,
         )
@@ -75,17 +89,10 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
     return Exercise(variant, filled(problem.statement, variant), figure, alt, prompts)
 
 
-def letters(problem: Problem, part: Part) -> str:
-    """For parts answered in formulas: how each letter is typed, and what it stands for. Empty for the others."""
-    if part.kind not in ("expression", "proof"):
-        return ""
-    known = ", ".join(f"`{given.symbol}` ({given.meaning})" for given in problem.givens)
-    more = (
-        f"; and, as said above, {', '.join(f'`{name}`' for name in part.components)}"
-        if part.kind == "proof"
-        else ""
-    )
-    return f"\n\nLetters: {known}{more}. Write `*` for a product and `^` for a power."
+def _text(problem: Problem, part: Part, variant: Variant) -> str:
+    """The question with its numbers, and what its answer type adds."""
+    more = answer_type(part.kind).instructions(question_of(problem, part))
+    return "\n\n".join(filter(None, (filled(part.text, variant), more)))
 
 
 def worksheet(problem_set: ProblemSet, student: Student, variants: Iterable[Variant]) -> Worksheet:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-from typing import Annotated, assert_never
+from typing import Annotated
 
 import msgspec
 
-from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
+from corollary.formula.value import Refused, Value
+from corollary.sandbox.tagged import value_of
 
 _Hex = Annotated[str, msgspec.Meta(min_length=1, max_length=25_002, pattern=r"^-?[0-9a-f]+$")]
 _Words = Annotated[str, msgspec.Meta(max_length=10_000)]
-_DEEPEST = 20  # an honest worker refuses what is nested deeper than 12 lists
 _Length = Annotated[int, msgspec.Meta(ge=0, le=1 << 40)]
 
 
@@ -66,36 +65,9 @@ Encoded = (
 )
 
 
-def to_value(encoded: Encoded, depth: int = _DEEPEST) -> Value:
-    """What contradicts itself (a zero denominator, a shape of other length) is refused."""
-    if depth < 0:
+def to_value(encoded: Encoded) -> Value:
+    """The value itself; what contradicts itself, or is nested too deeply, is refused."""
+    try:
+        return value_of(msgspec.to_builtins(encoded))
+    except RecursionError:
         return Refused("is nested too deeply")
-    match encoded:
-        case EncodedNothing():
-            return Nothing()
-        case EncodedReal(value):
-            return Real(value)
-        case EncodedExact(numerator, denominator):
-            below = int(denominator, 16)
-            return (
-                Exact(Fraction(int(numerator, 16), below))
-                if below
-                else Refused("is a fraction with denominator zero")
-            )
-        case EncodedComplex(real, imaginary):
-            return Complex(real, imaginary)
-        case EncodedText(text):
-            return Text(text)
-        case EncodedMeasured(value, unit):
-            return Measured(value, unit)
-        case EncodedItems(items, shape):
-            count = 1
-            for length in shape:
-                count *= length
-            if count != len(items):
-                return Refused("is an array whose shape does not fit its numbers")
-            return Items(tuple(to_value(each, depth - 1) for each in items), tuple(shape))
-        case EncodedRefused(why, shown):
-            return Refused(why, shown)
-        case _:
-            assert_never(encoded)
