@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.cli.progress import countdown, pace, spell
+from corollary.cli.progress import countdown, pace
 
 
 @pytest.mark.parametrize(
@@ -20,16 +20,6 @@ from corollary.cli.progress import countdown, pace, spell
 )
 def test_the_pace_is_counted_from_step_to_step(moments: list[float], left: int | None, said: str) -> None:
     assert pace(moments, left) == said
-
-
-def test_times_are_spelled_as_finely_as_a_guess_deserves() -> None:
-    assert [spell(each) for each in (0.2, 89, 91, 3600, 7500)] == [
-        "0 s",
-        "89 s",
-        "2 min",
-        "60 min",
-        "2 h 5 min",
-    ]
 
 
 def test_nothing_is_shown_to_a_file(capsys: pytest.CaptureFixture[str]) -> None:

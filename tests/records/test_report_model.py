@@ -16,9 +16,9 @@ from rich.console import Console
 from corollary.answers.verdict import Right
 from corollary.grading.grade import Grade
 from corollary.records.marks import HandedIn, Row, handed_in, rows
-from corollary.records.report_model import as_json, report
+from corollary.records.report_model import report, report_record
 from corollary.render.report_table import terminal
-from corollary.render.verdict_look import LOOKS
+from corollary.render.wording import LOOKS
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 summary = SAMPLE["summary"]
@@ -82,7 +82,7 @@ def test_stored_records_give_the_same_report(works):
 
 
 def test_json_holds_everything_as_plain_data(works):
-    found = json.loads(json.dumps(as_json(summary(works, roster=["ada", "bo", "cy", "eve"]))))
+    found = json.loads(json.dumps(report_record(summary(works, roster=["ada", "bo", "cy", "eve"]))))
     assert found["handed_in"] == 3
     assert found["missing"] == ["cy"]
     assert found["students"]["eve"]["points"] == 2.25
@@ -112,7 +112,7 @@ def test_nothing_handed_in_is_said_and_not_divided_by():
     empty = summary([], roster=["ada"])
     assert (empty.mean, empty.median, empty.late, empty.out_of) == (None, None, 0.0, 0.0)
     assert "Nothing was handed in yet." in said(empty)
-    assert as_json(empty)["mean"] is None
+    assert report_record(empty)["mean"] is None
 
 
 ANSWERS = st.tuples(

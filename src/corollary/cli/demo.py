@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from corollary.cli.failure import FAILS, HOLDS, answer, refuse
 from corollary.cli.progress import bar
 from corollary.course.demo.players import PLAYERS
-from corollary.course.demo.stage import Demonstration, NotFresh, perform
+from corollary.course.demo.stage import Demonstration, NotFresh, Played, perform
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
@@ -17,34 +19,40 @@ from corollary.problem.problem_set import find_set
 SET = "momentum_1"
 
 
-def run(folder: Path, json: bool) -> int:
+def run(folder: Path, as_json: bool) -> int:
     start = time.perf_counter()
     bank = chapter_bank()
     problem_set = find_set(bank, SET)
-    with bar("demonstration", len(problem_set.problems) + 3 * len(PLAYERS) + 1) as tell:
+    with bar("demonstration", len(problem_set.problems) + 3 * len(PLAYERS) + 1) as progress:
         try:
-            shown = perform(folder, problem_set, Solutions(bank), _aloud(tell))
+            shown = perform(folder, problem_set, Solutions(bank), _aloud(progress))
         except NotFresh as error:
             refuse(str(error))
     fair = all(each.fair for each in shown.played)
     seconds = time.perf_counter() - start
-    if json:
-        answer({
-            "course": str(shown.course.folder), "fair": fair, "seconds": round(seconds, 1),
-            "students": {
-                each.player.student.id: {"plays": each.player.plays, "deserved": each.deserved, "points": each.got, "out_of": each.out_of, "fair": each.fair}
-                for each in shown.played
-            },
-        })  # fmt: skip
+    if as_json:
+        course = str(shown.course.folder)
+        students = {each.player.student.id: _record(each) for each in shown.played}
+        answer({"course": course, "fair": fair, "seconds": round(seconds, 1), "students": students})
     else:
         _show(shown, folder, seconds)
     return HOLDS if fair else FAILS
 
 
-def _aloud(tell):
+def _record(played: Played) -> dict[str, Any]:
+    return {
+        "plays": played.player.plays,
+        "deserved": played.deserved,
+        "points": played.got,
+        "out_of": played.out_of,
+        "fair": played.fair,
+    }
+
+
+def _aloud(progress: Callable[[str], None]) -> Callable[[str], None]:
     """Progress as a bar on a terminal, as lines elsewhere: the demonstration is watched."""
     if sys.stderr.isatty():
-        return tell
+        return progress
 
     def say(step: str) -> None:
         print(f"  {step}", file=sys.stderr, flush=True)
@@ -61,15 +69,9 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
     console = Console()
     console.print(terminal(shown.outcome.report))
     table = Table(title="What each student did, deserves, and got")
-    for heading, justify in (
-        ("student", "left"),
-        ("hands in", "left"),
-        ("deserves", "right"),
-        ("got", "right"),
-        ("of", "right"),
-        ("", "left"),
-    ):
-        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    for heading in ("student", "hands in", "deserves", "got", "of", ""):
+        numbers = heading in {"deserves", "got", "of"}
+        table.add_column(heading, justify="right" if numbers else "left")
     for each in shown.played:
         table.add_row(
             each.player.student.id,

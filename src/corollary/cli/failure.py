@@ -28,6 +28,7 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.formula.compiled": ["Undefined"],
         "corollary.scenes.run": ["BadSetting"],
         "corollary.records.files": ["NotACourse", "BeingGraded"],
+        "corollary.render.exports": ["UnknownTarget"],
         "corollary.course.cluster": ["NoCluster"],
         "corollary.course.grade": ["NotDealt"],
         "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],

@@ -14,7 +14,7 @@ from corollary.problem.problem_set import find_set
 from corollary.problem.roster import read_roster
 
 
-def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) -> int:
+def run(name: str, roster: Path, course: Path, bank: Path | None, as_json: bool) -> int:
     place = open_bank(bank)
     problem_set = find_set(place, name)
     students, solutions = read_roster(roster), Solutions(place)
@@ -23,15 +23,23 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, json: bool) ->
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
-    with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as tell:
+    with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as progress:
         made = generate(
-            course, problem_set, students, solutions, tell, Path(name) if name.endswith(".md") else None
+            course, problem_set, students, solutions, progress, Path(name) if name.endswith(".md") else None
         )
-    if json:
-        answer({
-            "set": problem_set.name, "course": str(made.course.folder), "registered": made.registered, "passed_over": made.redrawn,
-            "students": {id: {"sheet": str(path), "variants": made.assigned[id]} for id, path in made.notebooks.items()},
-        })  # fmt: skip
+    if as_json:
+        answer(
+            {
+                "set": problem_set.name,
+                "course": str(made.course.folder),
+                "registered": made.registered,
+                "passed_over": made.redrawn,
+                "students": {
+                    student: {"sheet": str(path), "variants": made.assigned[student]}
+                    for student, path in made.notebooks.items()
+                },
+            }
+        )
         return HOLDS
     count = len(made.notebooks)
     print(

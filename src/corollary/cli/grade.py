@@ -24,7 +24,7 @@ def run(
     name: str,
     course: Path,
     bank: Path | None,
-    json: bool,
+    as_json: bool,
     regrade: bool,
     require: int,
     jobs: int | None = None,
@@ -35,35 +35,51 @@ def run(
     place, problem_set = set_of(opened, name, bank)
     with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(
-            opened, problem_set, Solutions(place), partial(Runner, require=require),
-            regrade=regrade, dry_run=dry_run, show=show_changes, progress=progress, jobs=jobs, execute=on_cluster(executor) if executor else None,
-        )  # fmt: skip
+            opened,
+            problem_set,
+            Solutions(place),
+            partial(Runner, require=require),
+            regrade=regrade,
+            dry_run=dry_run,
+            show=show_changes,
+            progress=progress,
+            jobs=jobs,
+            execute=on_cluster(executor) if executor else None,
+        )
     for stranger in done.strangers:
         say(
             f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)"
         )
     for student, names in done.unclear.items():
-        said = f"{student} handed in {len(names)} notebooks, none of them called {problem_set.name}.ipynb ({', '.join(names)})"
-        say(f"{said}; rename the one that counts")
-    if json:
+        which = f"{student} handed in {len(names)} notebooks, none of them called {problem_set.name}.ipynb ({', '.join(names)})"
+        say(f"{which}; rename the one that counts")
+    if as_json:
         answer(document(problem_set.name, done))
     else:
         show(done)
     return FAILS if done.failed or done.strangers or done.unclear else HOLDS
 
 
+SHOWN = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
+
+
 def document(name: str, done: Outcome) -> dict[str, Any]:
     """The contract's document."""
     return {
-        "set": name, "graded": len(done.graded), "skipped": len(done.skipped), "failed": list(done.failed), "strangers": list(done.strangers),
-        "in_gradebook": done.in_gradebook, "report": str(done.page),
+        "set": name,
+        "graded": len(done.graded),
+        "skipped": len(done.skipped),
+        "failed": list(done.failed),
+        "strangers": list(done.strangers),
+        "in_gradebook": done.in_gradebook,
+        "report": str(done.page),
         "unclear": {student: list(names) for student, names in done.unclear.items()},
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
-            student: {each: msgspec.to_builtins(getattr(record, each)) for each in ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")}
+            student: {each: msgspec.to_builtins(getattr(record, each)) for each in SHOWN}
             for student, record in done.records.items()
         },
-    }  # fmt: skip
+    }
 
 
 def show_changes(changed: tuple[Change, ...]) -> None:

@@ -20,12 +20,12 @@ from corollary.problem.problem import Problem
 from corollary.problem.variant import OutOfRange
 
 
-def run(code: str, bank: Path | None, cases: Path, reveal: bool, json: bool) -> int:
+def run(code: str, bank: Path | None, cases: Path, reveal: bool, as_json: bool) -> int:
     place, problem = home(bank, code)
     solutions = Solutions(place)
     solutions.of(problem)
     records = [_case(solutions, problem, case, reveal) for case in read_cases(cases)]
-    if json:
+    if as_json:
         answer(records)
     else:
         for record in records:

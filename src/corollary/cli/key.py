@@ -14,17 +14,17 @@ from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
 
 
-def run(code: str, bank: Path | None, sets: list[str], cases: Path | None, json: bool) -> int:
+def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_json: bool) -> int:
     place, problem = home(bank, code)
     solutions = Solutions(place)
-    if cases is not None and sets:
+    if cases is not None and givens:
         refuse("--set and --cases both choose the numbers; give one of them")
     if cases is not None:
         solutions.of(problem)
         answer([_case(solutions, problem, case) for case in read_cases(cases)])
         return HOLDS
-    record = key_record(solutions.key(from_options(problem, sets)))
-    if json:
+    record = key_record(solutions.key(from_options(problem, givens)))
+    if as_json:
         answer(record)
         return HOLDS
     given = ", ".join(

@@ -12,183 +12,180 @@ import typer
 import typer.exceptions
 
 from corollary import __version__
+from corollary.cli import options as option
 from corollary.cli.failure import FAILS, REFUSED, expected, say
 
 app = typer.Typer(
-    name="corollary", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None,
+    name="corollary",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
     help="Physics exercises whose answers are derived from the laws: numbers for each student, marks for what they hand in.",
     context_settings={"help_option_names": ["-h", "--help"]},
-)  # fmt: skip
-
-Bank = Annotated[
-    Path | None,
-    typer.Option(help="A folder with problems/ and solutions/; the chapter's bank when left out."),
-]
-DealtBank = Annotated[
-    Path | None,
-    typer.Option(
-        "--bank",
-        help="A folder with problems/ and solutions/; the bank the set was dealt from when left out.",
-    ),
-]
-Json = Annotated[bool, typer.Option("--json", help="One JSON document on standard output.")]
-Code = Annotated[
-    str, typer.Argument(help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")
-]
-Sets = Annotated[
-    list[str] | None, typer.Option("--set", help='A given: m=0.43 (SI) or v="72 km/h"; may be repeated.')
-]
-Settings = Annotated[
-    list[str] | None,
-    typer.Option("--set", help="A setting in SI: q=1.5, or masses=0.1,0.2,0.1; may be repeated."),
-]
-Course = Annotated[Path, typer.Option(help="The course folder.")]
-SetName = Annotated[
-    str, typer.Argument(metavar="SET", help="A problem set of the bank, or a path to its .md file.")
-]
+)
 
 
 @app.command("list")
-def list_(bank: Bank = None, json: Json = False) -> None:
+def list_(bank: option.Bank = None, as_json: option.AsJson = False) -> None:
     """Every problem: code, title, givens, parts, number of distinct variants."""
-    _run("listing", bank=bank, json=json)
+    _run("listing", bank=bank, as_json=as_json)
 
 
 @app.command()
 def show(
-    code: Code, bank: Bank = None,
-    student: Annotated[str | None, typer.Option(help="The numbers this student would get (with --course: those dealt there).")] = None,
-    course: Annotated[Path | None, typer.Option(help="Take the student's numbers from this course.")] = None,
-    variant: Annotated[int | None, typer.Option(help="The variant with this index in the grid.")] = None,
-    solution: Annotated[bool, typer.Option("--solution", help="Add the worked solution.")] = False,
-    format: Annotated[str, typer.Option(help="text, md, html or ipynb.")] = "text",
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write to this file.")] = None,
-) -> None:  # fmt: skip
+    code: option.Code,
+    bank: option.Bank = None,
+    student: option.Student = None,
+    course: option.StudentsCourse = None,
+    variant: option.VariantIndex = None,
+    solution: option.Solution = False,
+    fmt: option.Format = "text",
+    output: option.File = None,
+) -> None:
     """One problem as a student sees it."""
-    _run(
-        "show",
-        code=code,
-        bank=bank,
-        student=student,
-        course=course,
-        variant=variant,
-        solution=solution,
-        format=format,
-        output=output,
-    )
+    choice = {"student": student, "course": course, "variant": variant}
+    _run("show", code=code, bank=bank, **choice, solution=solution, fmt=fmt, output=output)
 
 
 @app.command()
 def key(
-    code: Code, bank: Bank = None, set: Sets = None,
-    cases: Annotated[Path | None, typer.Option(help="A JSON list of givens in SI; the answer is a list.")] = None, json: Json = False,
-) -> None:  # fmt: skip
+    code: option.Code,
+    bank: option.Bank = None,
+    givens: option.Givens = None,
+    cases: option.GivenCases = None,
+    as_json: option.AsJson = False,
+) -> None:
     """The answer key for given numbers, every digit certified."""
-    _run("key", code=code, bank=bank, sets=set or [], cases=cases, json=json)
+    _run("key", code=code, bank=bank, givens=givens or [], cases=cases, as_json=as_json)
 
 
 @app.command()
 def judge(
-    code: Code, cases: Annotated[Path, typer.Option(help="A JSON list of {\"given\": {…}, \"answers\": {…}}.")],
-    bank: Bank = None, reveal: Annotated[bool, typer.Option("--reveal", help="Feedback may give the right values.")] = False, json: Json = False,
-) -> None:  # fmt: skip
+    code: option.Code,
+    cases: option.AnswerCases,
+    bank: option.Bank = None,
+    reveal: option.Reveal = False,
+    as_json: option.AsJson = False,
+) -> None:
     """Marks plain answers, no notebook needed."""
-    _run("judge", code=code, bank=bank, cases=cases, reveal=reveal, json=json)
+    _run("judge", code=code, bank=bank, cases=cases, reveal=reveal, as_json=as_json)
 
 
 @app.command()
 def read(
-    text: Annotated[str | None, typer.Argument(help="An answer as typed: 8,6 Ns")] = None,
-    unit: Annotated[str | None, typer.Option(help="The unit asked for.")] = None,
-    equals: Annotated[str | None, typer.Option(help="A formula to compare with.")] = None,
-    names: Annotated[str | None, typer.Option(help="The letters of the formula: m,v,M")] = None,
-    domain: Annotated[list[str] | None, typer.Option(help="Where a letter lives: v=-10..10; may be repeated.")] = None,
-    cases: Annotated[Path | None, typer.Option(help="A JSON list of {\"text\": …, \"field\": …}.")] = None, json: Json = False,
-) -> None:  # fmt: skip
+    text: option.Typed = None,
+    unit: option.Unit = None,
+    equals: option.Equals = None,
+    names: option.Names = None,
+    domain: option.Domain = None,
+    cases: option.TextCases = None,
+    as_json: option.AsJson = False,
+) -> None:
     """How an answer is read, and what would be decided."""
-    _run(
-        "read", text=text, unit=unit, equals=equals, names=names, domain=domain or [], cases=cases, json=json
-    )
+    about = {"text": text, "unit": unit, "equals": equals, "names": names, "domain": domain or []}
+    _run("read", **about, cases=cases, as_json=as_json)
 
 
 @app.command()
 def scene(
-    name: Annotated[str, typer.Argument(help="cradle, ball_on_floor, …")],
-    set: Settings = None, tolerance: Annotated[float, typer.Option(help="Relative to the scene's natural scale.")] = 1e-12, json: Json = False,
-) -> None:  # fmt: skip
+    name: option.Scene,
+    settings: option.Settings = None,
+    tolerance: option.Tolerance = 1e-12,
+    as_json: option.AsJson = False,
+) -> None:
     """Runs a ready-made scene with the least model that answers, and says which and why."""
-    _run("scene", name=name, sets=set or [], tolerance=tolerance, json=json)
+    _run("scene", name=name, sets=settings or [], tolerance=tolerance, json=as_json)
 
 
 @app.command()
 def verify(
-    codes: Annotated[list[str] | None, typer.Argument(metavar="[CODE]...", help="Problems to verify; all when left out.")] = None,
-    bank: Bank = None, variants: Annotated[int, typer.Option(min=1, help="How many variants to walk for each problem.")] = 100, json: Json = False,
-    extremes: Annotated[bool, typer.Option("--extremes", help="Instead: closed forms and scenes at the ends of the range.")] = False,
-) -> None:  # fmt: skip
+    codes: option.Codes = None,
+    bank: option.Bank = None,
+    variants: option.Walked = 100,
+    as_json: option.AsJson = False,
+    extremes: option.Extremes = False,
+) -> None:
     """Proves problems and solutions right, or says what is wrong."""
-    _run("verify", codes=codes or [], bank=bank, variants=variants, json=json, extremes=extremes)
+    _run("verify", codes=codes or [], bank=bank, variants=variants, as_json=as_json, extremes=extremes)
 
 
 @app.command()
 def trade(
-    scenes: Annotated[list[str] | None, typer.Argument(metavar="[SCENE]...", help="cradle, spheres, \"cradle N=3 q=1.5\" …; all when left out.")] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Where table and pictures go; trade/ when left out (nowhere with --json).")] = None,
-    json: Json = False, quick: Annotated[bool, typer.Option("--quick", help="Without the longest runs, each timed once.")] = False,
-) -> None:  # fmt: skip
+    scenes: option.Scenes = None,
+    output: option.TradeFolder = None,
+    as_json: option.AsJson = False,
+    quick: option.Quick = False,
+) -> None:
     """Measures speed against accuracy; writes the table and the picture."""
-    _run("trade", scenes=scenes or [], output=output, json=json, quick=quick)
+    _run("trade", scenes=scenes or [], output=output, json=as_json, quick=quick)
 
 
 @app.command()
 def generate(
-    set: SetName, roster: Annotated[Path, typer.Option(help="A CSV file with the column id.")], course: Course,
-    bank: Bank = None, json: Json = False,
-) -> None:  # fmt: skip
+    set_name: option.SetName,
+    roster: option.Roster,
+    course: option.Course,
+    bank: option.Bank = None,
+    as_json: option.AsJson = False,
+) -> None:
     """A problem set, different for each student, as an nbgrader course."""
-    _run("generate", name=set, roster=roster, course=course, bank=bank, json=json)
+    _run("generate", name=set_name, roster=roster, course=course, bank=bank, as_json=as_json)
 
 
 @app.command()
 def grade(
-    set: SetName, course: Course, bank: DealtBank = None, json: Json = False,
-    regrade: Annotated[bool, typer.Option("--regrade", help="Mark again what is marked, and show first who changes.")] = False,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Mark, show who changes, and write nothing.")] = False,
-    require_isolation: Annotated[int, typer.Option(min=0, max=3, help="Refuse to run notebooks below this isolation level.")] = 1,
-    jobs: Annotated[int | None, typer.Option(min=1, help="How many to mark side by side; as many as there are cores when left out.")] = None,
-    executor: Annotated[str, typer.Option(metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead.")] = "",
-) -> None:  # fmt: skip
+    set_name: option.SetName,
+    course: option.Course,
+    bank: option.GeneratedBank = None,
+    as_json: option.AsJson = False,
+    regrade: option.Regrade = False,
+    dry_run: option.DryRun = False,
+    require_isolation: option.Isolation = 1,
+    jobs: option.Jobs = None,
+    executor: option.Executor = "",
+) -> None:
     """Marks what was handed in: gradebook, feedback, report."""
-    _run(
-        "grade",
-        name=set,
-        course=course,
-        bank=bank,
-        json=json,
-        regrade=regrade,
-        dry_run=dry_run,
-        require=require_isolation,
-        jobs=jobs,
-        executor=executor,
-    )
+    how = {"regrade": regrade, "dry_run": dry_run, "require": require_isolation}
+    where = {"jobs": jobs, "executor": executor}
+    _run("grade", name=set_name, course=course, bank=bank, as_json=as_json, **how, **where)
 
 
 @app.command()
 def report(
-    set: SetName, course: Course, bank: DealtBank = None, json: Json = False,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the page here too.")] = None,
-) -> None:  # fmt: skip
+    set_name: option.SetName,
+    course: option.Course,
+    bank: option.GeneratedBank = None,
+    as_json: option.AsJson = False,
+    output: option.Page = None,
+) -> None:
     """What an instructor reads: marks, each part, misconceptions met, what waits for a person."""
-    _run("report", name=set, course=course, bank=bank, json=json, output=output)
+    _run("report", name=set_name, course=course, bank=bank, as_json=as_json, output=output)
 
 
 @app.command()
-def demo(
-    folder: Annotated[Path, typer.Argument(help="A fresh folder for the course.")] = Path("demo"),
-    json: Json = False,
+def export(
+    set_name: option.SetName,
+    to: option.To,
+    course: option.SheetsCourse = None,
+    roster: option.SheetsRoster = None,
+    bank: option.GeneratedBank = None,
+    variants: option.SheetVariants = None,
+    solution: option.Solution = False,
+    output: option.Folder = Path("export"),
+    as_json: option.AsJson = False,
 ) -> None:
+    """A set as files for elsewhere: each student's sheet, or the marks of all."""
+    whose = {"course": course, "roster": roster, "variants": variants}
+    _run(
+        "export", name=set_name, to=to, bank=bank, **whose, solution=solution, output=output, as_json=as_json
+    )
+
+
+@app.command()
+def demo(folder: option.DemoFolder = Path("demo"), as_json: option.AsJson = False) -> None:
     """The whole way, end to end, in a fresh folder."""
-    _run("demo", folder=folder, json=json)
+    _run("demo", folder=folder, as_json=as_json)
 
 
 @app.callback(invoke_without_command=True)

@@ -9,34 +9,36 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
+from corollary.render.wording import spell
+
 T = TypeVar("T")
 WINDOW = 40  # the last so many steps tell the pace
 
 
 def steps(todo: Sequence[T], name: Callable[[T], str], what: str) -> Iterator[T]:
     """The items one by one, with a bar that names the one at work."""
-    with bar(what, len(todo)) as tell:
+    with bar(what, len(todo)) as progress:
         for item in todo:
-            tell(name(item))
+            progress(name(item))
             yield item
 
 
 @contextmanager
 def bar(what: str, total: int | None) -> Iterator[Callable[[str], None]]:
     """A function that moves the bar on by one and names what is at work."""
-    with _shown(what, total, -1) as progress:
+    with _drawn(what, total, -1) as progress:
         yield lambda name: progress(name, None)
 
 
 @contextmanager
 def countdown(what: str) -> Iterator[Callable[[str, int], None]]:
     """A function that names what is done and says how many are left; the bar tells the rate and the time these will take."""
-    with _shown(what, None, 0) as progress:
+    with _drawn(what, None, 0) as progress:
         yield progress
 
 
 @contextmanager
-def _shown(what: str, total: int | None, done: int) -> Iterator[Callable[[str, int | None], None]]:
+def _drawn(what: str, total: int | None, done: int) -> Iterator[Callable[[str, int | None], None]]:
     if not sys.stderr.isatty():
         yield lambda name, left: None
         return
@@ -46,30 +48,35 @@ def _shown(what: str, total: int | None, done: int) -> Iterator[Callable[[str, i
 
     console = Console(stderr=True)
     progress = Progress(
-        TextColumn("{task.description}"), BarColumn(bar_width=20), MofNCompleteColumn(), TextColumn("{task.fields[pace]}"),
-        TextColumn("{task.fields[name]}", table_column=Column(no_wrap=True, overflow="ellipsis")), console=console, transient=True,
-    )  # fmt: skip
+        TextColumn("{task.description}"),
+        BarColumn(bar_width=20),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[pace]}"),
+        TextColumn("{task.fields[name]}", table_column=Column(no_wrap=True, overflow="ellipsis")),
+        console=console,
+        transient=True,
+    )
     task = progress.add_task(what, total=total, name="", pace="", completed=done)
-    told, moments = 0, deque[float](maxlen=WINDOW)
+    count, moments = 0, deque[float](maxlen=WINDOW)
     # The bar draws in a thread, and a process is best forked before it has any: until the first step, one line that stands still.
     console.print(f"{what}: getting ready", end="\r", markup=False, highlight=False)
 
-    def tell(name: str, left: int | None) -> None:
-        nonlocal told
+    def step(name: str, left: int | None) -> None:
+        nonlocal count
         progress.start()
-        told += 1
+        count += 1
         moments.append(time.monotonic())
         if left is not None:
-            progress.update(task, total=told + left)
+            progress.update(task, total=count + left)
         elif total is not None:
-            left = total - told + 1
+            left = total - count + 1
         progress.update(task, advance=1, name=name, pace=pace(moments, left))
 
     try:
-        yield tell
+        yield step
     finally:
         progress.stop()
-        if not told:
+        if not count:
             console.print(" " * min(len(what) + 15, console.width - 1), end="\r")
 
 
@@ -80,11 +87,3 @@ def pace(moments: Sequence[float], left: int | None) -> str:
     each = max((moments[-1] - moments[0]) / (len(moments) - 1), 1e-3)
     rate = f"{1 / each:.1f}/s" if each < 1 else f"{60 / each:.0f}/min"
     return f"{rate}, {spell(each * left)} left" if left else rate
-
-
-def spell(seconds: float) -> str:
-    """40 s, 3 min, 2 h 5 min: as fine as a guess deserves."""
-    if seconds < 90:
-        return f"{round(seconds)} s"
-    minutes = round(seconds / 60)
-    return f"{minutes} min" if minutes < 90 else f"{minutes // 60} h {minutes % 60} min"

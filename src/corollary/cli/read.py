@@ -17,7 +17,7 @@ def run(
     names: str | None,
     domain: list[str],
     cases: Path | None,
-    json: bool,
+    as_json: bool,
 ) -> int:
     if (text is None) == (cases is None):
         refuse("give an answer to read, or --cases FILE with a list of them")
@@ -38,7 +38,7 @@ def run(
         found = read_case(case)
     except BadCase as error:
         refuse(str(error))
-    if json:
+    if as_json:
         answer(found)
     else:
         _show(found)

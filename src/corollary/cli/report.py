@@ -7,10 +7,10 @@ from pathlib import Path
 from corollary.cli.failure import HOLDS, answer, refuse, say
 from corollary.records.assigned import set_of
 from corollary.records.files import open_course
-from corollary.records.report_model import as_json, report_of
+from corollary.records.report_model import report_of, report_record
 
 
-def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | None) -> int:
+def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path | None) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
     found = report_of(opened, problem_set)
@@ -23,8 +23,8 @@ def run(name: str, course: Path, bank: Path | None, json: bool, output: Path | N
 
         output.write_text(report_page(found, problem_set), encoding="utf-8")
         say(f"written to {output}")
-    if json:
-        answer(as_json(found))
+    if as_json:
+        answer(report_record(found))
     elif output is None:
         from rich.console import Console
 

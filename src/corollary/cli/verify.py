@@ -19,19 +19,19 @@ from corollary.verify.programs import unstarted
 from corollary.verify.verify import verify
 
 
-def run(codes: list[str], bank: Path | None, variants: int, json: bool, extremes: bool = False) -> int:
+def run(codes: list[str], bank: Path | None, variants: int, as_json: bool, extremes: bool = False) -> int:
     start = time.perf_counter()
     todo, broken = _problems(codes, bank)
     if extremes:
         from corollary.cli.verify_extremes import run_extremes
 
-        return run_extremes(todo, broken, scenes=not codes, json=json)
+        return run_extremes(todo, broken, scenes=not codes, json=as_json)
     found: list[Checked] = []
     with unstarted() as runner:
         for place, problem in steps(todo, lambda each: each[1].code, "verifying"):
             found.append(verify(place, problem, variants, runner))
     ok = not broken and all(each.ok for each in found)
-    if json:
+    if as_json:
         answer(
             {
                 "ok": ok,
@@ -60,9 +60,14 @@ def _problems(codes: list[str], bank: Path | None) -> tuple[list[tuple[Bank, Pro
 
 def _record(checked: Checked) -> dict[str, Any]:
     return {
-        "code": checked.code, "ok": checked.ok, "variants": checked.variants, "redrawn": round(checked.redrawn, 4),
-        "why_redrawn": dict(checked.why), "checks": checked.checks, "complaints": list(checked.complaints),
-    }  # fmt: skip
+        "code": checked.code,
+        "ok": checked.ok,
+        "variants": checked.variants,
+        "redrawn": round(checked.redrawn, 4),
+        "why_redrawn": dict(checked.why),
+        "checks": checked.checks,
+        "complaints": list(checked.complaints),
+    }
 
 
 def _table(found: list[Checked], broken: list[str], seconds: float) -> None:

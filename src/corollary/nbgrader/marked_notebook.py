@@ -15,7 +15,7 @@ from corollary.notebook.locate import cells_by_id
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
-from corollary.render.verdict_look import look
+from corollary.render.wording import look
 from corollary.sandbox.result import CellRun
 
 FOLDED_AWAY = "# The code of check() is left out of the marked notebook."

@@ -140,7 +140,7 @@ def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
     return PartTally(problem, part, {word: counts[word] for word in WORDS}, fmean(shares) if shares else None)
 
 
-def as_json(report: Report) -> dict[str, object]:
+def report_record(report: Report) -> dict[str, object]:
     """The report as plain data for one JSON document."""
     return {
         "handed_in": len(report.handed_in),

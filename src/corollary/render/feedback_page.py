@@ -10,13 +10,14 @@ from markupsafe import Markup
 
 from corollary.answers.verdict import Unmarked, Unread
 from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.messages import catalogue
 from corollary.notebook.worksheet import Prompt, exercise
 from corollary.problem.problem_set import ProblemSet
-from corollary.render.drawing import drawing
-from corollary.render.page import page
-from corollary.render.verdict_look import Look, look
+from corollary.render.page import drawing, page
+from corollary.render.wording import Look, look, spell
 from corollary.sandbox.result import CellRun, Figure
 
+_ = catalogue(__name__)
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -47,11 +48,11 @@ class AnsweredPart:
         """The words before the answer."""
         match self.grade.verdict:
             case Unread():
-                return "What you wrote:"
+                return _("What you wrote:")
             case Unmarked():
-                return "Your answer:"
+                return _("Your answer:")
             case _:
-                return "Your answer, as read:"
+                return _("Your answer, as read:")
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,39 +77,29 @@ def feedback_page(
     pictures = _pictures(marked.figures, keys)
     return page(
         "feedback.html",
-        title=f"{problem_set.title}: feedback for {marked.student.name}",
+        title=_("{title}: feedback for {name}", title=problem_set.title, name=marked.student.name),
         marked=marked,
         problem_set=problem_set,
         exercises=[_exercise(grade, pictures, solutions or {}) for grade in marked.grades],
         other_pictures=pictures.get("", ()),
         waiting=sum(part.waits for grade in marked.grades for part in grade.parts),
         before_late=sum(grade.points for grade in marked.grades),
-        late=spell(marked.late) if marked.late > 0 else "",
+        late=spell(max(60.0, marked.late)) if marked.late > 0 else "",
         stopped=[_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}],
         not_run=sum(run.status == "not run" for run in marked.runs),
     )
 
 
-def spell(seconds: float) -> str:
-    """A length of time in its two leading units: 2 days 3 h, 5 min."""
-    minutes = max(1, round(seconds / 60))
-    days, hours, minutes = minutes // 1440, minutes // 60 % 24, minutes % 60
-    words = [
-        f"{days} day{'s' * (days > 1)}" if days else "",
-        f"{hours} h" if hours else "",
-        f"{minutes} min" if minutes else "",
-    ]
-    return " ".join([word for word in words if word][:2])
-
-
 def describe(figure: Figure) -> str:
     """A student's figure in a sentence, for those who cannot see it."""
-    axes = []
+    axes: list[str] = []
     for one in figure.axes:
-        shows = f"{len(one.lines)} curve{'s' * (len(one.lines) != 1)}"
-        labels = (("titled", one.title), ("x axis", one.xlabel), ("y axis", one.ylabel))
-        axes.append(", ".join([shows, *(f"{name} “{text}”" for name, text in labels if text)]))
-    return "Your figure: " + ("; ".join(axes) or "nothing is drawn in it")
+        words = [_.plural("{count} curve", "{count} curves", len(one.lines))]
+        words += [_("titled “{text}”", text=one.title)] if one.title else []
+        words += [_("x axis “{text}”", text=one.xlabel)] if one.xlabel else []
+        words += [_("y axis “{text}”", text=one.ylabel)] if one.ylabel else []
+        axes.append(", ".join(words))
+    return _("Your figure: {contents}", contents="; ".join(axes) or _("nothing is drawn in it"))
 
 
 def _exercise(
@@ -116,7 +107,7 @@ def _exercise(
 ) -> AnsweredExercise:
     asked = exercise(grade.variant)
     prompts = {prompt.part.id: prompt for prompt in asked.prompts}
-    parts = []
+    parts: list[AnsweredPart] = []
     for part in grade.parts:
         prompt = prompts[part.part.id]
         parts.append(AnsweredPart(prompt, part, look(part.verdict), pictures.get(prompt.key, ())))
@@ -129,21 +120,18 @@ def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple
     found: dict[str, tuple[Picture, ...]] = {}
     for figure in figures:
         # X12_5_c_2_plot begins with X12_5_c_ and with X12_5_c_2_: the longest key is meant.
-        key = max(
-            (key for key in keys if figure.cell == key or figure.cell.startswith(key + "_")),
-            key=len,
-            default="",
-        )
-        drawn = figure.png is not None and figure.png.startswith(PNG)
-        source = (
-            "data:image/png;base64," + base64.b64encode(figure.png).decode() if drawn and figure.png else ""
-        )
+        owners = (key for key in keys if figure.cell == key or figure.cell.startswith(key + "_"))
+        key = max(owners, key=len, default="")
+        png = figure.png if figure.png is not None and figure.png.startswith(PNG) else None
+        source = f"data:image/png;base64,{base64.b64encode(png).decode()}" if png else ""
         found[key] = (*found.get(key, ()), Picture(source, describe(figure)))
     return found
 
 
 def _stopped(run: CellRun) -> tuple[str, str]:
     """The cell, and what stopped it."""
-    return run.id, run.error or (
-        "It ran too long and was stopped." if run.status == "timeout" else "It ended in an error."
+    if run.error:
+        return run.id, run.error
+    return run.id, (
+        _("It ran too long and was stopped.") if run.status == "timeout" else _("It ended in an error.")
     )

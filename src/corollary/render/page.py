@@ -9,31 +9,28 @@ from importlib.resources import files
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from corollary.figure.svg import safe_svg
+from corollary.messages import catalogue
+from corollary.notebook.worksheet import Exercise
 from corollary.render.markdown import html, inline
+from corollary.render.wording import percent, points
+
+_ = catalogue(__name__)
 
 
 def page(template: str, *, title: str, lang: str = "en", **facts: object) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped."""
     body = environment().get_template(template).render(**facts)
-    whole = (
-        environment()
-        .get_template("page.html")
-        .render(
-            title=title,
-            lang=lang,
-            body=Markup(body),
-            style=Markup(_text("page.css")),
-            font=font() if "<math" in body else "",
-        )
-    )
-    return whole.encode(
-        "utf-8", "replace"
-    ).decode()  # half a surrogate pair in a student's text could not be written to a file
+    frame = environment().get_template("page.html")
+    style, mathematics = Markup(_text("page.css")), font() if "<math" in body else ""
+    whole = frame.render(title=title, lang=lang, body=Markup(body), style=style, font=mathematics)
+    # Half a surrogate pair in a student's text could not be written to a file.
+    return whole.encode("utf-8", "replace").decode()
 
 
 @lru_cache(maxsize=1)
 def environment() -> Environment:
-    """The templates, with Markdown, points and percentages at hand."""
+    """The templates, with Markdown, points, percentages and the message catalogue at hand."""
     templates = PackageLoader("corollary.render")
     found = Environment(
         loader=templates, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
@@ -42,14 +39,23 @@ def environment() -> Environment:
         "markdown": lambda text: Markup(html(text)),
         "inline": lambda text: Markup(inline(text)),
         "points": points,
-        "percent": lambda share: f"{100 * share:.0f} %",
+        "percent": percent,
     }
+    found.globals |= {"_": _, "plural": _.plural}
     return found
 
 
-def points(value: float) -> str:
-    """Points as people write them: at most two decimals, and none that are not needed."""
-    return f"{round(value, 2) + 0.0:.2f}".rstrip("0").rstrip(".")
+def drawing(exercise: Exercise) -> Markup:
+    """The exercise's figure as inline SVG that runs and fetches nothing, or nothing when it has none. Raises NotADrawing."""
+    if not exercise.figure:
+        return Markup()
+    return Markup(safe_svg(exercise.figure, prefix=exercise.problem.prefix + "-", label=exercise.figure_alt))
+
+
+def drawing_address(exercise: Exercise) -> str:
+    """The exercise's figure as a data URI."""
+    svg = str(drawing(exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
+    return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
 
 
 @lru_cache(maxsize=1)

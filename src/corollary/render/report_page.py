@@ -11,8 +11,8 @@ from corollary.figure.plots import Layer, histogram, interval_counts, stacked_ba
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
 from corollary.records.report_model import PartTally, Report
-from corollary.render.page import page, points
-from corollary.render.verdict_look import LOOKS
+from corollary.render.page import page
+from corollary.render.wording import LOOKS, points
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from corollary.records.report_model import Report
-from corollary.render.page import points
-from corollary.render.verdict_look import LOOKS
+from corollary.render.wording import LOOKS, points
 
 MOST = 15
 

@@ -1,0 +1,83 @@
+"""A problem set as files for elsewhere: each student's sheet with their numbers, or the marks of all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from corollary.atomic import write_whole
+from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.problem.variant import chapter, size
+from corollary.records.assigned import read_assigned
+from corollary.records.files import Course, students
+from corollary.render.exports import Target
+
+NOBODY = Student("")
+
+
+def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[Worksheet]:
+    """The sheets as they were handed out; empty when the set was never generated. Raises NotACourse."""
+    assigned = read_assigned(course, problem_set.name)
+    return [
+        worksheet(problem_set, student, problem_set.variants(assigned[student.id]))
+        for student in students(course)
+        if student.id in assigned
+    ]
+
+
+def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[Student]) -> list[Worksheet]:
+    """Sheets without a course: distinct numbers that follow from the owners' ids alone, the same each time.
+
+    Raises NotDerivable and NoVariant.
+    """
+    assigned: dict[str, dict[str, int]] = {owner.id: {} for owner in owners}
+    for problem in problem_set.problems:
+        if size(problem) == 1:
+            continue
+        for owner in owners:
+            used = {row[problem.code] for row in assigned.values() if problem.code in row}
+            index = solutions.assign_variant(problem, b"", owner.id, used).variant.index
+            assert index is not None
+            assigned[owner.id][problem.code] = index
+    return [worksheet(problem_set, owner, problem_set.variants(assigned[owner.id])) for owner in owners]
+
+
+def chapters_sheet(problem_set: ProblemSet) -> Worksheet:
+    """The sheet with the chapter's own numbers, which is nobody's."""
+    return worksheet(problem_set, NOBODY, map(chapter, problem_set.problems))
+
+
+def sheet_files(
+    target: Target, problem_set: ProblemSet, sheets: Sequence[Worksheet], solutions: Solutions | None
+) -> dict[str, bytes]:
+    """The files that a target for worksheets or for whole sets makes, by name; `solutions` adds the worked ones."""
+    if target.problem_set is not None:
+        return dict(target.problem_set(problem_set, sheets))
+    if target.worksheet is None:
+        raise TypeError("the target is neither for worksheets nor for whole sets")
+    files: dict[str, bytes] = {}
+    for sheet in sheets:
+        worked = {} if solutions is None else _worked(solutions, sheet)
+        owner = f"-{sheet.student.id}" if sheet.student.id else ""
+        name = f"{problem_set.name}{owner}.{target.ending}"
+        files[name] = target.worksheet(sheet, worked).encode("utf-8", "replace")
+    return files
+
+
+def _worked(solutions: Solutions, sheet: Worksheet) -> dict[str, str]:
+    return {each.problem.code: solutions.story(each.variant) for each in sheet.exercises}
+
+
+def write_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
+    """Writes them below the folder, and says where they are."""
+    for name, content in files.items():
+        write_whole(folder / name, content)
+    return [folder / name for name in files]
+
+
+def owners(count: int) -> Iterable[Student]:
+    """Whoever is to get one of so many variants."""
+    return (Student(str(number), "Variant", str(number)) for number in range(1, count + 1))

@@ -1,0 +1,81 @@
+"""What exercises, worksheets, problem sets and marks can be exported to: one file a target, ours and other packages'.
+
+Another package adds a target by an entry point of the group `corollary.exports` whose name is the target's and which names
+its `Target`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.metadata import EntryPoint, entry_points
+
+from corollary.notebook.worksheet import Exercise, Worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.records.report_model import Report
+
+GROUP = "corollary.exports"
+OURS = ("text", "md", "html", "ipynb", "csv")
+
+
+class UnknownTarget(LookupError):
+    """Nothing can be exported to that; one sentence says to what it can."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Target:
+    """A target offers the functions for what it can be made of, and leaves the others out.
+
+    `ending` is that of its files, without the dot. `exercise` writes one exercise for a student, with its worked solution in
+    Markdown (or ""); `worksheet` one student's sheet, with worked solutions by the code of the problem; `problem_set` all
+    sheets of a set at once, as files by name; `marks` the marks of a set, for everybody on the roster.
+    """
+
+    ending: str
+    exercise: Callable[[Exercise, Student, str], str] | None = None
+    worksheet: Callable[[Worksheet, Mapping[str, str]], str] | None = None
+    problem_set: Callable[[ProblemSet, Sequence[Worksheet]], Mapping[str, bytes]] | None = None
+    marks: Callable[[ProblemSet, Report, Sequence[Student]], str] | None = None
+
+
+def target(name: str) -> Target:
+    """The target of this name. Raises UnknownTarget."""
+    if name in OURS:
+        return import_module(f"corollary.render.targets.{name}").TARGET
+    try:
+        theirs = _theirs()[name]
+    except KeyError:
+        raise UnknownTarget(f"{name} is not known; choose one of {', '.join(names())}") from None
+    try:
+        found = theirs.load()
+    except (ImportError, AttributeError) as error:
+        raise UnknownTarget(
+            f"{name} is promised by {theirs.value}, which cannot be loaded: {error}"
+        ) from None
+    if not isinstance(found, Target):
+        raise UnknownTarget(
+            f"{name} is promised by {theirs.value}, which is no corollary.render.exports.Target"
+        )
+    return found
+
+
+def names() -> tuple[str, ...]:
+    """The names of all targets, ours first."""
+    return (*OURS, *sorted(_theirs().keys() - set(OURS)))
+
+
+def names_for_exercises() -> tuple[str, ...]:
+    """The names of those that one exercise can be shown as; a target that cannot be loaded is none of them."""
+    found: list[str] = []
+    for name in names():
+        try:
+            found += [name] if target(name).exercise is not None else []
+        except UnknownTarget:
+            continue
+    return tuple(found)
+
+
+def _theirs() -> dict[str, EntryPoint]:
+    return {each.name: each for each in entry_points(group=GROUP)}

@@ -1,0 +1,48 @@
+"""Plain text for a terminal: formulas in a line, the figure in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from corollary.messages import catalogue
+from corollary.notebook.worksheet import Exercise, Worksheet
+from corollary.problem.roster import Student
+from corollary.render.exports import Target
+from corollary.render.plain_text import plain
+from corollary.render.wording import facts, wanted
+
+_ = catalogue(__name__)
+WIDTH = 80
+
+
+def write_exercise(asked: Exercise, student: Student, solution: str) -> str:
+    problem = asked.problem
+    pieces = [f"{problem.code}  {problem.title}", plain(asked.statement, width=WIDTH)]
+    if asked.figure:
+        pieces.append(plain(_("[Figure: {alt}]", alt=asked.figure_alt), width=WIDTH))
+    for prompt in asked.prompts:
+        heading = f"({prompt.part.id}) {plain(prompt.part.title)}  [{wanted(prompt)}]"
+        options = "\n".join(
+            plain(f"- ({option.letter}) {option.text}", width=WIDTH) for option in prompt.options
+        )
+        pieces.append("\n".join(filter(None, (heading, plain(prompt.text, width=WIDTH), options))))
+    if solution:
+        pieces += [_("Worked solution"), plain(solution, width=WIDTH)]
+    return "\n\n".join(filter(None, pieces)) + "\n"
+
+
+def write_worksheet(sheet: Worksheet, solutions: Mapping[str, str]) -> str:
+    about = sheet.problem_set
+    pieces = [
+        about.title,
+        " · ".join(facts(sheet)),
+        plain(about.introduction, width=WIDTH),
+        *(
+            write_exercise(asked, sheet.student, solutions.get(asked.problem.code, "")).rstrip("\n")
+            for asked in sheet.exercises
+        ),
+    ]
+    return "\n\n\n".join(filter(None, pieces)) + "\n"
+
+
+TARGET = Target(ending="txt", exercise=write_exercise, worksheet=write_worksheet)

@@ -1,0 +1,66 @@
+"""`corollary export`: files where they were asked for, and a sentence where nothing can be exported."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from corollary.cli.main import main
+
+SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    (tmp_path / "small.md").write_text(SET)
+    monkeypatch.chdir(tmp_path)
+
+    def command(*arguments: str) -> tuple[int, str, str]:
+        monkeypatch.setattr("sys.argv", ["corollary", "export", *arguments])
+        with pytest.raises(SystemExit) as end:
+            main()
+        said = capsys.readouterr()
+        return int(end.value.code or 0), said.out, said.err
+
+    return command
+
+
+def test_files_lie_where_they_were_asked_for_and_json_lists_them(run, tmp_path: Path) -> None:
+    assert run("small.md", "--to", "md") == (0, "One exercise: 1 file in export/\n", "")
+    assert "0.43\N{NO-BREAK SPACE}kg" in (tmp_path / "export/small.md").read_text()
+    status, out, _ = run("small.md", "--to", "text", "--variants", "2", "-o", "two", "--json")
+    assert (status, json.loads(out)) == (
+        0,
+        {"set": "small", "to": "text", "files": ["two/small-1.txt", "two/small-2.txt"]},
+    )
+    assert (tmp_path / "two/small-1.txt").read_text() != (tmp_path / "two/small-2.txt").read_text()
+
+
+def test_a_roster_gets_the_numbers_that_show_would_give(run, tmp_path: Path, monkeypatch, capsys) -> None:
+    (tmp_path / "roster.csv").write_text("id,first_name\nada,Ada\nben,Ben\n")
+    assert run("small.md", "--to", "md", "--roster", "roster.csv")[0] == 0
+    monkeypatch.setattr("sys.argv", ["corollary", "show", "X12.5", "--student", "ada", "--format", "md"])
+    with pytest.raises(SystemExit):
+        main()
+    shown = capsys.readouterr().out.splitlines()[2]
+    assert shown in (tmp_path / "export/small-ada.md").read_text()
+    assert shown not in (tmp_path / "export/small-ben.md").read_text()
+
+
+REFUSED = [
+    (["--to", "pdf"], "pdf is not known; choose one of text, md, html, ipynb, csv"),
+    (["--to", "csv"], "csv holds marks; say of which course with --course"),
+    (["--to", "md", "--variants", "2", "--roster", "r.csv"], "each choose the numbers; give one of them"),
+    (["--to", "md", "--course", "nowhere"], "is no course of ours"),
+    (["--to", "md", "--variants", "0"], "`corollary export --help` says how"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "sentence"), REFUSED)
+def test_what_cannot_be_exported_is_answered_in_a_sentence(run, arguments: list[str], sentence: str) -> None:
+    status, out, err = run("small.md", *arguments)
+    assert (status, out) == (2, "")
+    assert sentence in err
+    assert len(err.splitlines()) == 1

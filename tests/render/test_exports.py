@@ -1,0 +1,139 @@
+"""What can be exported to: exercises and sheets in our formats, marks as a table, and a target of another package's."""
+
+from __future__ import annotations
+
+import base64
+import re
+import runpy
+from pathlib import Path
+
+import pytest
+
+from corollary.notebook.worksheet import Worksheet, exercise, worksheet
+from corollary.problem.roster import Student
+from corollary.problem.variant import at, chapter
+from corollary.render.exports import Target, UnknownTarget, names, names_for_exercises, target
+
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
+
+
+ADA = Student("ada", "Ada", "Lovelace")
+
+
+def written(name: str, asked, solution: str = "") -> str:
+    write = target(name).exercise
+    assert write is not None
+    return write(asked, ADA, solution)
+
+
+@pytest.fixture
+def sheet(tmp_path) -> Worksheet:
+    of = SAMPLE["problem_set"](tmp_path)
+    return worksheet(of, ADA, [at(of.problems[0], 7), at(of.problems[1], 3)])
+
+
+@pytest.fixture
+def kick(tmp_path):
+    return exercise(chapter(SAMPLE["problem_set"](tmp_path).problems[0]))
+
+
+def test_text_reads_well_on_a_terminal(kick):
+    text = written("text", kick, "Because $p = mv$.")
+    assert text.startswith(
+        "X12.5  Kicking a ball\n\nA ball of mass 0.43 kg lies still until you kick it; it leaves at v = 20.0"
+    )
+    assert "[Figure: A ball of mass 0.43 kg [at rest].]" in text
+    assert "(a) Momentum  [1 point, in kg m/s]\nBy how much does it change, Δp?" in text
+    assert "- (a) the momentum, ∑p" in text.replace("∑ p", "∑p")
+    assert text.endswith("Worked solution\n\nBecause p = m v.\n")
+    assert "$" not in text
+    assert "Worked solution" not in written("text", kick)
+
+
+def test_markdown_keeps_formulas_and_brings_the_figure(kick):
+    text = written("md", kick)
+    assert "$\\Delta p$" in text
+    assert r"![A ball of mass 0.43" in text
+    assert r"\[at rest\].][figure]" in text
+    drawn = base64.b64decode(re.search(r"\[figure\]: data:image/svg\+xml;base64,(\S+)", text)[1]).decode()  # type: ignore[index]
+    assert drawn.startswith('<svg xmlns="http://www.w3.org/2000/svg"')
+    assert "m = 0.43" in drawn
+    assert "script" not in drawn
+
+
+@pytest.mark.parametrize("name", ["text", "md", "html", "ipynb"])
+def test_a_sheet_has_its_owner_and_all_its_exercises(sheet: Worksheet, name: str):
+    write = target(name).worksheet
+    assert write is not None
+    text = write(sheet, {"X12.5": "Because it moves."})
+    for words in ("Ada Lovelace", "Kicking a ball", "A ball on the floor", "Which impulse acts?", "0.30"):
+        assert words in text
+    assert "run()" not in text
+    assert ("Because it moves." in text) is (name != "ipynb"), (
+        "what is handed out to be answered shows no solution"
+    )
+
+
+def test_the_figures_of_a_sheet_do_not_share_their_names(tmp_path):
+    of = SAMPLE["problem_set"](tmp_path)
+    write = target("md").worksheet
+    assert write is not None
+    kick = of.problems[0]
+    twice = Worksheet(of, ADA, (exercise(at(kick, 1)), exercise(at(kick, 1))))
+    assert write(twice, {}).count("[figure X12.5]: data:") == 2
+    assert "\n[figure]: " not in write(twice, {})
+
+
+def test_marks_are_blank_where_there_are_none(tmp_path):
+    of = SAMPLE["problem_set"](tmp_path)
+    write = target("csv").marks
+    assert write is not None
+    work = SAMPLE["marked"](of)
+    table = write(
+        of,
+        SAMPLE["summary"]([work, SAMPLE["late"](SAMPLE["marked"](of, "eve"))]),
+        [ADA, Student("bo", "Bo, jr."), Student("eve")],
+    )
+    assert table.splitlines() == [
+        "id,first_name,last_name,email,X12.5 a,X12.5 b,X12.5 c,X12.5 c_2,X12.5 e,P12.14 a,P12.14 b,total,out_of",
+        "ada,Ada,Lovelace,,1,1,0.5,0,,2,0,4.5,12",
+        'bo,"Bo, jr.",,,,,,,,,,,12',
+        "eve,,,,1,1,0.5,0,,2,0,2.25,12",
+    ]
+
+
+def test_what_is_unknown_is_answered_with_what_there_is():
+    assert names_for_exercises() == ("text", "md", "html", "ipynb")
+    with pytest.raises(UnknownTarget, match="pdf is not known; choose one of text, md, html, ipynb, csv"):
+        target("pdf")
+
+
+THEIRS = """
+from corollary.render.exports import Target
+
+def write(problem_set, sheets):
+    return {"all.txt": " ".join(sheet.student.id for sheet in sheets).encode()}
+
+ROLL = Target(ending="txt", problem_set=write)
+NOTHING = "no target"
+"""
+
+
+def test_another_package_brings_a_target_by_an_entry_point(tmp_path, sheet, monkeypatch):
+    (tmp_path / "rollcall.py").write_text(THEIRS)
+    about = tmp_path / "rollcall-1.0.dist-info"
+    about.mkdir()
+    (about / "METADATA").write_text("Metadata-Version: 2.1\nName: rollcall\nVersion: 1.0\n")
+    points = ["roll = rollcall:ROLL", "broken = rollcall:NOTHING", "gone = rollcall:MISSING"]
+    (about / "entry_points.txt").write_text("\n".join(["[corollary.exports]", *points]) + "\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert names() == ("text", "md", "html", "ipynb", "csv", "broken", "gone", "roll")
+    roll = target("roll")
+    assert isinstance(roll, Target)
+    assert roll.problem_set is not None
+    assert roll.problem_set(sheet.problem_set, [sheet]) == {"all.txt": b"ada"}
+    with pytest.raises(UnknownTarget, match="broken is promised by rollcall:NOTHING"):
+        target("broken")
+    with pytest.raises(UnknownTarget, match="gone is promised by rollcall:MISSING"):
+        target("gone")
+    assert names_for_exercises() == ("text", "md", "html", "ipynb")
