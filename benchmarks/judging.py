@@ -64,7 +64,7 @@ def main() -> None:
     result["times"] = times(solutions, problems, simplify)
     if not asked.no_students:
         numeric = [solutions.of(problem) for problem in problems if size(problem) > 1]
-        numeric = [solution for solution in numeric if any(find.answers for find in solution.finds)]
+        numeric = [solution for solution in numeric if any(find.part for find in solution.finds)]
         tallies = {
             each.problem.code: _told(each.problem.code, lambda each=each: simulate(each, asked.students))
             for each in numeric

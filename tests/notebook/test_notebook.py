@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import re
+from dataclasses import replace
 
 import nbformat
 import pytest
@@ -144,3 +145,9 @@ def test_it_runs_in_a_real_kernel_from_top_to_bottom(ada: Worksheet):
     assert said["X12_5_f"] == "X12_5_f: force(t, dt, J) is there\n"
     assert said["check_all"].count("\n") == sum(prompt.part.kind != "explain" for prompt in ada.prompts)
     assert not any(output.output_type == "error" for each in nb.cells for output in each.get("outputs", []))
+
+
+def test_two_cells_of_one_name_are_refused_by_the_name(ada: Worksheet):
+    """The second of them would take the first one's answer."""
+    with pytest.raises(ValueError, match=r"two cells of week_1 would be called .*; rename one of the parts"):
+        notebook(replace(ada, exercises=(*ada.exercises, ada.exercises[0])))
