@@ -20,6 +20,7 @@ def refuse(sentence: str) -> NoReturn:
 def expected() -> tuple[type[BaseException], ...]:
     """What the lower floors raise when a request or an author's file is wrong; looked up only when something was raised."""
     names = {
+        "corollary.api": ["UnknownPart"],
         "corollary.problem.diagnostic": ["Malformed"],
         "corollary.problem.bank": ["UnknownCode"],
         "corollary.problem.variant": ["OutOfRange"],

@@ -5,25 +5,25 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from corollary.api import key, solve
 from corollary.cli.failure import HOLDS, answer, refuse
-from corollary.cli.given import from_case, from_options, read_cases
+from corollary.cli.given import from_options, read_cases
+from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.grading.key_record import key_record
-from corollary.grading.solutions import Solutions
 from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
 
 
 def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_json: bool) -> int:
-    place, problem = home(bank, code)
-    solutions = Solutions(place)
+    problem = home(bank, code)[1]
     if cases is not None and givens:
         refuse("--set and --cases both choose the numbers; give one of them")
     if cases is not None:
-        solutions.of(problem)
-        answer([_case(solutions, problem, case) for case in read_cases(cases)])
+        solution = solve(problem)
+        answer([_case(solution, case) for case in read_cases(cases)])
         return HOLDS
-    record = key_record(solutions.key(from_options(problem, givens)))
+    record = key_record(key(problem, **from_options(givens)))
     if as_json:
         answer(record)
         return HOLDS
@@ -37,11 +37,11 @@ def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_
     return HOLDS
 
 
-def _case(solutions: Solutions, problem, case: Any) -> dict[str, Any]:
+def _case(solution: Solution, case: Any) -> dict[str, Any]:
     if not isinstance(case, dict):
         return {"error": 'a case is an object of givens, such as {"m": 0.43}'}
     try:
-        return key_record(solutions.key(from_case(problem, case)))
+        return key_record(key(solution, **case))
     except (OutOfRange, Undefined) as error:
         return {"error": str(error)}
 

@@ -34,6 +34,10 @@ class Grade:
     variant: Variant
     parts: tuple[PartGrade, ...]
 
+    def __getitem__(self, part: str) -> PartGrade:
+        """What one part has earned."""
+        return next(each for each in self.parts if each.part.id == part)
+
     @property
     def points(self) -> float:
         return sum(part.points for part in self.parts)

@@ -33,6 +33,11 @@ class Truth:
     noise: float
     uncertain: tuple[float, ...]
 
+    @property
+    def value(self) -> float | tuple[float, ...]:
+        """The number, or one for each component, in SI."""
+        return self.values[0] if len(self.values) == 1 else self.values
+
 
 @dataclass(frozen=True, slots=True)
 class Key:
@@ -43,6 +48,10 @@ class Key:
     values: tuple[tuple[float, ...], ...]
     truths: Mapping[str, Truth]
     choices: Mapping[str, str]
+
+    def __getitem__(self, part: str) -> Truth:
+        """The answer to a part that asks for a quantity or a formula."""
+        return self.truths[part]
 
     def find(self, truth: Truth) -> Unknown:
         return self.solution.finds[truth.place]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,6 +29,17 @@ class Bank:
     @property
     def sets(self) -> Path:
         return self.problems / "sets"
+
+    def __getitem__(self, code: str) -> Problem:
+        """The problem with this code, or this file name. Raises UnknownCode or Malformed."""
+        return find(self, code)
+
+    def __iter__(self) -> Iterator[Problem]:
+        """Every problem, in the order of the chapter. Raises Malformed."""
+        return iter(load(self))
+
+    def __len__(self) -> int:
+        return len(files(self))
 
     def solution(self, problem: Problem) -> Path:
         """Where the solution of a problem must lie: the same path, the same name, under solutions/."""
@@ -146,3 +158,11 @@ def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:
             return Bank(above.parent), find(Bank(above.parent), str(path))
     bank = open_bank(folder)
     return bank, find(bank, code)
+
+
+def bank_of(problem: Problem) -> Bank:
+    """The bank a problem was read from: the folder above its problems/, beside which its solutions/ lie."""
+    above = [parent.parent for parent in problem.path.parents if parent.name == "problems"]
+    if not above:
+        raise UnknownCode(f"{problem.path} lies in no bank: it is not below a folder problems/")
+    return Bank(next((folder for folder in above if (folder / "solutions").is_dir()), above[0]))
