@@ -6,13 +6,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from corollary.answers.verdict import Verdict
     from corollary.api import UnknownPart, judge, key, load_bank, play, solve
     from corollary.derive.load import NotDerivable
     from corollary.derive.solution import Solution
     from corollary.formula.ball import Undefined
     from corollary.grading.grade import Grade, PartGrade
     from corollary.grading.key import Key
-    from corollary.grading.verdict import Verdict
     from corollary.problem.bank import Bank, UnknownCode
     from corollary.problem.problem import Problem
     from corollary.problem.variant import OutOfRange
@@ -47,7 +47,7 @@ __all__ = [
 # Where each name lives. Loaded when it is first asked for, so that `import corollary` costs nothing.
 _MODULES = {
     "corollary.api": ("UnknownPart", "judge", "key", "load_bank", "play", "solve"),
-    "corollary.grading.verdict": ("Verdict",),
+    "corollary.answers.verdict": ("Verdict",),
     "corollary.derive.load": ("NotDerivable",),
     "corollary.derive.solution": ("Solution",),
     "corollary.formula.ball": ("Undefined",),
