@@ -8,7 +8,7 @@ import os
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -26,14 +26,11 @@ from nbgrader.api import Gradebook
 from corollary.answers.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
 from corollary.atomic import write_whole
 from corollary.grading.grade import Grade, Marked, PartGrade
-from corollary.nbgrader.register import (
-    GradebookLocked,
-    NotOurs,
-    NotRegistered,
-    manual_scores,
-    record,
-    register,
-)
+from corollary.nbgrader.config import NotOurs
+from corollary.nbgrader.gradebook import GradebookLocked, NotRegistered, gradebook
+from corollary.nbgrader.marked_notebook import marked_notebook, notebook_text
+from corollary.nbgrader.record import record_one
+from corollary.nbgrader.register import register
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import Bank
@@ -85,6 +82,31 @@ FILES = {
 }
 ADA, BOB, EVE = Student("ada", "Ada", "Lovelace"), Student("bob", "Bob", "Boole"), Student("eve")
 ON_TIME = "2026-12-04 21:03:11.500000 UTC"
+
+
+def record(
+    course: Course,
+    problem_set: ProblemSet,
+    works: Iterable[Marked],
+    notebooks: Mapping[str, NotebookNode | None],
+) -> None:
+    """Marks into the gradebook, and marked notebooks into `autograded/`, one student after the other."""
+    with gradebook(course) as book:
+        for one in works:
+            text = notebook_text(marked_notebook(one, problem_set, notebooks.get(one.student.id)))
+            record_one(course, book, problem_set, one, text)
+
+
+def manual_scores(course: Course, set_name: str) -> dict[str, dict[str, float]]:
+    """What people gave: student -> key of the part -> points."""
+    found: dict[str, dict[str, float]] = {}
+    with gradebook(course) as book:
+        for submission in book.assignment_submissions(set_name):
+            for graded in submission.notebooks:
+                for grade in graded.grades:
+                    if grade.manual_score is not None:
+                        found.setdefault(submission.student.id, {})[grade.name] = grade.manual_score
+    return found
 
 
 @pytest.fixture(scope="module")

@@ -25,17 +25,17 @@ def run(folder: Path, as_json: bool) -> int:
     problem_set = find_set(bank, SET)
     with bar("demonstration", len(problem_set.problems) + 3 * len(PLAYERS) + 1) as progress:
         try:
-            shown = perform(folder, problem_set, Solutions(bank), _aloud(progress))
+            performed = perform(folder, problem_set, Solutions(bank), _aloud(progress))
         except NotFresh as error:
             refuse(str(error))
-    fair = all(each.fair for each in shown.played)
+    fair = all(each.fair for each in performed.played)
     seconds = time.perf_counter() - start
     if as_json:
-        course = str(shown.course.folder)
-        students = {each.player.student.id: _record(each) for each in shown.played}
+        course = str(performed.course.folder)
+        students = {each.player.student.id: _record(each) for each in performed.played}
         answer({"course": course, "fair": fair, "seconds": round(seconds, 1), "students": students})
     else:
-        _show(shown, folder, seconds)
+        _show(performed, folder, seconds)
     return HOLDS if fair else FAILS
 
 
@@ -60,19 +60,19 @@ def _aloud(progress: Callable[[str], None]) -> Callable[[str], None]:
     return say
 
 
-def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
+def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
     from rich.console import Console
     from rich.table import Table
 
     from corollary.render.report_table import terminal
 
     console = Console()
-    console.print(terminal(shown.outcome.report))
+    console.print(terminal(performed.outcome.report))
     table = Table(title="What each student did, deserves, and got")
     for heading in ("student", "hands in", "deserves", "got", "of", ""):
         numbers = heading in {"deserves", "got", "of"}
         table.add_column(heading, justify="right" if numbers else "left")
-    for each in shown.played:
+    for each in performed.played:
         table.add_row(
             each.player.student.id,
             each.player.plays,
@@ -82,11 +82,11 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
             "fair" if each.fair else "NOT FAIR",
         )
     console.print(table)
-    for each in shown.played:
+    for each in performed.played:
         for difference in each.differences:
             console.print(f"{each.player.student.id}: {difference}", markup=False)
     student = "finn"
-    name = shown.outcome.page.stem
+    name = performed.outcome.page.stem
     for what, where in (
         ("notebook a student gets", folder / "release" / student / name / f"{name}.ipynb"),
         ("feedback a student gets", folder / "feedback" / student / name / f"{name}.feedback.html"),
@@ -94,7 +94,9 @@ def _show(shown: Demonstration, folder: Path, seconds: float) -> None:
         ("nbgrader gradebook", folder / "gradebook.db"),
     ):
         console.print(f"{what:26} {where}", soft_wrap=True, highlight=False)
-    console.print(f"isolation: {', '.join(shown.outcome.report.isolation)}", highlight=False, soft_wrap=True)
+    console.print(
+        f"isolation: {', '.join(performed.outcome.report.isolation)}", highlight=False, soft_wrap=True
+    )
     console.print(
         f"done in {seconds:.0f} s; try: cd {folder} && nbgrader formgrader", highlight=False, soft_wrap=True
     )

@@ -225,22 +225,22 @@ def main() -> None:
     try:
         status = app(standalone_mode=False)
     except typer.exceptions.TyperException as error:
-        status, said = REFUSED, error.format_message()
-        if said.startswith("Usage:"):  # nothing was asked for
-            say(said)
+        status, message = REFUSED, error.format_message()
+        if message.startswith("Usage:"):  # no command was named
+            say(message)
         else:
-            say(f"corollary: {said[0].lower()}{said[1:].rstrip('.')}; `{_asked()} --help` says how")
+            say(f"corollary: {message[0].lower()}{message[1:].rstrip('.')}; `{_named()} --help` says how")
     sys.exit(status or 0)
 
 
-def _asked() -> str:
+def _named() -> str:
     """The command that was meant, as far as it is one."""
     known = {command.name or getattr(command.callback, "__name__", "") for command in app.registered_commands}
     return " ".join(["corollary", *(name for name in sys.argv[1:2] if name in known)])
 
 
 def _unforeseen(error: Exception) -> int:
-    """A fault of ours, or of the machine: said in a sentence, with the whole story only when asked for."""
+    """A fault of ours, or of the machine: one sentence, and the traceback only when asked for."""
     if os.environ.get("COROLLARY_DEBUG"):
         raise error
     if isinstance(error, OSError):

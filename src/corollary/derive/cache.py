@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import sys
-import tempfile
 from contextlib import suppress
 from dataclasses import fields
 from functools import cache
@@ -15,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import corollary
+from corollary.atomic import write_whole
 from corollary.derive.load import load, source
 from corollary.derive.parts import unsolved
 from corollary.derive.serialize import NotSerializable, from_data, to_data
@@ -92,14 +92,8 @@ def _write(place: Path, origin: str, solution: Solution) -> None:
             data = to_data(content | {"entries": None})
         text = json.dumps(data, separators=(",", ":")).encode()
         place.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=place.parent, delete=False) as aside:
-            try:
-                aside.write(b"\n".join((origin.encode(), hashlib.sha256(text).hexdigest().encode(), text)))
-                aside.flush()
-                os.replace(aside.name, place)
-            except OSError:
-                os.unlink(aside.name)
-                raise
+        checked = hashlib.sha256(text).hexdigest().encode()
+        write_whole(place, b"\n".join((origin.encode(), checked, text)), mode=0o600)
 
 
 def _origin(bank: Bank, problem: Problem) -> str:

@@ -6,38 +6,36 @@ import html
 import re
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
+# A drawing of matplotlib has some 50 kB and 1 000 elements; beyond these a browser would crawl.
 LONGEST, DEEPEST, MOST = 2_000_000, 50, 50_000
-TAGS = frozenset(
-    re.findall(
-        r"[\w-]+",
-        """
-    svg g defs symbol use title desc path rect circle ellipse line polyline polygon text tspan textPath marker
-    clipPath mask pattern linearGradient radialGradient stop
-""",
-    )
+
+
+def _names(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+TAGS = _names(
+    """
+    svg g defs symbol use title desc path rect circle ellipse line polyline polygon text tspan textPath
+    marker clipPath mask pattern linearGradient radialGradient stop
+    """
 )
-ATTRIBUTES = frozenset(
-    re.findall(
-        r"[\w-]+",
-        """
-    id role aria-label aria-hidden viewBox preserveAspectRatio width height x y x1 y1 x2 y2 cx cy r rx ry fx
-    fy d points transform style href offset dx dy rotate textLength lengthAdjust startOffset refX refY orient
-    markerWidth markerHeight markerUnits clipPathUnits maskUnits patternUnits patternTransform gradientUnits
-    gradientTransform spreadMethod version
-""",
-    )
+ATTRIBUTES = _names(
+    """
+    id role aria-label aria-hidden viewBox preserveAspectRatio width height x y x1 y1 x2 y2 cx cy r rx
+    ry fx fy d points transform style href offset dx dy rotate textLength lengthAdjust startOffset refX
+    refY orient markerWidth markerHeight markerUnits clipPathUnits maskUnits patternUnits
+    patternTransform gradientUnits gradientTransform spreadMethod version
+    """
 )
-LOOKS = frozenset(
-    re.findall(
-        r"[\w-]+",
-        """
-    fill fill-opacity fill-rule clip-path clip-rule mask stroke stroke-width stroke-linecap stroke-linejoin
-    stroke-miterlimit stroke-dasharray stroke-dashoffset stroke-opacity opacity color display visibility
-    marker-start marker-mid marker-end font-family font-size font-style font-weight text-anchor
-    dominant-baseline alignment-baseline baseline-shift letter-spacing stop-color stop-opacity vector-effect
-    paint-order
-""",
-    )
+LOOKS = _names(
+    """
+    fill fill-opacity fill-rule clip-path clip-rule mask stroke stroke-width stroke-linecap
+    stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset stroke-opacity opacity color
+    display visibility marker-start marker-mid marker-end font-family font-size font-style font-weight
+    text-anchor dominant-baseline alignment-baseline baseline-shift letter-spacing stop-color
+    stop-opacity vector-effect paint-order
+    """
 )
 WORDS = frozenset({"text", "tspan", "textPath", "title", "desc"})
 LOCAL = re.compile(r"(url\(['\"]?#)")
@@ -64,8 +62,8 @@ def safe_svg(text: str, *, prefix: str = "", label: str = "") -> str:
         root = fromstring(re.sub(r"<svg\b(?![^>]*\sxmlns:xlink)", '<svg xmlns:xlink="xlink"', text, count=1))
     except (ParseError, ValueError, RecursionError) as error:
         raise NotADrawing(f"the drawing is not well-formed XML: {error}") from None
-    if _plain_name(root.tag) != "svg":
-        raise NotADrawing(f"the drawing begins with <{_plain_name(root.tag)}>; it must begin with <svg>")
+    if _local_name(root.tag) != "svg":
+        raise NotADrawing(f"the drawing begins with <{_local_name(root.tag)}>; it must begin with <svg>")
     if sum(1 for _ in root.iter()) > MOST:
         raise NotADrawing(f"the drawing has more than {MOST} elements")
     referred = {
@@ -80,12 +78,12 @@ def safe_svg(text: str, *, prefix: str = "", label: str = "") -> str:
     return _written(root, prefix, label, 0)
 
 
-def _plain_name(name: object) -> str:
+def _local_name(name: object) -> str:
     return name.rpartition("}")[2] if isinstance(name, str) else ""
 
 
 def _written(element: Element, prefix: str, label: str, depth: int) -> str:
-    tag = _plain_name(element.tag)
+    tag = _local_name(element.tag)
     if tag not in TAGS:
         return ""
     if depth > DEEPEST:
@@ -93,7 +91,7 @@ def _written(element: Element, prefix: str, label: str, depth: int) -> str:
     attributes = {
         name: value
         for name, value in (
-            (_plain_name(name), _fit(_plain_name(name), value, prefix))
+            (_local_name(name), _fit(_local_name(name), value, prefix))
             for name, value in element.attrib.items()
         )
         if value

@@ -1,10 +1,11 @@
-"""What became of a sheet on its way: another student's notebook, edited statements and checks; told, never marked."""
+"""What became of a sheet on its way: another student's notebook, edited statements and checks; reported, never marked."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from corollary.messages import catalogue
 from corollary.notebook.cells import as_handed_out
 from corollary.notebook.locate import cells_by_id
 from corollary.notebook.notebook import notebook as handed_out
@@ -13,6 +14,7 @@ from corollary.notebook.worksheet import Worksheet
 if TYPE_CHECKING:
     from nbformat import NotebookNode
 
+_ = catalogue(__name__)
 MOST_NAMED = 4
 
 
@@ -23,56 +25,66 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
     comes from another sheet (a friend's, or an older print of one's own): only a changed one is called edited.
     """
     found = cells_by_id(notebook)
-    edited, foreign = [], []
+    edited: list[str] = []
+    foreign: list[str] = []
     for cell in handed_out(sheet).cells:
         theirs = found.get(cell.id)
-        if (
-            not cell.metadata["nbgrader"]["locked"]
-            or theirs is None
-            or _plain(theirs.source) == _plain(cell.source)
-        ):
+        locked = cell.metadata["nbgrader"]["locked"]
+        if not locked or theirs is None or _normal(theirs.source) == _normal(cell.source):
             continue
         (foreign if as_handed_out(theirs, cell) else edited).append(cell.id)
-    return tuple(_said(sheet, _owner(notebook), edited, foreign))
+    return tuple(_sentences(sheet, _owner(notebook), edited, foreign))
 
 
-def _said(sheet: Worksheet, owner: str, edited: list[str], foreign: list[str]):
+def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[str]) -> Iterator[str]:
     if owner and owner != sheet.student.id:
-        own = sheet.student.id
-        yield f"This notebook was made for {owner}, not for {own}: it was marked with {own}'s own numbers."
-    elif foreign:
-        yield (
-            f"{_named(foreign)} not from this student's sheet (somebody else's, or an older one): "
-            "everything was marked with the student's own numbers."
+        yield _(
+            "This notebook was made for {owner}, not for {own}: it was marked with {own}'s own numbers.",
+            owner=owner,
+            own=sheet.student.id,
         )
-    checks = [id for id in edited if not _is_text(id, sheet)]
-    texts = [id for id in edited if _is_text(id, sheet)]
+    elif foreign:
+        yield _.plural(
+            "The cell {cells} is not from this student's sheet (somebody else's, or an older one): "
+            "everything was marked with the student's own numbers.",
+            "The cells {cells} are not from this student's sheet (somebody else's, or an older one): "
+            "everything was marked with the student's own numbers.",
+            len(foreign),
+            cells=_listed(foreign),
+        )
+    run = {"setup", "check_all", *(prompt.key for prompt in sheet.prompts)}
+    checks = [name for name in edited if name in run]
+    texts = [name for name in edited if name not in run]
     if texts:
-        yield f"{_named(texts)} edited: everything was marked with the numbers that were handed out."
+        yield _.plural(
+            "The cell {cells} is edited: everything was marked with the numbers that were handed out.",
+            "The cells {cells} are edited: everything was marked with the numbers that were handed out.",
+            len(texts),
+            cells=_listed(texts),
+        )
     if checks:
-        yield f"{_named(checks)} edited; checks only say how an answer is read, so this earns nothing and costs nothing."
+        yield _.plural(
+            "The cell {cells} is edited; checks only say how an answer is read, so this earns nothing and costs nothing.",
+            "The cells {cells} are edited; checks only say how an answer is read, so this earns nothing and costs nothing.",
+            len(checks),
+            cells=_listed(checks),
+        )
 
 
-def _named(ids: list[str]) -> str:
-    """The cells by name, and the verb that goes with them."""
-    words = ", ".join(ids[:MOST_NAMED]) + (
-        f" and {len(ids) - MOST_NAMED} more" if len(ids) > MOST_NAMED else ""
-    )
-    return f"The cell {words} is" if len(ids) == 1 else f"The cells {words} are"
-
-
-def _is_text(id: str, sheet: Worksheet) -> bool:
-    """Whether a cell is read rather than run."""
-    return id not in {"setup", "check_all", *(prompt.key for prompt in sheet.prompts)}
+def _listed(names: list[str]) -> str:
+    """The first few by name."""
+    words = ", ".join(names[:MOST_NAMED])
+    more = len(names) - MOST_NAMED
+    return _("{names} and {more} more", names=words, more=more) if more > 0 else words
 
 
 def _owner(notebook: NotebookNode) -> str:
     """The student a notebook says it was made for; "" when it says nothing that could be one."""
     about = notebook.get("metadata", {}).get("corollary")
-    said = about.get("student") if isinstance(about, Mapping) else None
-    return said[:100] if isinstance(said, str) and said.isprintable() else ""
+    owner = about.get("student") if isinstance(about, Mapping) else None
+    return owner[:100] if isinstance(owner, str) and owner.isprintable() else ""
 
 
-def _plain(source: str) -> str:
+def _normal(source: object) -> str:
     """The text but for what editors change by themselves: ends of lines and blanks behind them."""
     return "\n".join(line.rstrip() for line in str(source).strip().splitlines())

@@ -12,6 +12,7 @@ from corollary.grading.grade import Marked
 from corollary.grading.integrity import notes
 from corollary.grading.marking import mark, not_marked
 from corollary.grading.solutions import Solutions
+from corollary.messages import catalogue
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -23,6 +24,8 @@ from corollary.sandbox.zygote import CannotStart
 
 if TYPE_CHECKING:
     from nbformat import NotebookNode
+
+_ = catalogue(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +95,7 @@ def left_to_a_person(
     context: GradingContext, submission: Submission, why: str, node: NotebookNode | None = None
 ) -> MarkedSubmission:
     """A submission that could not be marked through no fault of its student: every part waits for a person."""
-    sentence = f"It could not be marked by the program ({why})."
+    sentence = _("It could not be marked by the program ({why}).", why=why)
     return MarkedSubmission(not_marked(context.worksheet(submission), sentence, submission.late), node, {})
 
 

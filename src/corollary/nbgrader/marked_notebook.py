@@ -9,6 +9,7 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
 from corollary.grading.grade import Marked, PartGrade
+from corollary.messages import catalogue
 from corollary.nbgrader.safe import safe_attachments, safe_markdown, safe_outputs
 from corollary.notebook.cells import checksum
 from corollary.notebook.locate import cells_by_id
@@ -18,34 +19,31 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.render.wording import look
 from corollary.sandbox.result import CellRun
 
+_ = catalogue(__name__)
 FOLDED_AWAY = "# The code of check() is left out of the marked notebook."
-
-
-def sheet_of(marked: Marked, problem_set: ProblemSet) -> Worksheet:
-    """The sheet that was handed out: the same numbers give the same sheet."""
-    return worksheet(problem_set, marked.student, (grade.variant for grade in marked.grades))
 
 
 def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: NotebookNode | None) -> NotebookNode:
     """What formgrader shows and feedback is made from: the student's sheet with their answers, and what is said of them."""
-    nb = restored(sheet_of(marked, problem_set), submitted, marked.runs)
+    sheet = worksheet(problem_set, marked.student, (grade.variant for grade in marked.grades))
+    nb = restored(sheet, submitted, marked.runs)
     verdicts = dict(part_grades(marked))
     for cell in nb.cells:
         mark = cell.metadata.get("nbgrader")
         if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
-            cell.outputs = [_said(verdicts[cell.id])]
-    remarks = [f"> **{safe_markdown(said)}**" for said in (marked.trouble, *marked.notes) if said]
+            cell.outputs = [_verdict(verdicts[cell.id])]
+    remarks = [f"> **{safe_markdown(text)}**" for text in (marked.trouble, *marked.notes) if text]
     nb.cells[1:1] = [
         new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)
     ]
     return nb
 
 
-def restored(paper: Worksheet, submitted: NotebookNode | None, runs: Iterable[CellRun] = ()) -> NotebookNode:
+def restored(sheet: Worksheet, submitted: NotebookNode | None, runs: Iterable[CellRun] = ()) -> NotebookNode:
     """The student's own sheet with what they wrote in it. Cells missing, doubled or altered in the submission do no harm: the
-    sheet's own cells stand in their places, and what the student added stands, as plain code, below the cell it followed.
+    sheet's own cells stand in their places, and what the student added stands, as code of no mark, below the cell it followed.
     """
-    nb = notebook(paper)
+    nb = notebook(sheet)
     answers = cells_by_id(submitted) if submitted is not None else {}
     ran = {run.id: run for run in runs}
     for cell in nb.cells:
@@ -96,7 +94,7 @@ def _fill_in(cell: NotebookNode, theirs: NotebookNode) -> None:
 def _add_extras(nb: NotebookNode, submitted: NotebookNode, runs: Mapping[str, CellRun]) -> None:
     """The cells a student added, each below the cell of the sheet that it followed."""
     ours = {cell.id for cell in nb.cells}
-    chosen = {id: cell for id, cell in cells_by_id(submitted).items() if id in ours}
+    chosen = {name: cell for name, cell in cells_by_id(submitted).items() if name in ours}
     following: dict[str, list[NotebookNode]] = {}
     at = "title"
     for cell in submitted.cells:
@@ -118,12 +116,18 @@ def _extra(cell: NotebookNode, runs: Mapping[str, CellRun]) -> NotebookNode:
     return new_code_cell(str(cell.source), outputs=safe_outputs(run.outputs) if run is not None else [])
 
 
-def _said(grade: PartGrade) -> NotebookNode:
+def _verdict(grade: PartGrade) -> NotebookNode:
     """The verdict as the check cell's output; the feedback stands as a comment at the answer."""
-    earned = f"{grade.points:g} of {grade.out_of:g} point{'' if grade.out_of == 1 else 's'}"
-    words = f"**{look(grade.verdict).phrase}** ({'points will follow' if grade.waits else earned})"
+    earned = _.plural(
+        "{points} of {out_of} point",
+        "{points} of {out_of} points",
+        1 if grade.out_of == 1 else 2,
+        points=f"{grade.points:g}",
+        out_of=f"{grade.out_of:g}",
+    )
+    words = f"**{look(grade.verdict).phrase}** ({_('points will follow') if grade.waits else earned})"
     if grade.answer:
-        words += f"\n\nYour answer was read as: {safe_markdown(grade.answer)}"
+        words += "\n\n" + _("Your answer was read as: {answer}", answer=safe_markdown(grade.answer))
     # Not by new_output, which checks each one against the schema: that would be a third of the time a notebook takes to write.
     data = NotebookNode({"text/markdown": words, "text/plain": words.replace("**", "")})
     return NotebookNode(output_type="display_data", data=data, metadata=NotebookNode())

@@ -110,7 +110,7 @@ def _write_scores(notebook: SubmittedNotebook, marked: Marked, same: Callable[[s
 def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Callable[[str], bool]) -> bool:
     """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again.
 
-    No answer from a notebook that came to grief is no points and a flag: the grief may be the machine's.
+    No answer from a notebook that could not be run to its end is no points and a flag: the machine may be to blame.
     """
     if grade.manual_score is None:
         return part is None or part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
@@ -126,12 +126,8 @@ def _same_answer(before: Path, now: str, key: str) -> bool:
     """Whether the student wrote the same for a part in the marked notebook that lies there and in this one."""
     try:
         old = nbformat.read(before, as_version=4)
-    except (
-        OSError,
-        ValueError,
-        AttributeError,
-        KeyError,
-    ):  # no notebook yet, or one that somebody broke: as if there were none
+    # no notebook yet, or one that somebody broke: as if there were none
+    except (OSError, ValueError, AttributeError, KeyError):
         return False
     return answer_sources(nbformat.reads(now, as_version=4), key) == answer_sources(old, key)
 

@@ -1,8 +1,7 @@
-"""The set and its marks in an nbgrader course: what nbgrader's own commands and formgrader then work on, unchanged."""
+"""The set in an nbgrader course: what nbgrader's own commands and formgrader then work on, unchanged."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from contextlib import redirect_stderr
 from datetime import UTC
 from io import StringIO
@@ -11,24 +10,18 @@ from typing import Any
 from nbformat import NotebookNode
 
 from corollary.atomic import write_whole
-from corollary.grading.grade import Marked
-from corollary.nbgrader.config import NotOurs, write_config
+from corollary.nbgrader.config import write_config
 from corollary.nbgrader.gradebook import (
     GradebookLocked,
-    NoNbgrader,
     NotRegistered,
     directory,
     gradebook,
     need_nbgrader,
     programs_on_path,
 )
-from corollary.nbgrader.marked_notebook import marked_notebook, notebook_text
-from corollary.nbgrader.record import record_one
 from corollary.notebook.notebook import file_text
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, students
-
-__all__ = ["GradebookLocked", "NoNbgrader", "NotOurs", "NotRegistered", "manual_scores", "record", "register"]
 
 
 def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookNode) -> None:
@@ -59,15 +52,15 @@ def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookN
 
 
 def _generate(course: Course, name: str) -> None:
-    """nbgrader's own generate_assignment, in this process and without its chatter."""
+    """nbgrader's own generate_assignment, in this process and without its log."""
     from nbgrader.apps import NbGraderAPI
 
     place = directory(course)
     with programs_on_path(), redirect_stderr(StringIO()):
-        told = NbGraderAPI(place, config=place.config).generate_assignment(name)
-    if told["success"]:
+        result = NbGraderAPI(place, config=place.config).generate_assignment(name)
+    if result["success"]:
         return
-    log = str(told.get("log", "")) + str(told.get("error", ""))
+    log = str(result.get("log", "")) + str(result.get("error", ""))
     if "locked" in log:
         raise GradebookLocked(
             f"{course.gradebook} is locked by another program; close it, and generate again"
@@ -78,36 +71,3 @@ def _generate(course: Course, name: str) -> None:
         )
     last = next((line for line in reversed(log.splitlines()) if line.strip()), "it gave no reason")
     raise NotRegistered(f"nbgrader could not make the assignment {name}: {last.strip()}")
-
-
-def record(
-    course: Course,
-    problem_set: ProblemSet,
-    marked: Iterable[Marked],
-    notebooks: Mapping[str, NotebookNode | None],
-) -> None:
-    """Puts marks into the gradebook and marked notebooks into `autograded/`, one student after the other.
-
-    `notebooks` holds what each student handed in (None, or missing, when it could not be opened). Scores and comments given
-    by a person are kept. Raises NoNbgrader, NotRegistered, GradebookLocked; whoever was recorded before stays recorded.
-    """
-    with gradebook(course) as book:
-        for one in marked:
-            text = notebook_text(marked_notebook(one, problem_set, notebooks.get(one.student.id)))
-            record_one(course, book, problem_set, one, text)
-
-
-def manual_scores(course: Course, set_name: str) -> dict[str, dict[str, float]]:
-    """What people gave: student -> key of the part -> points. Raises NoNbgrader, NotRegistered, GradebookLocked."""
-    given: dict[str, dict[str, float]] = {}
-    with gradebook(course) as book:
-        for submission in book.assignment_submissions(set_name):
-            scores = {
-                grade.name: grade.manual_score
-                for notebook in submission.notebooks
-                for grade in notebook.grades
-                if grade.manual_score is not None
-            }
-            if scores:
-                given[submission.student.id] = scores
-    return given

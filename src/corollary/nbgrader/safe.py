@@ -9,8 +9,8 @@ from collections.abc import Iterable, Mapping
 
 from nbformat import NotebookNode, from_dict
 
-MOST_LETTERS = 20_000
-MOST_PICTURE = 4 << 20
+MOST_LETTERS = 20_000  # some ten printed pages: more is never read, and makes formgrader crawl
+MOST_PICTURE = 4 << 20  # bytes; a figure of matplotlib has some 50 kB
 PICTURES = {"image/png": b"\x89PNG\r\n\x1a\n", "image/jpeg": b"\xff\xd8\xff"}
 
 HTML = re.compile(r"<(?=[A-Za-z/!?])")
@@ -25,13 +25,13 @@ def safe_markdown(text: str) -> str:
 
 def safe_attachments(cell: Mapping[str, object]) -> dict[str, dict[str, str]]:
     """The pictures pasted into a cell that are pictures."""
-    kept: dict[str, dict[str, str]] = {}
+    found: dict[str, dict[str, str]] = {}
     attached = cell.get("attachments")
     for name, kinds in attached.items() if isinstance(attached, Mapping) else ():
-        data = {mime: shown for mime, content in _pairs(kinds) if (shown := _picture(mime, content))}
+        data = _pictures(kinds)
         if data:
-            kept[str(name)] = data
-    return kept
+            found[str(name)] = data
+    return found
 
 
 def safe_outputs(outputs: Iterable[Mapping[str, object]]) -> list[NotebookNode]:
@@ -52,13 +52,10 @@ def _output(output: Mapping[str, object]) -> NotebookNode | None:
             name, value = (_short(str(output.get(key))) for key in ("ename", "evalue"))
             return _made("error", ename=name, evalue=value, traceback=lines)
         case "display_data" | "execute_result":
-            data = {
-                mime: shown
-                for mime, content in _pairs(output.get("data"))
-                if (shown := _picture(mime, content))
-            }
-            if "text/plain" in dict(_pairs(output.get("data"))):
-                data["text/plain"] = _short(_text(dict(_pairs(output.get("data")))["text/plain"]))
+            content = output.get("data")
+            data = _pictures(content)
+            if (text := dict(_pairs(content)).get("text/plain")) is not None:
+                data["text/plain"] = _short(_text(text))
             return _made("display_data", data=data, metadata={}) if data else None
         case _:
             return None
@@ -71,6 +68,11 @@ def _made(kind: str, **content: object) -> NotebookNode:
 
 def _pairs(kinds: object) -> Iterable[tuple[str, object]]:
     return [(str(mime), content) for mime, content in kinds.items()] if isinstance(kinds, Mapping) else []
+
+
+def _pictures(content: object) -> dict[str, str]:
+    """The pictures among the representations of one thing."""
+    return {mime: data for mime, each in _pairs(content) if (data := _picture(mime, each))}
 
 
 def _picture(mime: str, content: object) -> str:

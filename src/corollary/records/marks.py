@@ -20,7 +20,7 @@ from corollary.records.files import Course
 
 
 class Row(msgspec.Struct, frozen=True):
-    """One part of one student, points before lateness. `verdict` is its word, `said` the mistake or slip, `why` the rest."""
+    """One part of one student, points before lateness. `verdict` is its word, `error` the mistake or slip, `why` the rest."""
 
     student: str
     problem: str
@@ -28,7 +28,7 @@ class Row(msgspec.Struct, frozen=True):
     verdict: str
     points: float
     out_of: float
-    said: str = ""
+    error: str = msgspec.field(default="", name="said")  # in the files of courses by its older name
     why: str = ""
 
 

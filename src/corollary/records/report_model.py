@@ -117,8 +117,8 @@ def report(
     met: dict[tuple[str, str, str, str], dict[str, None]] = {}
     for row in rows:
         by_part.setdefault((row.problem, row.part), []).append(row)
-        if row.said:
-            met.setdefault((row.verdict, row.said, row.problem, row.part), {})[row.student] = None
+        if row.error:
+            met.setdefault((row.verdict, row.error, row.problem, row.part), {})[row.student] = None
     found = [Met(*what, tuple(whose)) for what, whose in met.items()]
     came = {one.student for one in handed}
     return Report(

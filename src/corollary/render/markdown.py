@@ -9,7 +9,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from corollary.render.maths import mathml
+from corollary.render.mathml import mathml
 
 
 @lru_cache(maxsize=1)

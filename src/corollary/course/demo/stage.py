@@ -9,7 +9,7 @@ from datetime import UTC, timedelta
 from pathlib import Path
 
 from corollary.answers.registry import answer_type
-from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.atomic import write_whole
 from corollary.course.demo.player import Hand, Player
 from corollary.course.demo.players import PLAYERS
@@ -26,8 +26,9 @@ from corollary.sandbox.runner import Runner
 KEY = b"a course key for everyone to see"
 MARK = ".corollary/demonstration"
 VERDICTS: dict[str, Verdict] = {
-    "right": Right(), "follows": Follows(()), "mistaken": Mistaken(""), "slip": Slip(""), "wrong": Wrong(), "unread": Unread(""), "unmarked": Unmarked(""),
-}  # fmt: skip
+    word(verdict): verdict
+    for verdict in (Right(), Follows(()), Mistaken(""), Slip(""), Wrong(), Unread(""), Unmarked(""))
+}
 Progress = Callable[[str], None]
 
 
@@ -74,10 +75,10 @@ def perform(
     for player in PLAYERS:
         progress(f"{player.student.first_name} works")
         variants = problem_set.variants(made.assigned[player.student.id])
-        paper = worksheet(problem_set, player.student, variants)
-        hand = player.hand(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
-        hands[player.student.id] = paper, hand
-        hand_in(made.course, problem_set, paper, hand)
+        sheet = worksheet(problem_set, player.student, variants)
+        hand = player.hand(sheet, {variant.problem.code: solutions.key(variant) for variant in variants})
+        hands[player.student.id] = sheet, hand
+        hand_in(made.course, problem_set, sheet, hand)
     outcome = grade_set(
         open_course(folder),
         problem_set,
@@ -89,25 +90,25 @@ def perform(
     return Demonstration(made.course, played, outcome)
 
 
-def hand_in(course: Course, problem_set: ProblemSet, paper: Worksheet, hand: Hand) -> None:
+def hand_in(course: Course, problem_set: ProblemSet, sheet: Worksheet, hand: Hand) -> None:
     """Fills the student's own notebook and puts it where hand-ins go, with its time."""
-    place = course.place("submitted", paper.student.id, problem_set.name)
+    place = course.place("submitted", sheet.student.id, problem_set.name)
     path = place / f"{problem_set.name}.ipynb"
     if hand.raw is not None:
         write_whole(path, hand.raw)
     else:
-        write_whole(path, filled_in(paper, hand.sources))
+        write_whole(path, filled_in(sheet, hand.sources))
     if problem_set.due is not None:
         moment = problem_set.due + timedelta(hours=hand.late or -20)
         write_whole(place / "timestamp.txt", f"{moment.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC")
 
 
 def _played(
-    problem_set: ProblemSet, player: Player, paper: Worksheet, hand: Hand, outcome: Outcome
+    problem_set: ProblemSet, player: Player, sheet: Worksheet, hand: Hand, outcome: Outcome
 ) -> Played:
     record = outcome.records[player.student.id]
     deserved, differences = 0.0, []
-    for prompt in paper.prompts:
+    for prompt in sheet.prompts:
         verdict = hand.deserves.get(
             prompt.key, "unmarked" if answer_type(prompt.part.kind).found_in == "cell" else "right"
         )

@@ -8,7 +8,7 @@ from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise, Worksheet
 from corollary.problem.roster import Student
 from corollary.render.exports import Target
-from corollary.render.plain_text import plain
+from corollary.render.terminal_text import terminal_text
 from corollary.render.wording import facts, wanted
 
 _ = catalogue(__name__)
@@ -17,17 +17,17 @@ WIDTH = 80
 
 def write_exercise(asked: Exercise, student: Student, solution: str) -> str:
     problem = asked.problem
-    pieces = [f"{problem.code}  {problem.title}", plain(asked.statement, width=WIDTH)]
+    pieces = [f"{problem.code}  {problem.title}", terminal_text(asked.statement, width=WIDTH)]
     if asked.figure:
-        pieces.append(plain(_("[Figure: {alt}]", alt=asked.figure_alt), width=WIDTH))
+        pieces.append(terminal_text(_("[Figure: {alt}]", alt=asked.figure_alt), width=WIDTH))
     for prompt in asked.prompts:
-        heading = f"({prompt.part.id}) {plain(prompt.part.title)}  [{wanted(prompt)}]"
+        heading = f"({prompt.part.id}) {terminal_text(prompt.part.title)}  [{wanted(prompt)}]"
         options = "\n".join(
-            plain(f"- ({option.letter}) {option.text}", width=WIDTH) for option in prompt.options
+            terminal_text(f"- ({option.letter}) {option.text}", width=WIDTH) for option in prompt.options
         )
-        pieces.append("\n".join(filter(None, (heading, plain(prompt.text, width=WIDTH), options))))
+        pieces.append("\n".join(filter(None, (heading, terminal_text(prompt.text, width=WIDTH), options))))
     if solution:
-        pieces += [_("Worked solution"), plain(solution, width=WIDTH)]
+        pieces += [_("Worked solution"), terminal_text(solution, width=WIDTH)]
     return "\n\n".join(filter(None, pieces)) + "\n"
 
 
@@ -36,7 +36,7 @@ def write_worksheet(sheet: Worksheet, solutions: Mapping[str, str]) -> str:
     pieces = [
         about.title,
         " · ".join(facts(sheet)),
-        plain(about.introduction, width=WIDTH),
+        terminal_text(about.introduction, width=WIDTH),
         *(
             write_exercise(asked, sheet.student, solutions.get(asked.problem.code, "")).rstrip("\n")
             for asked in sheet.exercises

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.render.plain_maths import plain_formula
-from corollary.render.plain_text import plain
+from corollary.render.terminal_text import formula_text, terminal_text
 
 
 @pytest.mark.parametrize(
@@ -28,20 +27,23 @@ from corollary.render.plain_text import plain
     ],
 )
 def test_a_formula_reads_in_a_line(latex, said):
-    assert plain_formula(latex) == said
+    assert formula_text(latex) == said
 
 
 def test_paragraphs_are_wrapped_and_lists_and_tables_kept():
     source = "A *long* paragraph on $p = mv$\nand more.\n\n1. one\n2. two\n\n- a\n\n| a | b |\n|---|---|\n| 1 | 2 |\n\n"
     said = "A long paragraph on\np = m v and more.\n\n1. one\n2. two\n\n- a\n\na | b\n1 | 2"
-    assert plain(source, width=24) == said
+    assert terminal_text(source, width=24) == said
 
 
 def test_code_and_display_formulas_stand_apart():
-    assert plain("so\n\n$$\nF = ma\n$$\n\n```\nx = 1\n  y\n```") == "so\n\n    F = m a\n\n    x = 1\n      y"
+    assert (
+        terminal_text("so\n\n$$\nF = ma\n$$\n\n```\nx = 1\n  y\n```")
+        == "so\n\n    F = m a\n\n    x = 1\n      y"
+    )
 
 
 def test_no_line_is_wider_than_asked():
-    lines = plain("- " + "word " * 100 + "\n\n" + "word " * 100, width=40).splitlines()
+    lines = terminal_text("- " + "word " * 100 + "\n\n" + "word " * 100, width=40).splitlines()
     assert max(map(len, lines)) <= 40
     assert sum(line.count("word") for line in lines) == 200

@@ -12,9 +12,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from corollary.render.maths import formula, mathml
+from corollary.render.mathml import ATTRIBUTES, TAGS, formula, mathml
 from corollary.render.page import font
-from corollary.render.typeset import ATTRIBUTES, TAGS
 
 APPLY = "\u2061"
 PIECES = [
