@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
+import sys
+from pathlib import Path
+from types import ModuleType
+
 import pytest
 import sympy
 
@@ -170,3 +175,53 @@ def test_a_body_that_comes_to_be_has_a_mass_of_its_own():
     made = laws.conservation_of_momentum(before=[(a + b, 0)], after=[(a, c), (b, d)])
     assert text(made.textbook) == "m_A0*v_A0 = m_A1*v_A1 + m_B1*v_B1"
     assert sides(made) == [(0, a * c + b * d)]
+
+
+OWN = sorted(set(laws.__all__) - {"Law", "law"})
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_every_law_says_its_equation_and_is_tested_here(name):
+    """The equation a law's description gives is the one it states; where the sum is as long as the list, it has an ellipsis."""
+    made = getattr(laws, name)
+    about, source = inspect.getdoc(made), inspect.getsource(made)
+    assert about
+    equations = [part for part in about.split("`")[1::2] if "=" in part]
+    assert equations or "law(" not in source
+    assert all(
+        f'"{equation}"' in source or "…" in equation or "+ (1 + 18" in equation for equation in equations
+    )
+    tests = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_*.py"))
+    assert f"{name}(" in tests
+
+
+def test_laws_of_an_installed_package_are_found_under_ours(monkeypatch):
+    theirs = ModuleType("heat")
+    exec(
+        "from corollary.laws import law\n"
+        "def heat(Q, m, c, dT):\n"
+        "    return law('Heat', 'Q = c*m*dT', Q=Q, m=m, c=c, dT=dT)\n"
+        "def momentum(p):\n"
+        "    return None\n",
+        vars(theirs),
+    )
+
+    class Entry:
+        def load(self):
+            return theirs
+
+    monkeypatch.setattr(laws, "entry_points", lambda *, group: [Entry()] if group == "corollary.laws" else [])
+    laws._plugged_in.cache_clear()
+    try:
+        from corollary.laws import heat, momentum
+
+        assert text(heat(p, m, x, t).textbook) == "Q = c*m*dT"
+        assert momentum is sys.modules["corollary.laws.momentum"].momentum  # ours is not replaced
+        with pytest.raises(ImportError, match="cannot import name 'entropy'"):
+            from corollary.laws import entropy  # noqa: F401
+        monkeypatch.setattr(laws, "entry_points", lambda *, group: [Entry(), Entry()])
+        laws._plugged_in.cache_clear()
+        with pytest.raises(ImportError, match="the law heat is in both"):
+            laws.cold  # noqa: B018
+    finally:
+        laws._plugged_in.cache_clear()

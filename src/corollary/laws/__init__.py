@@ -1,75 +1,61 @@
-"""Physics as equations: what the textbook says, and what its letters mean here."""
+"""Physics as equations: what the textbook says, and what its letters mean here.
 
-from corollary.laws.collision import (
-    after_elastic,
-    half_oscillation,
-    in_the_limit,
-    reduced_mass,
-    restitution,
-    seen_from,
-)
-from corollary.laws.damped import damped_frequency, damped_rebound, damping_rate
-from corollary.laws.energy import (
-    change_of_kinetic_energy,
-    change_of_kinetic_energy_in_plane,
-    elastic,
-    energy_at_heights,
-    falling,
-    kinetic_energy,
-    sliding_to_rest,
-    spring_at_rest,
-    work_of_net_force,
-)
-from corollary.laws.force import distance, ionic, on_a_circle, overlap, sphere_contact, towards_circle, within
-from corollary.laws.general import level_floor, same
-from corollary.laws.geometry import angle_between, line_of_centres, rope_height
-from corollary.laws.impulse import (
-    direction,
-    force_on_standing,
-    impulse_momentum,
-    impulse_of,
-    impulse_of_constant_force,
-    mean_force,
-    third_law,
-)
+Every file here is a topic, and every public function in it a law: `from corollary.laws import momentum` finds them all. A package
+of somebody else's adds topics by entry points of the group `corollary.laws`, each of which names a module; its laws are then
+found under `corollary.laws`, too (where names clash, the laws here win).
+"""
+
+from __future__ import annotations
+
+import inspect
+import pkgutil
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from importlib.metadata import entry_points
+from types import ModuleType
+from typing import Any
+
 from corollary.laws.law import Law, law
-from corollary.laws.momentum import (
-    change_of_momentum,
-    conservation_of_momentum,
-    external_impulse,
-    magnitude,
-    momentum,
-    sticking,
-    total_momentum,
-)
-from corollary.laws.potential import (
-    angular_momentum,
-    depth_of_well,
-    energy_between,
-    far_turning_point,
-    oscillation,
-    small_excess,
-    turning_points,
-)
-from corollary.laws.rotation import elastic_on_hinge, hit_on_hinge
-from corollary.laws.variable_mass import (
-    burnt,
-    change_in_absorption,
-    growing,
-    impulse_of_growing_weight,
-    rocket_equation,
-    thrust,
-)
 
-__all__ = [
-    "Law", "after_elastic", "angle_between", "angular_momentum", "burnt", "change_in_absorption", "change_of_kinetic_energy",
-    "change_of_kinetic_energy_in_plane", "change_of_momentum", "conservation_of_momentum", "damped_frequency",
-    "damped_rebound", "damping_rate", "depth_of_well", "direction", "distance", "elastic", "elastic_on_hinge",
-    "energy_at_heights", "energy_between", "external_impulse", "falling", "far_turning_point", "force_on_standing", "growing",
-    "half_oscillation", "hit_on_hinge", "impulse_momentum", "impulse_of", "impulse_of_constant_force",
-    "impulse_of_growing_weight", "in_the_limit", "ionic", "kinetic_energy", "law", "level_floor", "line_of_centres",
-    "magnitude", "mean_force", "momentum", "on_a_circle", "oscillation", "overlap", "reduced_mass", "restitution",
-    "rocket_equation", "rope_height", "same", "seen_from", "sliding_to_rest", "small_excess", "sphere_contact",
-    "spring_at_rest", "sticking", "third_law", "thrust", "total_momentum", "towards_circle", "turning_points", "within",
-    "work_of_net_force",
-]  # fmt: skip
+GROUP = "corollary.laws"
+
+
+def laws_in(topic: ModuleType) -> dict[str, Callable[..., Any]]:
+    """The laws of a topic by name: each public function written there."""
+    return {
+        name: value
+        for name, value in vars(topic).items()
+        if inspect.isfunction(value) and value.__module__ == topic.__name__ and not name.startswith("_")
+    }
+
+
+def _topics() -> list[ModuleType]:
+    names = [each.name for each in pkgutil.iter_modules(__path__) if each.name != "law"]
+    return [import_module(f"{__name__}.{name}") for name in sorted(names)]
+
+
+_OWN = {name: value for topic in _topics() for name, value in laws_in(topic).items()}
+globals().update(_OWN)
+__all__ = ["Law", "law"]
+__all__ += sorted(_OWN)
+
+
+@cache
+def _plugged_in() -> dict[str, Callable[..., Any]]:
+    """The laws of installed packages. Raises ImportError for a name that two of them claim."""
+    found: dict[str, Callable[..., Any]] = {}
+    for entry in entry_points(group=GROUP):
+        for name, value in laws_in(entry.load()).items():
+            if name in found:
+                where = f"{found[name].__module__} and {value.__module__}"
+                raise ImportError(f"the law {name} is in both {where}; import it from its own module")
+            found[name] = value
+    return found
+
+
+def __getattr__(name: str) -> Any:
+    """A law that is not ours, from an installed package."""
+    if not name.startswith("_") and name in _plugged_in():
+        return _plugged_in()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -10,13 +10,27 @@ from corollary.laws.momentum import conservation_of_momentum
 
 
 def restitution(r: object, *, A: tuple, B: tuple) -> Law:
-    """The relative velocity is turned round and shrinks by r (12.62); A and B are (velocity before, velocity after)."""
-    return law("Coefficient of restitution", "v_B1 - v_A1 = -r*(v_B0 - v_A0)", source="(12.62)",
-               r=r, v_A0=A[0], v_A1=A[1], v_B0=B[0], v_B1=B[1])  # fmt: skip
+    """The relative velocity is turned round and shrinks by r (12.62); A and B are (velocity before, velocity after).
+
+    `v_B1 - v_A1 = -r*(v_B0 - v_A0)`
+    """
+    return law(
+        "Coefficient of restitution",
+        "v_B1 - v_A1 = -r*(v_B0 - v_A0)",
+        source="(12.62)",
+        r=r,
+        v_A0=A[0],
+        v_A1=A[1],
+        v_B0=B[0],
+        v_B1=B[1],
+    )
 
 
 def reduced_mass(mu: object, m_A: object, m_B: object) -> Law:
-    """Two bodies that act on each other move against each other like one of this mass."""
+    """Two bodies that act on each other move against each other like one of this mass.
+
+    `mu = m_A*m_B/(m_A + m_B)`
+    """
     return law(
         "Reduced mass",
         "mu = m_A*m_B/(m_A + m_B)",
@@ -29,9 +43,19 @@ def reduced_mass(mu: object, m_A: object, m_B: object) -> Law:
 
 
 def half_oscillation(T: object, m: object, k: object) -> Law:
-    """A contact with a linear spring lasts half a period of the oscillation."""
-    return law("Half a period", "T = pi*sqrt(m/k)", source="(12.137) with q = 1",
-               holds="the contact force is linear, q = 1", T=T, m=m, k=k)  # fmt: skip
+    """A contact with a linear spring lasts half a period of the oscillation.
+
+    `T = pi*sqrt(m/k)` (12.137) with q = 1
+    """
+    return law(
+        "Half a period",
+        "T = pi*sqrt(m/k)",
+        source="(12.137) with q = 1",
+        holds="the contact force is linear, q = 1",
+        T=T,
+        m=m,
+        k=k,
+    )
 
 
 def after_elastic(*, A: tuple, B: tuple) -> tuple[sympy.Expr, sympy.Expr]:
@@ -47,14 +71,18 @@ def after_elastic(*, A: tuple, B: tuple) -> tuple[sympy.Expr, sympy.Expr]:
     )
     equations = [left - right for stated in laws for left, right in sides(stated)]
     (root,) = (
-        root for root in sympy.solve(equations, [v_A1, v_B1], dict=True)
+        root
+        for root in sympy.solve(equations, [v_A1, v_B1], dict=True)
         if sympy.simplify(root[v_A1] - v_A0) != 0 or sympy.simplify(root[v_B1] - v_B0) != 0
-    )  # fmt: skip
+    )
     return as_expression(sympy.factor(root[v_A1])), as_expression(sympy.factor(root[v_B1]))
 
 
 def in_the_limit(found: object, formula: object, letter: sympy.Symbol, to: object, holds: str) -> Law:
-    """What a formula (or each of several) becomes as one letter vanishes or grows beyond all bounds; taken here."""
+    """What a formula (or each of several) becomes as one letter vanishes or grows beyond all bounds; taken here.
+
+    `v = v_limit` (12.69)-(12.72)
+    """
     several = isinstance(formula, tuple)
     limits = (
         tuple(sympy.limit(one, letter, to) for one in formula)
@@ -65,5 +93,8 @@ def in_the_limit(found: object, formula: object, letter: sympy.Symbol, to: objec
 
 
 def seen_from(w: object, v: object, u: object) -> Law:
-    """A velocity v is that of the moving system, u, and the velocity w measured in it (12.74)."""
+    """A velocity v is that of the moving system, u, and the velocity w measured in it (12.74).
+
+    `v = u + w`
+    """
     return law("Relative motion", "v = u + w", source="(12.74)", v=v, u=u, w=w)

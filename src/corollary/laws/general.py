@@ -1,4 +1,4 @@
-"""Definitions that belong to no chapter: equalities, Newton's law of friction, the normal force on a level floor."""
+"""What belongs to no chapter: equality, and the normal force on a level floor."""
 
 from __future__ import annotations
 
@@ -6,12 +6,18 @@ from corollary.laws.law import Law, law
 
 
 def same(x: object, y: object, because: str = "") -> Law:
-    """Two names for one quantity."""
+    """Two names for one quantity.
+
+    `x = y`
+    """
     return law("Equality", "x = y", holds=because, x=x, y=y)
 
 
 def level_floor(N: object, m: object, g: object) -> Law:
-    """On a level floor the normal force carries the weight."""
+    """On a level floor the normal force carries the weight.
+
+    `N = m*g` (12.16)
+    """
     return law(
         "Newton's second law",
         "N = m*g",

@@ -6,13 +6,28 @@ from corollary.laws.law import Law, law
 
 
 def angle_between(psi: object, *, a: tuple, b: tuple, lengths: tuple) -> Law:
-    """The angle between two vectors in the plane, from their scalar product."""
-    return law("Scalar product", "a*b*cos(psi) = a_x*b_x + a_y*b_y", a=lengths[0], b=lengths[1], psi=psi,
-               a_x=a[0], a_y=a[1], b_x=b[0], b_y=b[1])  # fmt: skip
+    """The angle between two vectors in the plane, from their scalar product.
+
+    `a*b*cos(psi) = a_x*b_x + a_y*b_y`
+    """
+    return law(
+        "Scalar product",
+        "a*b*cos(psi) = a_x*b_x + a_y*b_y",
+        a=lengths[0],
+        b=lengths[1],
+        psi=psi,
+        a_x=a[0],
+        a_y=a[1],
+        b_x=b[0],
+        b_y=b[1],
+    )
 
 
 def line_of_centres(n: tuple, *, s: object, D: object) -> tuple[Law, Law]:
-    """The unit vector from centre to centre as two spheres touch: across the motion the centres are s apart, in all D."""
+    """The unit vector from centre to centre as two spheres touch: across the motion the centres are s apart, in all D.
+
+    `n_y = s/D`; `n_x = sqrt(1 - n_y^2)`
+    """
     return (
         law(
             "Line of centres",
@@ -33,7 +48,10 @@ def line_of_centres(n: tuple, *, s: object, D: object) -> tuple[Law, Law]:
 
 
 def rope_height(h: object, L: object, theta: object) -> Law:
-    """How far the end of a rope of length L has risen when the rope makes the angle theta with the vertical."""
+    """How far the end of a rope of length L has risen when the rope makes the angle theta with the vertical.
+
+    `h = L*(1 - cos(theta))`
+    """
     return law(
         "Geometry of the rope", "h = L*(1 - cos(theta))", holds="the rope stays tight", h=h, L=L, theta=theta
     )

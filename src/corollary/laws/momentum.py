@@ -8,12 +8,18 @@ from corollary.laws.law import Law, law
 
 
 def momentum(p: object, m: object, v: object) -> Law:
-    """The momentum of one object: p = m v (12.15); vectors allowed."""
+    """The momentum of one object: p = m v (12.15); vectors allowed.
+
+    `p = m*v`
+    """
     return law("Momentum", "p = m*v", source="(12.15)", p=p, m=m, v=v)
 
 
 def change_of_momentum(dp: object, m: object, *, before: object, after: object) -> Law:
-    """The change is what it is after less what it was before (12.29)."""
+    """The change is what it is after less what it was before (12.29).
+
+    `dp = m*v_1 - m*v_0`
+    """
     return law(
         "Change of momentum", "dp = m*v_1 - m*v_0", source="(12.29)", dp=dp, m=m, v_1=after, v_0=before
     )
@@ -23,6 +29,8 @@ def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
     """The total momentum of an isolated system is the same before and after (12.52), (12.58).
 
     `before` and `after` list (mass, velocity) of every object; an object that comes to be, or to be part of another, may differ.
+
+    `m_A*v_A0 + … = m_A*v_A1 + …`
     """
     letters: dict[str, Any] = {}
 
@@ -38,13 +46,19 @@ def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
     same = [mass for mass, _ in before] == [mass for mass, _ in after]
     formula = f"{total(before, 0)} = {total(after, 1)}"
     return law(
-        "Conservation of momentum", formula, source="(12.52), (12.58)",
-        holds="no net external force acts along this direction", **letters,
-    )  # fmt: skip
+        "Conservation of momentum",
+        formula,
+        source="(12.52), (12.58)",
+        holds="no net external force acts along this direction",
+        **letters,
+    )
 
 
 def sticking(*, before: list[tuple], together: object) -> Law:
-    """Conservation of momentum when all objects move on as one (12.81)."""
+    """Conservation of momentum when all objects move on as one.
+
+    `m_A*v_A0 + m_B*v_B0 + … = (m_A + m_B + …)*v_1` (12.14), (12.81)
+    """
     letters: dict[str, Any] = {"v_1": together}
     left, masses = [], []
     for place, (mass, velocity) in enumerate(before):
@@ -53,13 +67,19 @@ def sticking(*, before: list[tuple], together: object) -> Law:
         left.append(f"m_{body}*v_{body}0")
         masses.append(f"m_{body}")
     return law(
-        "Conservation of momentum", f"{' + '.join(left)} = ({' + '.join(masses)})*v_1", source="(12.14), (12.81)",
-        holds="no net external force acts along this direction, and the objects move as one afterwards", **letters,
-    )  # fmt: skip
+        "Conservation of momentum",
+        f"{' + '.join(left)} = ({' + '.join(masses)})*v_1",
+        source="(12.14), (12.81)",
+        holds="no net external force acts along this direction, and the objects move as one afterwards",
+        **letters,
+    )
 
 
 def total_momentum(P: object, bodies: list[tuple]) -> Law:
-    """The total momentum is the sum over all objects (12.49), (12.56); `bodies` lists (mass, velocity), vectors allowed."""
+    """The total momentum is the sum over all objects (12.49), (12.56); `bodies` lists (mass, velocity), vectors allowed.
+
+    `P = m_1*v_1 + m_2*v_2 + …`
+    """
     letters: dict[str, Any] = {"P": P}
     terms = []
     for place, (mass, velocity) in enumerate(bodies, 1):
@@ -69,12 +89,24 @@ def total_momentum(P: object, bodies: list[tuple]) -> Law:
 
 
 def external_impulse(J: object, *, before: object, after: object) -> Law:
-    """Only external forces change the total momentum (12.53)."""
-    return law("External impulse", "J = P_1 - P_0", source="(12.53)",
-               holds="J is the impulse of all external forces; internal forces cancel in pairs",
-               J=J, P_0=before, P_1=after)  # fmt: skip
+    """Only external forces change the total momentum (12.53).
+
+    `J = P_1 - P_0`
+    """
+    return law(
+        "External impulse",
+        "J = P_1 - P_0",
+        source="(12.53)",
+        holds="J is the impulse of all external forces; internal forces cancel in pairs",
+        J=J,
+        P_0=before,
+        P_1=after,
+    )
 
 
 def magnitude(p: object, components: tuple) -> Law:
-    """The length of a vector in a plane, by Pythagoras."""
+    """The length of a vector in a plane, by Pythagoras.
+
+    `p = sqrt(p_x^2 + p_y^2)`
+    """
     return law("Magnitude", "p = sqrt(p_x^2 + p_y^2)", p=p, p_x=components[0], p_y=components[1])
