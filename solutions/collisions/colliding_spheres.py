@@ -9,15 +9,17 @@ from corollary.author import (
     code,
     derivation,
     explain,
+    file,
+    judge_spheres,
+    judge_spheres_plot,
     mistake,
     plot,
     simulate,
+    sphere_inputs,
     step,
     unknowns,
     vector,
 )
-from corollary.grading.programs.spheres import judge_spheres, sphere_inputs
-from corollary.grading.programs.spheres_plot import judge_spheres_plot
 from corollary.laws import distance, overlap, sphere_contact, within
 
 
@@ -58,8 +60,8 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
             },
         ),
         code("c", "Newton's second law for each sphere, with the force on B opposite to that on A; velocities first, then positions with the new velocities.",
-             inputs=sphere_inputs, judge=judge_spheres, example=EXAMPLE),
-        plot("c", "Straight lines before and after the touch; each component of the total momentum stays the same.", judge=judge_spheres_plot, example=PLOT),
+             inputs=sphere_inputs, judge=judge_spheres, example=file("colliding_spheres/spheres.py")),
+        plot("c", "Straight lines before and after the touch; each component of the total momentum stays the same.", judge=judge_spheres_plot, example=file("colliding_spheres/motion_plot.py")),
         explain(
             "d",
             "Says that the total momentum stays the same, in x and in y.",
@@ -94,41 +96,3 @@ def scene(R, mA, mB, dx, dy, ux, uy, k, eta, answer):
         "t": t,
     }
     return [simulate("touching_spheres", spheres, mean_force=answer["a"], neglected=growth * t / force)]
-
-
-EXAMPLE = """
-def spheres(mA, mB, R, k, eta, rA, vA, rB, vB, T, dt):
-    rA, vA, rB, vB = (np.array(x, dtype=float) for x in (rA, vA, rB, vB))
-    for step in range(round(T / dt)):
-        Dr, Dv = rB - rA, vB - vA
-        r = np.linalg.norm(Dr)
-        F = -k * (2 * R - r) ** 1.5 * Dr / r + eta * Dv if r < 2 * R else np.zeros(2)
-        vA = vA + F / mA * dt
-        vB = vB - F / mB * dt
-        rA = rA + vA * dt
-        rB = rB + vB * dt
-    return [vA[0], vA[1], vB[0], vB[1]]
-"""
-PLOT = """
-R, k, eta, m = {R}, {k}, {eta}, np.array([[{mA}], [{mB}]])
-dt, n = 1e-4, 1000
-r, v = np.zeros((n + 1, 2, 2)), np.zeros((n + 1, 2, 2))
-r[0], v[0] = [[0, 0], [0.08, 0.018]], [[1.0, 0], [0, 0]]
-for i in range(n):
-    Dr, Dv = r[i, 1] - r[i, 0], v[i, 1] - v[i, 0]
-    d = np.linalg.norm(Dr)
-    F = -k * (2 * R - d) ** 1.5 * Dr / d + eta * Dv if d < 2 * R else np.zeros(2)
-    v[i + 1] = v[i] + np.array([F, -F]) / m * dt
-    r[i + 1] = r[i] + v[i + 1] * dt
-t, p = dt * np.arange(n + 1), v * m
-figure, axes = plt.subplots(3, 1)
-for j, name in enumerate("AB"):
-    axes[0].plot(r[:, j, 0], r[:, j, 1], label=name)
-    axes[1].plot(t, p[:, j, 0], label=name)
-    axes[2].plot(t, p[:, j, 1], label=name)
-for axis, x, y in zip(axes, ("x [m]", "t [s]", "t [s]"), ("y [m]", "p_x [kg m/s]", "p_y [kg m/s]")):
-    axis.set_xlabel(x)
-    axis.set_ylabel(y)
-    axis.legend()
-plt.show()
-"""

@@ -1,7 +1,18 @@
 """Two ions: a collision without touching, ruled by energy, angular momentum and the reduced mass."""
 
-from corollary.author import code, derivation, mistake, simulate, step, unknown, unknowns, vector
-from corollary.grading.programs.ions import ion_inputs, judge_ions
+from corollary.author import (
+    code,
+    derivation,
+    file,
+    ion_inputs,
+    judge_ions,
+    mistake,
+    simulate,
+    step,
+    unknown,
+    unknowns,
+    vector,
+)
 from corollary.laws import distance, ionic, law, reduced_mass
 
 
@@ -58,7 +69,7 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
         ),
         code("d", "Newton's second law for each ion, with the force on B opposite to that on A; velocities first, then positions with the new velocities. "
                   "The total momentum must stay the same, and the energy once the step is small enough.",
-             inputs=ion_inputs, judge=judge_ions, example=EXAMPLE),
+             inputs=ion_inputs, judge=judge_ions, example=file("two_ions/ions.py")),
     )  # fmt: skip
 
 
@@ -69,17 +80,3 @@ def scene(C, mA, mB, v, r0, s, dx, dy, answer):
         simulate("ions", pair | {"s": 0.0}, turning_points=answer["b"]),
         simulate("ions", pair | {"s": s}, turning_points=answer["c"]),
     ]
-
-
-EXAMPLE = """
-def ions(C, mA, mB, rA, vA, rB, vB, T, dt):
-    rA, vA, rB, vB = (np.array(x, dtype=float) for x in (rA, vA, rB, vB))
-    for step in range(round(T / dt)):
-        Dr = rB - rA
-        F = -C * Dr / np.linalg.norm(Dr) ** 3
-        vA = vA + F / mA * dt
-        vB = vB - F / mB * dt
-        rA = rA + vA * dt
-        rB = rB + vB * dt
-    return [vA[0], vA[1], vB[0], vB[1]]
-"""

@@ -2,9 +2,21 @@
 
 import sympy
 
-from corollary.author import code, derivation, mistake, plot, reject, simulate, simulated, step, unknowns
-from corollary.grading.programs.floor import bounce_inputs, judge_bounce
-from corollary.grading.programs.floor_plot import judge_bounce_plot
+from corollary.author import (
+    bounce_inputs,
+    code,
+    derivation,
+    file,
+    judge_bounce,
+    judge_bounce_plot,
+    mistake,
+    plot,
+    reject,
+    simulate,
+    simulated,
+    step,
+    unknowns,
+)
 from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
 
 
@@ -81,9 +93,9 @@ def derive(g, R, m, y0, v0, k):
             check="A little more than half of the largest net force: the mean is a fair estimate of how strong a collision is.",
         ),
         code("g", "Newton's second law, stepped forward: the net force from the position, the new velocity, then the position with the new velocity.",
-             inputs=bounce_inputs, judge=judge_bounce, example=EXAMPLE),
+             inputs=bounce_inputs, judge=judge_bounce, example=file("ball_on_the_floor_program/bounce.py")),
         plot("g", "The net force is -mg but for the contact, where it rises and falls; the area under it takes the momentum from negative to positive.",
-             judge=judge_bounce_plot, example=PLOT),
+             judge=judge_bounce_plot, example=file("ball_on_the_floor_program/force_plot.py")),
     )  # fmt: skip
 
 
@@ -93,42 +105,3 @@ def scene(g, R, m, y0, v0, k, answer):
         simulate("ball_on_floor", {"m": m, "k": k, "R": R, "y0": y0, "v0": v0, "g": g}, rebound_speed=-answer["a"],
                  impulse=answer["b"] + m * g * answer["e"], peak_force=answer["d"] + m * g, largest_overlap=answer["c"], duration=answer["e"])
     ]  # fmt: skip
-
-
-EXAMPLE = """
-def bounce(m, k, R, y0, v0, g, dt):
-    y, v = y0, v0
-    largest, steps = 0.0, 0
-    while True:
-        squeezed = max(R - y, 0.0)
-        if squeezed > 0:
-            steps += 1
-        elif steps > 0:
-            return [v, largest, steps * dt]
-        F = k * squeezed**1.5 - m * g
-        largest = max(largest, F)
-        v = v + F / m * dt
-        y = y + v * dt
-"""
-PLOT = """
-m, k, R, g = {m}, {k}, {R}, {g}
-y, v, dt, touched, after = {y0}, {v0}, 1e-5, False, 0
-t, F, p = [], [], []
-while after < 50:
-    squeezed = max(R - y, 0.0)
-    touched = touched or squeezed > 0
-    after += touched and squeezed == 0
-    t.append(len(t) * dt)
-    F.append(k * squeezed**1.5 - m * g)
-    p.append(m * v)
-    v = v + F[-1] / m * dt
-    y = y + v * dt
-figure, (above, below) = plt.subplots(2, 1, sharex=True)
-above.plot(t, F)
-above.set_xlabel("t [s]")
-above.set_ylabel("F [N]")
-below.plot(t, p)
-below.set_xlabel("t [s]")
-below.set_ylabel("p [kg m/s]")
-plt.show()
-"""

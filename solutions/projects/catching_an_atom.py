@@ -5,11 +5,18 @@ import math
 import sympy
 
 from corollary.author import (
+    catch_inputs,
     choice,
     code,
     derivation,
     explain,
+    file,
+    judge_catch,
+    judge_orbit,
+    judge_orbit_plot,
+    judge_potential_plot,
     mistake,
+    orbit_inputs,
     plot,
     simulate,
     simulated,
@@ -18,9 +25,6 @@ from corollary.author import (
     unknowns,
     vector,
 )
-from corollary.grading.programs.atom_plot import judge_orbit_plot, judge_potential_plot
-from corollary.grading.programs.catch import catch_inputs, judge_catch
-from corollary.grading.programs.orbit import judge_orbit, orbit_inputs
 from corollary.laws import (
     depth_of_well,
     distance,
@@ -50,7 +54,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         plot(
             "a", "A parabola with its bottom at b, flat at $U_0$ beyond $b + d$, and a wall at $b - d$. Below $U_0$ the atom is bound: it swings harmonically about $b$, between the two places where $U = E$. Above $U_0$ it is free: it comes in "
                  "from outside at constant speed, is fastest at $b$, is thrown back by the wall at $b - d$, and leaves with the speed it came with.",
-            judge=judge_potential_plot, example=POTENTIAL,
+            judge=judge_potential_plot, example=file("catching_an_atom/potential_plot.py"),
         ),
         step(U_0, "The energy at the edge of the well.", depth_of_well(U_0, k=k, d=d)),
         step(
@@ -142,8 +146,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             ],
             check="Its length is $k\\,\\lvert r - b\\rvert$, and it lies along the radius.",
         ),
-        code("g", "Newton's second law with this force inside r < b + d and no force outside; velocity first, then the place with the new velocity.", inputs=orbit_inputs, judge=judge_orbit, example=ORBIT),
-        plot("g", "The trajectory is a rosette between the circles r = b and r = r_max: it touches each of them once in every swing.", judge=judge_orbit_plot, example=ORBIT_PLOT),
+        code("g", "Newton's second law with this force inside r < b + d and no force outside; velocity first, then the place with the new velocity.", inputs=orbit_inputs, judge=judge_orbit, example=file("catching_an_atom/orbit.py")),
+        plot("g", "The trajectory is a rosette between the circles r = b and r = r_max: it touches each of them once in every swing.", judge=judge_orbit_plot, example=file("catching_an_atom/orbit_plot.py")),
         step(kappa, "How strong the start is against the spring, as a plain number.", law("Ratio", "kappa = m*v^2/(k*b^2)", kappa=kappa, m=m, v=v0, k=k, b=b)),
         step(
             lambda_0, "A velocity across the radius at r = b shrinks as 1/r, for angular momentum is kept. At the edge the share $\\lambda_0$ of it is left.",
@@ -235,7 +239,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                    "than b + d, only speeds below $\\sqrt{kd(b + d)/m}$ will do.",
         ),
         code("j", "At t₁ the velocity is halved (momentum; B was at rest). The pair has twice the mass, and twice the force, for the molecule pulls on both: the acceleration at a place stays as it was.",
-             inputs=catch_inputs, judge=judge_catch, example=CATCH),
+             inputs=catch_inputs, judge=judge_catch, example=file("catching_an_atom/catch.py")),
         choice(
             "k1", "The pair needs enough energy at r = b + d, where angular momentum still leaves it a velocity across the radius. A fast enough A gives this in every direction; across the radius more speed is needed than along it.",
             a=False, b=False, c=True, d=False,
@@ -382,58 +386,3 @@ def halved(m, k, b, d, s, v):
     """Velocity of the pair just after the collision at (b, 0), when A had the speed v and the impact parameter s outside."""
     across = v * s / b
     return math.sqrt(v**2 + k * d**2 / m - across**2) / 2, across / 2
-
-
-POTENTIAL = """
-k, b, d = {k}, {b}, {d}
-U0 = k * d**2 / 2
-x = np.linspace(b - d, b + 2 * d, 400)
-plt.plot(x, np.where(x < b + d, k * (x - b) ** 2 / 2, U0), label="U")
-plt.plot([b - d, b - d], [U0, 6 * U0], "k", label="wall")
-plt.axhline({eps} * U0, color="C1", label="E < U0")
-plt.axhline({epsx} * U0, color="C2", label="E > U0")
-plt.xlabel("x [m]")
-plt.ylabel("U [J]")
-plt.legend()
-plt.show()
-"""
-ORBIT = """
-def orbit(m, k, b, d, x, y, vx, vy, T, dt):
-    r, v = np.array([x, y], dtype=float), np.array([vx, vy], dtype=float)
-    for step in range(round(T / dt)):
-        length = np.hypot(*r)
-        F = -k * (length - b) * r / length if length < b + d else np.zeros(2)
-        v = v + F / m * dt
-        r = r + v * dt
-    return r[0], r[1]
-"""
-ORBIT_PLOT = """
-period = 2 * np.pi * np.sqrt({m} / {k})
-places = [({b}, 0.0)]
-r, v = np.array([{b}, 0.0]), np.array([0.0, {v0}])
-for step in range(5000):
-    length = np.hypot(*r)
-    F = -{k} * (length - {b}) * r / length if length < {b} + {d} else np.zeros(2)
-    v = v + F / {m} * period / 1000
-    r = r + v * period / 1000
-    places.append(tuple(r))
-places = np.array(places)
-plt.plot(places[:, 0], places[:, 1])
-plt.gca().set_aspect("equal")
-plt.xlabel("x [m]")
-plt.ylabel("y [m]")
-plt.show()
-"""
-CATCH = """
-def catch(m, k, b, d, x, y, vx, vy, t1, T, dt):
-    r, v = np.array([x, y], dtype=float), np.array([vx, vy], dtype=float)
-    met = False
-    for step in range(round(T / dt)):
-        if not met and step >= round(t1 / dt):
-            v, met = v / 2, True  # momentum is kept, B was at rest; mass and force both double from here on
-        length = np.hypot(*r)
-        F = -k * (length - b) * r / length if length < b + d else np.zeros(2)
-        v = v + F / m * dt
-        r = r + v * dt
-    return r[0], r[1]
-"""

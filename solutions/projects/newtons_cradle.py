@@ -2,9 +2,14 @@
 
 from corollary.author import (
     code,
+    cradle_inputs,
     derivation,
     example,
     explain,
+    file,
+    judge_contact,
+    judge_cradle,
+    judge_velocity_plot,
     mistake,
     neglected,
     plot,
@@ -15,8 +20,6 @@ from corollary.author import (
     unknowns,
     vector,
 )
-from corollary.grading.programs.row import cradle_inputs, judge_contact, judge_cradle
-from corollary.grading.programs.row_plot import judge_velocity_plot
 from corollary.laws import (
     conservation_of_momentum,
     elastic,
@@ -156,9 +159,9 @@ def derive(m, h0, r, k, v0, g):
             check="Stiffer balls overlap less.",
         ),
         code("h", "Newton's second law for each ball, stepped forward: velocities first, then positions with the new velocities.",
-             inputs=cradle_inputs, judge=judge_cradle, example=EXAMPLE),
+             inputs=cradle_inputs, judge=judge_cradle, example=file("newtons_cradle/cradle.py")),
         plot("h", "The velocities cross at half the time of contact and end exchanged.",
-             judge=lambda given, axes: judge_velocity_plot(given, axes, balls=2), example=PLOT),
+             judge=lambda given, axes: judge_velocity_plot(given, axes, balls=2), example=file("newtons_cradle/two_balls_plot.py")),
         simulated(
             e, "Momentum and energy leave one velocity free; the law of the contact decides. With q = 1 the three balls are masses on springs, and part one after the other.",
             scene="cradle", settings={"N": 3, "q": 1, "m": m, "k": k, "v0": v0}, observe="velocities", answers="i",
@@ -179,9 +182,9 @@ def derive(m, h0, r, k, v0, g):
             law("Change of the velocities", "epsilon = a*t", epsilon=eps, a=a_p, t=t), also=[t, x_a, a_p], supposing=[thread],
         ),
         code("j", "The steeper the force (the larger q), the more the contacts come one after the other; k only sets the time.",
-             inputs=lambda given, draw: [{}], judge=judge_contact, example=CONTACT),
+             inputs=lambda given, draw: [{}], judge=judge_contact, example=file("newtons_cradle/contact.py")),
         plot("j", "Three curves: A falls to nearly zero, B rises and falls back to nearly zero, C takes it all.",
-             judge=lambda given, axes: judge_velocity_plot(given, axes, balls=3), example=PLOT_THREE),
+             judge=lambda given, axes: judge_velocity_plot(given, axes, balls=3), example=file("newtons_cradle/three_balls_plot.py")),
         explain(
             "k",
             "Says that momentum and energy are two equations for three (or more) unknown velocities, so they alone cannot decide.",
@@ -209,64 +212,3 @@ def scene(m, h0, r, k, v0, g, answer):
             "cradle", {"N": 3, "q": 1, "m": m, "k": k, "v0": v0, "gaps": (0.0, gap)}, velocities=answer["f2"]
         ),
     ]
-
-
-EXAMPLE = """
-def cradle(N, m, k, q, v0, dt):
-    v = np.zeros(N)
-    v[0] = v0
-    shift = np.zeros(N)
-    touched = False
-    for step in range(1_000_000):
-        overlap = np.clip(shift[:-1] - shift[1:], 0, None)
-        force = k * overlap**q
-        if touched and not overlap.any():
-            break
-        touched = touched or bool(overlap.any())
-        a = np.zeros(N)
-        a[:-1] -= force / m
-        a[1:] += force / m
-        v = v + a * dt
-        shift = shift + v * dt
-    return list(v)
-"""
-CONTACT = """
-def contact():
-    return 1e9, 6.0
-"""
-PLOT = """
-T = np.pi * np.sqrt({m} / 2 / {k})
-t = np.linspace(0, 1.2 * T, 400)
-half = {v0} / 2
-plt.plot(t, np.where(t < T, half * (1 + np.cos(np.pi * t / T)), 0), label="A")
-plt.plot(t, np.where(t < T, half * (1 - np.cos(np.pi * t / T)), {v0}), label="B")
-plt.xlabel("t [s]")
-plt.ylabel("v [m/s]")
-plt.legend()
-plt.show()
-"""
-PLOT_THREE = """
-def motion(N, m, k, q, v0, dt, steps):
-    v, shift, out = np.zeros(N), np.zeros(N), []
-    v[0] = v0
-    for step in range(steps):
-        out.append(v)
-        force = k * np.clip(shift[:-1] - shift[1:], 0, None) ** q
-        a = np.zeros(N)
-        a[:-1] -= force / m
-        a[1:] += force / m
-        v = v + a * dt
-        shift = shift + v * dt
-    return np.array(out)
-
-k, q = contact()
-scale = ({m} * {v0} ** 2 / k) ** (1 / (q + 1)) / {v0}
-dt = scale / 100
-data = motion(3, {m}, k, q, {v0}, dt, 800)
-for i, name in enumerate("ABC"):
-    plt.plot(dt * np.arange(len(data)), data[:, i], label=name)
-plt.xlabel("t [s]")
-plt.ylabel("v [m/s]")
-plt.legend()
-plt.show()
-"""

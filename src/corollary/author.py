@@ -1,9 +1,10 @@
-"""The words a solution is written in."""
+"""The words a solution is written in; and inputs and judges of programs and figures, by name (grading/programs)."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from itertools import dropwhile
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -36,6 +37,7 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
+from corollary.grading.programs import member
 from corollary.laws.law import Law, as_expression
 
 Finds = sympy.Symbol | tuple[sympy.Symbol, ...]
@@ -179,8 +181,13 @@ def plot(part: str, because: str, *, judge: Callable[..., Fault | None], example
 
 
 def file(name: str) -> str:
-    """The text of a program that lies beside the solution: `example=file("cradle.py")`."""
-    return Path(_frame().f_code.co_filename).with_name(name).read_text(encoding="utf-8")
+    """The text of a program that lies beside the solution: `example=file("newtons_cradle/cradle.py")`.
+
+    The imports it opens with are left out: every notebook has made them (numpy as np, matplotlib.pyplot as plt).
+    """
+    path = Path(_frame().f_code.co_filename).parent / name
+    lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
+    return "".join(dropwhile(lambda line: not line.strip() or line.startswith("import "), lines))
 
 
 def proof(
@@ -230,6 +237,14 @@ def simulate(
 ) -> Simulation:
     """In a solution's scene function: run this ready-made scene, and find these values."""
     return Simulation(scene, settings, expect, neglected, _line())
+
+
+def __getattr__(name: str) -> Any:
+    """Inputs and judges of programs and figures: `from corollary.author import cradle_inputs, judge_cradle`."""
+    found = member(name)
+    if found is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return found
 
 
 def _tuple(finds: Finds) -> tuple[sympy.Symbol, ...]:

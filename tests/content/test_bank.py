@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+
 import pytest
 
 from corollary.problem.bank import Bank, chapter_bank, load
@@ -19,7 +21,28 @@ def test_verifies(problem: Problem) -> None:
     assert checked.redrawn <= 0.8
 
 
-def test_codes_are_unique_and_every_solution_is_used() -> None:
-    assert len({problem.code for problem in PROBLEMS}) == len(PROBLEMS)
+def test_every_file_of_the_solutions_is_used() -> None:
+    """A solution belongs to a problem; a program lies in a folder named like the solution that shows it."""
+    folder = BANK.folder / "solutions"
     used = {BANK.solution(problem) for problem in PROBLEMS}
-    assert set((BANK.folder / "solutions").rglob("*.py")) == used
+    programs = {path for path in folder.rglob("*.py") if path not in used}
+    assert used <= set(folder.rglob("*.py"))
+    assert programs
+    for path in programs:
+        solution = path.parent.with_suffix(".py")
+        assert solution in used
+        assert f'file("{path.parent.name}/{path.name}")' in solution.read_text(encoding="utf-8")
+
+
+def test_solutions_import_what_authors_import() -> None:
+    """The words of an author and the laws; else only libraries."""
+    for problem in PROBLEMS:
+        tree = ast.parse(BANK.solution(problem).read_text(encoding="utf-8"))
+        names = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+        names |= {
+            alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names
+        }
+        assert {name for name in names if name and name.startswith("corollary")} <= {
+            "corollary.author",
+            "corollary.laws",
+        }

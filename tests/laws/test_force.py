@@ -36,7 +36,9 @@ def test_balls_of_radius_3_whose_centres_are_5_apart_overlap_by_1():
     assert right(overlap(sympy.Symbol("delta"), R=3, r=5)) == [1]
 
 
-@pytest.mark.parametrize(("room", "theta"), [("0.3", 1), ("1e-9", 1), ("-1e-9", 0), ("-4", 0), ("0", sympy.nan)])
+@pytest.mark.parametrize(
+    ("room", "theta"), [("0.3", 1), ("1e-9", 1), ("-1e-9", 0), ("-4", 0), ("0", sympy.nan)]
+)
 def test_a_switch_is_on_where_there_is_room(room, theta):
     assert right(within(sympy.Symbol("theta"), sympy.Rational(room), "")) == [theta]
 

@@ -30,7 +30,7 @@ Program it, and draw it.
 SOLUTION = '''\
 """A cart."""
 from corollary.author import *
-from corollary.derive.statements import Fault
+from corollary.author import Fault
 
 
 def right(given, called):

@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 
 from corollary.derive.load import symbol_of
-from corollary.derive.solution import SupposedValue
+from corollary.derive.solution import ClosedForms, SupposedValue
 from corollary.formula.ast import Expr, Number
 from corollary.formula.ball import RationalPi, Undefined, evaluate
 from corollary.formula.errors import ParseError
@@ -129,6 +129,11 @@ class Known:
             found.append(None if isinstance(formula, Number) and formula.value == 0 else dimension)
         zero = asked if asked is not None else next((each for each in found if each is not None), Dimension())
         return tuple(zero if each is None else each for each in found)
+
+
+def forms(finds: tuple[sympy.Symbol, ...], root: Root) -> ClosedForms:
+    """The root of some laws as formulas."""
+    return ClosedForms(tuple(tree(simplest(root[symbol])) for symbol in finds))
 
 
 def simplest(expr: sympy.Expr) -> sympy.Expr:

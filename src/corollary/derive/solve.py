@@ -8,13 +8,12 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, supposed_value
-from corollary.derive.known import Known, Root, at, simplest
+from corollary.derive.known import Known, Root, at, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.parts import misfits, unsolved
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
-    ClosedForms,
     Measured,
     Rule,
     Solution,
@@ -44,7 +43,6 @@ from corollary.formula.from_sympy import relation, tree
 from corollary.laws.law import Law, as_expression, sides, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
-from corollary.scenes.catalogue import SCENES
 from corollary.units.dimensions import Dimension
 from corollary.units.unit import called, show
 
@@ -88,7 +86,7 @@ class _Solver:
         examples: dict[str, SolvedExample] = {}
         proofs: dict[str, SolvedProof] = {}
         for entry in entries:
-            part, line = entry.statement.part, entry.statement.line
+            part = entry.statement.part
             try:
                 match entry:
                     case Step() | Optimum() | Simulated():
@@ -105,7 +103,7 @@ class _Solver:
                 names = ", ".join(map(str, entry.finds)) if isinstance(entry, Finding) else ""
                 about = f"part {part}" if part else names
                 at_fault = error.line if isinstance(error, NoRoot) else 0
-                raise self.failing(f"{about}: {error}", at_fault or line) from error
+                raise self.failing(f"{about}: {error}", at_fault or entry.statement.line) from error
         # after all that is found, so that nothing can lean on what is only supposed
         left_out = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         return Solution(
@@ -133,7 +131,7 @@ class _Solver:
     def step(self, entry: Step) -> Unknown:
         known = self.known
         picked = pick(self.roots(entry, entry.laws), known.points, entry.where, entry.rejected)
-        local = _forms(entry.finds, picked.root)
+        local = forms(entry.finds, picked.root)
         routes = tuple(SolvedRoute(applied_route(route), self.route(entry, route)) for route in entry.routes)
         mistakes = tuple(self.wrong(entry, mistake, entry.where) for mistake in entry.mistakes)
         known.found(entry.finds, picked.root)
@@ -157,7 +155,7 @@ class _Solver:
         goal = known.in_givens(as_expression(entry.of))
         value, note = best(goal, entry.over, entry.between, entry.largest, known.points)
         root = {entry.finds[0]: value}
-        local = _forms(entry.finds, root)
+        local = forms(entry.finds, root)
         mistakes = tuple(self.wrong(entry, mistake, True) for mistake in entry.mistakes)
         known.found(entry.finds, root)
         return Unknown(
@@ -175,6 +173,10 @@ class _Solver:
         )
 
     def simulated(self, entry: Simulated) -> Unknown:
+        from corollary.scenes.catalogue import (
+            SCENES,
+        )  # only here: it brings every scene, and most problems need none
+
         if entry.scene not in SCENES:
             raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(SCENES)}")
         if strange := entry.settings.keys() - {setting.name for setting in SCENES[entry.scene].settings}:
@@ -198,8 +200,8 @@ class _Solver:
 
     def route(self, entry: Step, route: Route[Law]) -> Rule:
         try:
-            root = pick(self.roots(entry, route.laws), self.known.points, entry.where, ()).root
-            return _forms(entry.finds, root)
+            found = self.roots(entry, route.laws)
+            return forms(entry.finds, pick(found, self.known.points, entry.where, ()).root)
         except ValueError as error:
             raise NoRoot(str(error), route.line) from error
 
@@ -211,7 +213,7 @@ class _Solver:
             laws = exchanged(entry.laws, mistake) if isinstance(entry, Step) else mistake.rule.laws
             found = self.roots(entry, laws)
             root = found[0] if len(found) == 1 else pick(found, self.known.points, where, ()).root
-            return Mistake(mistake.text, _forms(entry.finds, root), mistake.line)
+            return Mistake(mistake.text, forms(entry.finds, root), mistake.line)
         except ValueError as error:
             raise NoRoot(str(error), mistake.line) from error
 
@@ -225,8 +227,9 @@ class _Solver:
         result = self.known.dimensions_of(trees, part.unit.dimension if part else None)
         for dimension in result:
             if part and dimension != part.unit.dimension:
-                wanted = show(part.unit) or "plain numbers"
-                raise ValueError(f"the answer is not in {wanted}, it is {called(dimension)}")
+                raise ValueError(
+                    f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}"
+                )
         return result
 
     def choice(self, entry: Choice[Boolean | bool]) -> SolvedChoice:
@@ -288,10 +291,6 @@ class _Solver:
         except ValueError as error:
             sentence = f"what part {entry.statement.part} neglects: {error}"
             raise self.failing(sentence, entry.statement.line) from error
-
-
-def _forms(finds: tuple[sympy.Symbol, ...], root: Root) -> ClosedForms:
-    return ClosedForms(tuple(tree(simplest(root[symbol])) for symbol in finds))
 
 
 def _names(finds: tuple[sympy.Symbol, ...]) -> tuple[str, ...]:

@@ -38,7 +38,7 @@ def _topics() -> list[ModuleType]:
 _OWN = {name: value for topic in _topics() for name, value in laws_in(topic).items()}
 globals().update(_OWN)
 __all__ = ["Law", "law"]
-__all__ += sorted(_OWN)
+__all__ += sorted(_OWN)  # pyright: ignore[reportUnsupportedDunderAll]
 
 
 @cache

@@ -114,7 +114,7 @@ def in_well(well, state, time, dt, step=euler_cromer):
 
     def a(x, v):
         r = np.hypot(*x)
-        return -well.pull * (r - well.b) / r * x if r < well.edge else 0.0 * x
+        return -well.stiffness * (r - well.b) / r * x if r < well.edge else 0.0 * x
 
     x, v = np.array(state[:2]), np.array(state[2:])
     for _ in range(round(time / dt)):

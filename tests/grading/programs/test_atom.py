@@ -6,10 +6,9 @@ import random
 import pytest
 
 from corollary.derive.statements import Fault
-from corollary.grading.programs.called import Called
 from corollary.grading.programs.catch import catch_inputs, judge_catch
-from corollary.grading.programs.orbit import judge_orbit, orbit_inputs
-from corollary.grading.programs.well import Well, moved, start_of, well_of
+from corollary.grading.programs.convergence import Called
+from corollary.grading.programs.orbit import Pull, judge_orbit, moved, orbit_inputs, pull_of, start_of
 from corollary.scenes.catalogue import run
 
 from .conftest import RIGHT, euler_cromer, forward_euler, in_well
@@ -18,7 +17,7 @@ from .conftest import RIGHT, euler_cromer, forward_euler, in_well
 def orbits(seed, step=euler_cromer, change=lambda well, case: well):
     cases = orbit_inputs({}, random.Random(seed).uniform)
     ends = [
-        in_well(change(well_of(case), case), start_of(case), case["T"], case["dt"], step) for case in cases
+        in_well(change(pull_of(case), case), start_of(case), case["T"], case["dt"], step) for case in cases
     ]
     return judge_orbit(
         {}, [Called(case, tuple(map(float, end[:2]))) for case, end in zip(cases, ends, strict=True)]
@@ -27,9 +26,9 @@ def orbits(seed, step=euler_cromer, change=lambda well, case: well):
 
 def catches(seed, step=euler_cromer, keeps=0.5, pull=1.0):
     def end(case):
-        well = well_of(case)
+        well = pull_of(case)
         x, y, u, w = in_well(well, start_of(case), case["t1"], case["dt"], step)
-        after = Well(pull * well.pull, well.b, well.edge)
+        after = Pull(pull * well.stiffness, well.b, well.edge)
         return in_well(after, (x, y, keeps * u, keeps * w), case["T"] - case["t1"], case["dt"], step)[:2]
 
     cases = catch_inputs({}, random.Random(seed).uniform)
@@ -45,14 +44,14 @@ def test_any_method_is_right(judged, step, seed):
 
 @pytest.mark.parametrize("case", orbit_inputs({}, random.Random(12).uniform)[::2])
 def test_half_the_steps_for_the_reference_change_less_than_a_thousandth_of_the_tolerance(case):
-    coarse, fine = (moved(well_of(case), start_of(case), case["T"], least=least)[:2] for least in (200, 400))
+    coarse, fine = (moved(pull_of(case), start_of(case), case["T"], least=least)[:2] for least in (200, 400))
     assert math.dist(coarse, fine) < 1e-5 * case["b"]
 
 
 def test_the_reference_swings_as_long_and_as_far_as_the_scene_says():
     settings = {"m": 2.0, "k": 100.0, "b": 1.0, "d": 0.4, "r0": 1.0, "v0": 3.0}
     seen = run("atom", settings).observed
-    x, y, u, w = moved(Well(50.0, 1.0, 1.4), (1.0, 0.0, 0.0, 3.0), seen["period"], least=2000)
+    x, y, u, w = moved(Pull(50.0, 1.0, 1.4), (1.0, 0.0, 0.0, 3.0), seen["period"], least=2000)
     assert math.hypot(x, y) == pytest.approx(1.0, abs=1e-9)
     assert math.atan2(y, x) == pytest.approx(seen["angle"], abs=1e-8)
     assert math.hypot(u, w) == pytest.approx(3.0, abs=1e-8)
@@ -60,10 +59,10 @@ def test_the_reference_swings_as_long_and_as_far_as_the_scene_says():
 
 WRONG = [
     (orbits, {"step": forward_euler}, "forward Euler"), (catches, {"step": forward_euler}, "forward Euler"),
-    (orbits, {"change": lambda well, case: Well(-well.pull, well.b, well.edge)}, "minus"),
-    (orbits, {"change": lambda well, case: Well(well.pull * case["m"], well.b, well.edge)}, "mass is missing"),
-    (orbits, {"change": lambda well, case: Well(well.pull, well.b, math.inf)}, "beyond b + d"),
-    (orbits, {"change": lambda well, case: Well(well.pull, 0.0, well.edge)}, "relaxed at the distance b"),
+    (orbits, {"change": lambda well, case: Pull(-well.stiffness, well.b, well.edge)}, "minus"),
+    (orbits, {"change": lambda well, case: Pull(well.stiffness * case["m"], well.b, well.edge)}, "mass is missing"),
+    (orbits, {"change": lambda well, case: Pull(well.stiffness, well.b, math.inf)}, "beyond b + d"),
+    (orbits, {"change": lambda well, case: Pull(well.stiffness, 0.0, well.edge)}, "relaxed at the distance b"),
     (catches, {"keeps": 1.0}, "velocity is not changed"), (catches, {"keeps": 0.5**0.5}, "kinetic energy"),
     (catches, {"pull": 0.5}, "not the force"), (catches, {"pull": 2.0}, "not the mass"),
 ]  # fmt: skip

@@ -8,9 +8,14 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.called import Called
-from corollary.grading.programs.floor import ARGUMENTS, bounce_inputs, judge_bounce, reference
-from corollary.grading.programs.floor_plot import judge_bounce_plot
+from corollary.grading.programs.convergence import Called
+from corollary.grading.programs.floor import (
+    ARGUMENTS,
+    bounce_inputs,
+    judge_bounce,
+    judge_bounce_plot,
+    reference,
+)
 from corollary.sandbox.result import Axes, Line
 
 from .conftest import RIGHT, bounce, forward_euler

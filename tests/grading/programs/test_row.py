@@ -7,8 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.bound import OWN_STEPS
-from corollary.grading.programs.called import STEPS, Called
+from corollary.grading.programs.convergence import OWN_STEPS, STEPS, Called
 from corollary.grading.programs.row import (
     CRADLE,
     bounds,

@@ -6,7 +6,7 @@ import random
 import pytest
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.called import Called
+from corollary.grading.programs.convergence import Called
 from corollary.grading.programs.ions import closest, ion_force, ion_inputs, judge_ions
 from corollary.grading.programs.spheres import judge_spheres, sphere_force, sphere_inputs
 from corollary.grading.programs.two_bodies import converged

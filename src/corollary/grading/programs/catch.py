@@ -6,19 +6,31 @@ import math
 from collections.abc import Sequence
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved
-from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.orbit import EULER, misfit, named, place_standard
-from corollary.grading.programs.well import (
+from corollary.grading.programs.convergence import (
+    STEPS,
+    Called,
+    Draw,
+    Family,
+    Given,
+    Inputs,
+    Standard,
+    halved,
+    judged,
+)
+from corollary.grading.programs.orbit import (
+    FORWARD_EULER,
+    Pull,
     State,
     Walk,
-    Well,
     forward_euler,
     half_a_swing,
+    misfit,
     moved,
+    named,
+    place_standard,
+    pull_of,
     start_of,
     stepped,
-    well_of,
 )
 
 
@@ -31,9 +43,9 @@ def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:
         omega = math.sqrt(k / m)
         x, y, vx, vy = (round(each, 4) for each in (b + 1.6 * d, aside * b, -draw(0.5, 0.9) * omega * d, 0.0))
         case = {"m": m, "k": k, "b": b, "d": d, "x": x, "y": y, "vx": vx, "vy": vy}
-        well = well_of(case)
-        t1 = _arrival(well, (x, y, vx, vy))
-        dt = t1 / round(t1 / half_a_swing(well) * STEPS)
+        pull = pull_of(case)
+        t1 = _arrival(pull, (x, y, vx, vy))
+        dt = t1 / round(t1 / half_a_swing(pull) * STEPS)
         cases.append(case | {"t1": t1, "T": t1 + dt * round(5.0 / omega / dt), "dt": dt})
     return halved(cases)
 
@@ -44,18 +56,23 @@ def judge_catch(given: Given, called: Sequence[Called]) -> Fault | Remark | None
 
 
 def _standard(inputs: Inputs) -> Standard:
-    well, left = well_of(inputs), inputs["T"] - inputs["t1"]
-    x, y, u, w = moved(well, start_of(inputs), inputs["t1"])
-    truth = moved(well, (x, y, u / 2, w / 2), left)
-    return place_standard(well, truth, lambda dt: ended(inputs, dt))
+    pull, left = pull_of(inputs), inputs["T"] - inputs["t1"]
+    x, y, u, w = moved(pull, start_of(inputs), inputs["t1"])
+    truth = moved(pull, (x, y, u / 2, w / 2), left)
+    return place_standard(pull, truth, lambda dt: ended(inputs, dt))
 
 
-def ended(inputs: Inputs, dt: float, *, keeps: float = 0.5, pull: float = 1.0, walk: Walk = stepped) -> State:
+def ended(
+    inputs: Inputs, dt: float, *, keeps: float = 0.5, stiffer: float = 1.0, walk: Walk = stepped
+) -> State:
     """Where a method leads: at t1 the velocity keeps this share, and the pull on what moves on changes by this factor."""
-    well, t1, left = well_of(inputs), inputs["t1"], inputs["T"] - inputs["t1"]
-    x, y, u, w = walk(well, start_of(inputs), t1, round(t1 / dt))
+    pull, t1, left = pull_of(inputs), inputs["t1"], inputs["T"] - inputs["t1"]
+    x, y, u, w = walk(pull, start_of(inputs), t1, round(t1 / dt))
     return walk(
-        Well(pull * well.pull, well.b, well.edge), (x, y, keeps * u, keeps * w), left, round(left / dt)
+        Pull(stiffer * pull.stiffness, pull.b, pull.edge),
+        (x, y, keeps * u, keeps * w),
+        left,
+        round(left / dt),
     )
 
 
@@ -69,12 +86,12 @@ def _wrong(called: Called) -> Fault:
             inputs, dt, keeps=0.5**0.5
         ),
         "the mass has doubled, but not the force. The molecule pulls on A and on B.": ended(
-            inputs, dt, pull=0.5
+            inputs, dt, stiffer=0.5
         ),
         "the force has doubled, but not the mass. The pair has the mass of two atoms.": ended(
-            inputs, dt, pull=2.0
+            inputs, dt, stiffer=2.0
         ),
-        EULER: ended(inputs, dt, walk=forward_euler),
+        FORWARD_EULER: ended(inputs, dt, walk=forward_euler),
     }
     return named(called, usual)
 
@@ -82,15 +99,15 @@ def _wrong(called: Called) -> Fault:
 CATCH = Family(misfit, _standard, _wrong)
 
 
-def _arrival(well: Well, start: State) -> float:
+def _arrival(pull: Pull, start: State) -> float:
     """When an atom from outside first reaches r = b, by halving."""
     x, y, u, _ = start
-    low = (x - math.sqrt(well.edge**2 - y**2)) / -u
-    high = low + 2 * math.pi / math.sqrt(well.pull)
+    low = (x - math.sqrt(pull.edge**2 - y**2)) / -u
+    high = low + 2 * math.pi / math.sqrt(pull.stiffness)
     grid = [low + (high - low) * i / 200 for i in range(201)]
-    first = next(time for time in grid if math.hypot(*moved(well, start, time)[:2]) < well.b)
+    first = next(time for time in grid if math.hypot(*moved(pull, start, time)[:2]) < pull.b)
     low, high = first - (high - low) / 200, first
     for _ in range(40):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if math.hypot(*moved(well, start, middle)[:2]) < well.b else (middle, high)
+        low, high = (low, middle) if math.hypot(*moved(pull, start, middle)[:2]) < pull.b else (middle, high)
     return high

@@ -1,19 +1,86 @@
-"""The judgement of a stepped program: near enough for its step, and nearer with half of it."""
+"""Stepped programs judged by convergence: called with a step and with half of it, near enough for the step, and nearer with half."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.bound import OWN_STEPS, Bound
-from corollary.grading.programs.called import Called, Inputs, pairs
 
+Given = Mapping[str, float]
+Draw = Callable[[float, float], float]
+Inputs = Mapping[str, Any]
+
+STEPS = 100  # in a contact: with so many the book's method errs by 1.2e-4 of the first speed (measured, no damping)
+SAFETY = 8.0  # right programs by other methods (Heun, midpoint, position first) err by up to 4.1 times as much (tests)
+SMOOTH = 3.0  # the same where no contact begins or ends: there the book's method errs most
+# steps in a contact; no whole numbers, so that contacts end anywhere in a step
+COARSE = (23.4, 28.7, 33.1, 39.8, 47.3)
+LEAST = 2e-4  # nothing nearer is asked for: solve_ivp with max_step=dt and its usual rtol errs by up to 7e-5
+# a program that is wrong is named by the usual one it ends so near to, whatever methods the two use
+NAMED = 0.02
+# without dt: solve_ivp's usual rtol = 1e-3 errs by up to 0.005 here, forward Euler by 0.02 and more
+OWN_STEPS = 0.01
 SAME = 1e-13  # relative: two runs that differ by less did not use the step
 FIRST = 2.7  # halving the step divides the error by 2 (first order) or 4 (second): told apart half-way, at the root of 8
 STALLED = 1.4  # and 2 from 1 at the root of 2
 SMALL = 0.02  # of what is allowed: errors too small to say anything of a method
+
+
+@dataclass(frozen=True, slots=True)
+class Called:
+    """One call: the keyword arguments, and the numbers that came back."""
+
+    inputs: Inputs
+    returned: tuple[float, ...]
+
+
+def halved(cases: Sequence[Inputs]) -> list[Inputs]:
+    """Each case with its step `dt`, and then with half of it."""
+    return [inputs for case in cases for inputs in (case, {**case, "dt": case["dt"] / 2})]
+
+
+def pairs(called: Sequence[Called]) -> list[tuple[Called, Called]]:
+    """The calls that `halved` made, two and two."""
+    return list(zip(called[::2], called[1::2], strict=True))
+
+
+def miscounted(called: Called, count: int, what: str) -> str:
+    """What to say when not so many numbers came back; "" when they did."""
+    many = len(called.returned)
+    return (
+        ""
+        if many == count
+        else f"It returns {'one number' if many == 1 else f'{many} numbers'}; return {what}."
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """The error may be `constant` / steps^`order`, steps in a contact; relative to the scale of what is observed."""
+
+    order: int
+    constant: float
+
+    def allowed(self, steps: float) -> float:
+        return max(LEAST, self.constant / steps**self.order)
+
+
+def measured(
+    order: int, errors: Callable[[float], Sequence[float]], safety: float = SAFETY
+) -> tuple[Bound, ...]:
+    """The bound of each observed thing: `errors(steps)` are those of the book's method with so many steps in a contact.
+
+    The order is 2 where forces depend on places only and what is observed is read when they have ceased to act; 1 with
+    damping, where a force jumps, and for places on the way (observed orders: `corollary trade`).
+    """
+    found = [(steps, errors(steps)) for steps in COARSE]
+    return tuple(
+        Bound(order, safety * max(each[i] * steps**order for steps, each in found))
+        for i in range(len(found[0][1]))
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,10 +134,10 @@ def judged(family: Family, called: Sequence[Called]) -> Fault | Remark | None:
         own, standard = same(*pair), family.standard(pair[0].inputs)
         for later, call in enumerate(pair):
             if standard.far(call, own):
-                said = family.wrong(call)
-                if said.known or not (own or later):
-                    return said
-                return Fault(f"{OWN if own else LATER} {said.sentence}")
+                fault = family.wrong(call)
+                if fault.known or not (own or later):
+                    return fault
+                return Fault(f"{OWN if own else LATER} {fault.sentence}")
         standards.append(standard)
     return remark(both, standards)
 

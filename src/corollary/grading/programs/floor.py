@@ -1,22 +1,44 @@
-"""Students' programs for a ball on the floor: what they are called with, and how what they return is judged."""
+"""A ball on the floor: what students' programs are called with, how they and figures are judged, and the usual bugs."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any, Literal
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.bound import NAMED, Bound, measured
-from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
-from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.floor_bugs import USUAL, Scheme, wrong_bounce
+from corollary.grading.programs.convergence import (
+    NAMED,
+    STEPS,
+    Bound,
+    Called,
+    Draw,
+    Family,
+    Given,
+    Inputs,
+    Standard,
+    halved,
+    judged,
+    measured,
+    miscounted,
+)
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
 
+Scheme = Literal["euler", "weightless", "linear", "floor"]
+
+USUAL: dict[Scheme, str] = {
+    "euler": "This is forward Euler: the position is stepped with the old velocity, and energy grows. "
+    "Step the velocity first, then the position with the new velocity.",
+    "weightless": "Gravity is missing: the net force is N - m g, also while the ball is above the floor.",
+    "linear": "The floor pushes here like a spring, in proportion to R - y. Its force goes with the power 3/2.",
+    "floor": "Velocity and time are right, but the force is that of the floor; the net force is smaller by the weight.",
+}
 ARGUMENTS = ("m", "k", "R", "y0", "v0", "g")
 COUNTED = 2.5  # steps: a contact counted in steps may be one longer or shorter at each end
+OF_PLOT = 0.03  # of the largest force or momentum: a figure is judged, not a measurement
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,3 +163,79 @@ def _distance(called: Called, scheme: Scheme) -> float:
 
 
 BOUNCE = Family(_misfit, _standard, _wrong)
+
+
+@lru_cache(maxsize=256)
+def wrong_bounce(
+    scheme: Scheme, m: float, k: float, R: float, y0: float, v0: float, g: float, dt: float
+) -> tuple[float, float, float] | None:
+    """Velocity, largest force and time of contact of a wrong program, or None when it never ends.
+
+    A loop of its own: a long fall takes 100 000 of these steps, and a general method is ten times as slow.
+    """
+    y, v, largest, below = y0, v0, 0.0, 0
+    pull = 0.0 if scheme == "weightless" else m * g
+    for _ in range(200_000):
+        overlap = R - y
+        if overlap > 0:
+            below += 1
+        elif below:
+            return v, largest, below * dt
+        push = k * overlap ** (1.0 if scheme == "linear" else 1.5) if overlap > 0 else 0.0
+        largest = max(largest, push - (0.0 if scheme == "floor" else pull))
+        a = (push - pull) / m
+        y, v = y + (v if scheme == "euler" else v + a * dt) * dt, v + a * dt
+    return None
+
+
+def judge_bounce_plot(given: Given, figures: Sequence[Any]) -> Fault | None:
+    """Net force and momentum against time, each with labelled axes, from before the contact till after it."""
+    m, g = given["m"], given["g"]
+    truth = reference(*(given[name] for name in ARGUMENTS))
+    weight, momentum = m * g, m * truth.velocity
+    off, odd = OF_PLOT * truth.force, OF_PLOT * momentum
+    force = _curve(figures, lambda y: abs(max(y) - truth.force) <= off and abs(min(y) + weight) <= off)
+    if force is None:
+        return Fault(
+            "There is no curve of the net force for your numbers: from -m g to the largest net force, and back."
+        )
+    if abs(force[1][-1] + weight) > off or abs(force[1][0] + weight) > off:
+        return Fault(
+            "The curve of the net force must begin before the ball touches the floor and end after it has left it."
+        )
+    if abs(force[1][0] + weight) > 0.2 * weight:
+        return Fault(
+            "At the start only gravity acts, and the net force is -m g; you drew the force of the floor.",
+            known=True,
+        )
+    path = _curve(figures, lambda y: abs(min(y) + momentum) <= odd and abs(max(y) - momentum) <= odd)
+    if path is None:
+        return Fault(
+            "There is no curve of the momentum p(t) for your numbers: from m v at the first touch to the opposite value."
+        )
+    for (axes, _), name, words in ((force, "F [N]", "f force kraft"), (path, "p [kg m/s]", "p momentum")):
+        if not _named(axes.xlabel, "t time zeit tid s"):
+            return Fault("The x axis needs a label that names the quantity and its unit: t [s].")
+        if not _named(axes.ylabel, words):
+            return Fault(f"The y axis needs a label that names the quantity and its unit: {name}.")
+    return None
+
+
+def _curve(
+    figures: Sequence[Any], fits: Callable[[Sequence[float]], bool]
+) -> tuple[Any, Sequence[float]] | None:
+    """The first curve of many points whose heights fit, with its axes."""
+    for axes in figures:
+        for line in axes.lines:
+            if (
+                line.kind in {"line", "points"}
+                and len(line.y) > 20
+                and all(map(math.isfinite, line.y))
+                and fits(line.y)
+            ):
+                return axes, line.y
+    return None
+
+
+def _named(label: str, words: str) -> bool:
+    return any(word in label.lower() for word in words.split())

@@ -7,9 +7,18 @@ from collections.abc import Sequence
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs import two_bodies
-from corollary.grading.programs.bound import SMOOTH
-from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved
-from corollary.grading.programs.convergence import Family, Standard, judged
+from corollary.grading.programs.convergence import (
+    SMOOTH,
+    STEPS,
+    Called,
+    Draw,
+    Family,
+    Given,
+    Inputs,
+    Standard,
+    halved,
+    judged,
+)
 from corollary.grading.programs.two_bodies import Force, converged
 
 

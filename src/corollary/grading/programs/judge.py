@@ -13,7 +13,7 @@ from corollary.derive.solution import Solution
 from corollary.derive.statements import Code, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.called import Called
+from corollary.grading.programs.convergence import Called
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant

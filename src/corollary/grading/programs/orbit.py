@@ -1,27 +1,120 @@
-"""Students' programs for an atom in the plane of a molecule: what they are called with, and how they are judged."""
+"""An atom in the plane of a molecule: its motion, what students' programs are called with, and how they and figures are judged."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.bound import NAMED, measured
-from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
-from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.well import (
-    State,
-    Well,
-    forward_euler,
-    half_a_swing,
-    moved,
-    start_of,
-    stepped,
-    turned,
-    well_of,
+from corollary.grading.programs.convergence import (
+    NAMED,
+    STEPS,
+    Called,
+    Draw,
+    Family,
+    Given,
+    Inputs,
+    Standard,
+    halved,
+    judged,
+    measured,
+    miscounted,
 )
+from corollary.scenes.catalogue import run
+from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, RK4, Path, march
 
-EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
+State = tuple[float, float, float, float]
+FORWARD_EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
+NEAR = 0.04  # of the depth of the pull: a sketch is judged, not a measurement
+
+
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """Acceleration -stiffness (r - b) along the radius for r < edge, none beyond; `stiffness` is k/m."""
+
+    stiffness: float
+    b: float
+    edge: float
+
+    def within(self, x: Sequence[float], v: Sequence[float]) -> list[float]:
+        """As if there were no edge."""
+        r = math.hypot(*x)
+        return [-self.stiffness * (r - self.b) / r * place for place in x]
+
+    def acceleration(self, x: Sequence[float], v: Sequence[float]) -> list[float]:
+        return self.within(x, v) if math.hypot(*x) < self.edge else [0.0, 0.0]
+
+
+Walk = Callable[[Pull, State, float, int], State]  # a method: the state after a time, in so many steps
+
+
+def pull_of(inputs: Inputs) -> Pull:
+    return Pull(inputs["k"] / inputs["m"], inputs["b"], inputs["b"] + inputs["d"])
+
+
+def start_of(inputs: Inputs) -> State:
+    return inputs["x"], inputs["y"], inputs["vx"], inputs["vy"]
+
+
+def half_a_swing(pull: Pull) -> float:
+    """From r = b out and back: as long as the atom is pulled in on a line, and what steps are counted in."""
+    return math.pi / math.sqrt(pull.stiffness)
+
+
+def moved(pull: Pull, state: State, time: float, least: int = 400) -> State:
+    """The state after a time: fourth order, steps cut where the edge is crossed; six digits with 400 steps a swing."""
+    count = max(1, math.ceil(time * math.sqrt(pull.stiffness) / (2 * math.pi) * least))
+    inside = math.hypot(*state[:2]) < pull.edge
+    for _ in range(count):
+        left = time / count
+        while left > 0:
+            after = _step(pull, state, left, inside)
+            if (math.hypot(*after[:2]) < pull.edge) == inside:
+                state, left = after, 0.0
+                continue
+            low, high = 0.0, left
+            while high - low > 1e-15 * time:
+                middle = 0.5 * (low + high)
+                here = math.hypot(*_step(pull, state, middle, inside)[:2]) < pull.edge
+                low, high = (middle, high) if here == inside else (low, middle)
+                if middle in (0.0, left):
+                    break
+            state, left, inside = _step(pull, state, high, inside), left - high, not inside
+    return state
+
+
+def _step(pull: Pull, state: State, dt: float, inside: bool) -> State:
+    """One step of fourth order, by the law on one side of the edge."""
+    if not inside:
+        x, y, u, w = state
+        return x + u * dt, y + w * dt, u, w
+    return _end(march(RK4, pull.within, state[:2], state[2:], dt, 1))
+
+
+def stepped(pull: Pull, state: State, time: float, steps: int) -> State:
+    """The state after a time by the book's method."""
+    return _end(march(EULER_CROMER, pull.acceleration, state[:2], state[2:], time / steps, steps))
+
+
+def forward_euler(pull: Pull, state: State, time: float, steps: int) -> State:
+    """The same with the position stepped by the old velocity."""
+    return _end(march(EULER, pull.acceleration, state[:2], state[2:], time / steps, steps))
+
+
+def _end(path: Path) -> State:
+    (x, y), (u, w) = path.places[-1], path.velocities[-1]
+    return x, y, u, w
+
+
+def turned(state: State, angle: float) -> State:
+    """Place and velocity turned about the molecule."""
+    x, y, u, w = state
+    c, s = math.cos(angle), math.sin(angle)
+    return c * x - s * y, s * x + c * y, c * u - s * w, s * u + c * w
 
 
 def orbit_inputs(given: Given, draw: Draw) -> list[Inputs]:
@@ -53,13 +146,13 @@ def judge_orbit(given: Given, called: Sequence[Called]) -> Fault | Remark | None
 
 
 def _standard(inputs: Inputs) -> Standard:
-    well, start, T = well_of(inputs), start_of(inputs), inputs["T"]
-    return place_standard(well, moved(well, start, T), lambda dt: stepped(well, start, T, round(T / dt)))
+    pull, start, T = pull_of(inputs), start_of(inputs), inputs["T"]
+    return place_standard(pull, moved(pull, start, T), lambda dt: stepped(pull, start, T, round(T / dt)))
 
 
-def place_standard(well: Well, truth: State, book: Callable[[float], State]) -> Standard:
+def place_standard(pull: Pull, truth: State, book: Callable[[float], State]) -> Standard:
     """Places against the distance b, or the distance from the molecule when it is larger. First order: the atom is still pulled."""
-    contact, scale = half_a_swing(well), max(well.b, math.hypot(*truth[:2]))
+    contact, scale = half_a_swing(pull), max(pull.b, math.hypot(*truth[:2]))
 
     def errors(found: Sequence[float]) -> tuple[float, ...]:
         return (math.dist(found, truth[:2]) / scale,)
@@ -69,23 +162,25 @@ def place_standard(well: Well, truth: State, book: Callable[[float], State]) -> 
 
 def _wrong(called: Called) -> Fault:
     inputs = called.inputs
-    well, start = well_of(inputs), start_of(inputs)
+    pull, start = pull_of(inputs), start_of(inputs)
     steps = round(inputs["T"] / inputs["dt"])
-    pull, b, edge = well.pull, well.b, well.edge
+    stiffness, b, edge = pull.stiffness, pull.b, pull.edge
     wrong = {
-        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": Well(
-            -pull, b, edge
+        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": Pull(
+            -stiffness, b, edge
         ),
-        "the atom is still pulled back beyond b + d. There the potential energy is constant: no force.": Well(
-            pull, b, math.inf
+        "the atom is still pulled back beyond b + d. There the potential energy is constant: no force.": Pull(
+            stiffness, b, math.inf
         ),
-        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": Well(
-            pull, 0.0, edge
+        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": Pull(
+            stiffness, 0.0, edge
         ),
-        "the mass is missing: the acceleration is the force divided by m.": Well(pull * inputs["m"], b, edge),
+        "the mass is missing: the acceleration is the force divided by m.": Pull(
+            stiffness * inputs["m"], b, edge
+        ),
     }
     usual = {sentence: stepped(other, start, inputs["T"], steps) for sentence, other in wrong.items()}
-    usual[EULER] = forward_euler(well, start, inputs["T"], steps)
+    usual[FORWARD_EULER] = forward_euler(pull, start, inputs["T"], steps)
     return named(called, usual)
 
 
@@ -104,3 +199,79 @@ def named(called: Called, usual: Mapping[str, State]) -> Fault:
 
 
 ORBIT = Family(misfit, _standard, _wrong)
+
+
+def judge_potential_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fault | None:
+    """The bottom at b, a quarter of the depth half-way, the flat top beyond b + d, and a level line for either energy."""
+    b, d, depth = given["b"], given["d"], given["k"] * given["d"] ** 2 / 2
+    axes = next((each for each in figures if each.lines), None)
+    if axes is None:
+        return Fault(
+            "No axes with a curve were found; plot the potential energy against the place of the atom."
+        )
+    named = {axes.xlabel.lower(): ("x", "r", "m]"), axes.ylabel.lower(): ("u", "energy", "j]")}
+    if not all(any(word in label for word in words) for label, words in named.items()):
+        return Fault("The axes need labels that name quantity and unit: x [m] and U [J].")
+    curves = [line for line in axes.lines if line.kind == "line" and len(line.x) > 20]
+    if not curves:
+        return Fault("The potential must be drawn as a curve of more than 20 points.")
+    if not any(
+        _reads(line, {b: 0.0, b - d / 2: depth / 4, b + d / 2: depth / 4, b + 1.2 * d: depth}, depth)
+        for line in curves
+    ):
+        return Fault(
+            "No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right "
+            "and on the left too, and stay at U0 beyond b + d."
+        )
+    for name, level in (("below", given["eps"] * depth), ("above", given["epsx"] * depth)):
+        if not any(_level(line, level, NEAR * level) for line in axes.lines):
+            return Fault(
+                f"The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the "
+                f"energy asked for."
+            )
+    return None
+
+
+def judge_orbit_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fault | None:
+    """A curve from (b, 0) that swings between r = b and the far turning point, at least once."""
+    b = given["b"]
+    settings = {name: given[name] for name in ("m", "k", "b", "d", "v0")}
+    far = run("atom", settings | {"r0": b}, tolerance=1e-9).observed["turning_points"]
+    assert isinstance(far, tuple)
+    for axes in figures:
+        for line in axes.lines:
+            if len(line.x) < 50:
+                continue
+            if [label.strip(" $").lower()[:1] for label in (axes.xlabel, axes.ylabel)] != ["x", "y"]:
+                return Fault("The axes need labels that name quantity and unit: x [m] and y [m].")
+            r = np.hypot(line.x, line.y)
+            if math.dist((line.x[0], line.y[0]), (b, 0.0)) > 0.02 * b:
+                return Fault("The trajectory must start at (b, 0).")
+            if r.min() < 0.98 * b:
+                return Fault(
+                    "The atom comes closer than b. It starts across the radius, and the force at r > b is not "
+                    "strong enough to pull it in further: check force and step."
+                )
+            if abs(r.max() - far[-1]) > 0.02 * b:
+                return Fault(
+                    "The greatest distance of your trajectory is not that of (h1). Let it run for some "
+                    "swings, and check v0, force and step."
+                )
+            return None
+    return Fault("No trajectory was found; plot y against x, as a curve of many points.")
+
+
+def _reads(line: Any, wanted: Mapping[float, float], scale: float) -> bool:
+    """Whether the curve passes through the points, between its own points interpolated."""
+    order = np.argsort(line.x, kind="stable")
+    x, y = np.asarray(line.x)[order], np.asarray(line.y)[order]
+    known = np.isfinite(x) & np.isfinite(y)
+    x, y = x[known], y[known]
+    return bool(len(x)) and all(
+        x[0] <= place <= x[-1] and abs(float(np.interp(place, x, y)) - value) <= NEAR * scale
+        for place, value in wanted.items()
+    )
+
+
+def _level(line: Any, level: float, allowed: float) -> bool:
+    return len(line.y) >= 2 and all(abs(y - level) <= allowed for y in line.y)

@@ -1,26 +1,40 @@
-"""Students' programs for a row of balls: what they are called with, and how what they return is judged."""
+"""A row of balls: what students' programs are called with, how they and figures are judged, and the usual bugs."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
-from itertools import pairwise
+from itertools import islice, pairwise
+from typing import Any, Literal
 
 from corollary.derive.statements import Fault, Remark
-from corollary.grading.programs.bound import NAMED, Bound, measured
-from corollary.grading.programs.called import STEPS, Called, Draw, Given, Inputs, halved, miscounted
-from corollary.grading.programs.convergence import Family, Standard, judged
-from corollary.grading.programs.row_bugs import USUAL, wrong_cradle
+from corollary.grading.programs.convergence import (
+    NAMED,
+    STEPS,
+    Bound,
+    Called,
+    Draw,
+    Family,
+    Given,
+    Inputs,
+    Standard,
+    halved,
+    judged,
+    measured,
+    miscounted,
+)
 from corollary.scenes.catalogue import run
-from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
+from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, march, states
+from corollary.scenes.models.bounce import contact_time
 
+Scheme = Literal["euler", "one-sided"]
+MOST_STEPS = 20_000  # two hundred contacts: the balls have parted, or the program lets them fly
 
-def contact_time(m: float, k: float, q: float, v: float) -> float:
-    """How long two equal balls of mass m touch that push each other with k overlap^q and meet at the relative speed v."""
-    mu = m / 2
-    deepest = (mu * (q + 1) * v**2 / (2 * k)) ** (1 / (q + 1))
-    return 2 * math.sqrt(math.pi) * math.gamma(1 + 1 / (q + 1)) / math.gamma(0.5 + 1 / (q + 1)) * deepest / v
+USUAL: dict[Scheme, str] = {
+    "euler": "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first, then the position with the new velocity.",
+    "one-sided": "each ball feels only one of its neighbours. What a ball does to its neighbour, the neighbour does to it: half of the pair forces is missing.",
+}
 
 
 def cradle_inputs(given: Given, draw: Draw) -> list[Inputs]:
@@ -29,7 +43,9 @@ def cradle_inputs(given: Given, draw: Draw) -> list[Inputs]:
     for balls, q in ((2, 1.0), (3, 1.0), (3, 1.5), (4, 1.5)):
         m, v0 = round(draw(0.05, 0.4), 3), round(draw(0.4, 2.5), 2)
         k = round(draw(4e3, 4e4) if q == 1 else draw(1e6, 1e7), 0)
-        cases.append({"N": balls, "m": m, "k": k, "q": q, "v0": v0, "dt": contact_time(m, k, q, v0) / STEPS})
+        cases.append(
+            {"N": balls, "m": m, "k": k, "q": q, "v0": v0, "dt": contact_time(m / 2, k, q, v0) / STEPS}
+        )
     return halved(cases)
 
 
@@ -50,7 +66,7 @@ def _standard(inputs: Inputs) -> Standard:
     ]
     assert isinstance(truth, tuple)
     return Standard(
-        lambda found: (math.dist(found, truth) / v0,), bounds(balls, q), contact_time(m, k, q, v0)
+        lambda found: (math.dist(found, truth) / v0,), bounds(balls, q), contact_time(m / 2, k, q, v0)
     )
 
 
@@ -58,7 +74,7 @@ def _standard(inputs: Inputs) -> Standard:
 def bounds(balls: int, q: float) -> tuple[Bound, ...]:
     """Measured once for each row: with v0 as the unit of speed, mass, stiffness and speed set only the unit of time."""
     played = run("cradle", {"N": balls, "m": 1.0, "k": 1.0, "q": q, "v0": 1.0}, tolerance=1e-9).observed
-    truth, lasts, contact = played["velocities"], played["duration"], contact_time(1.0, 1.0, q, 1.0)
+    truth, lasts, contact = played["velocities"], played["duration"], contact_time(0.5, 1.0, q, 1.0)
     assert isinstance(truth, tuple)
     assert isinstance(lasts, float)
 
@@ -77,12 +93,17 @@ def bounds(balls: int, q: float) -> tuple[Bound, ...]:
     return measured(2, errors)
 
 
-def _pushed(q: float):
-    """Accelerations in a row of balls of mass and stiffness 1; places are counted from where the balls just touch."""
+def _pushed(
+    q: float, stiffness: float = 1.0, *, both: bool = True
+) -> Callable[[Sequence[float], Sequence[float]], list[float]]:
+    """Accelerations in a row of equal balls (`stiffness` is k/m); places are counted from where the balls just touch.
+
+    Not `both`: each ball is pushed by the one behind it only.
+    """
 
     def acceleration(x: Sequence[float], v: Sequence[float]) -> list[float]:
-        forces = [0.0, *(max(left - right, 0.0) ** q for left, right in pairwise(x)), 0.0]
-        return [behind - ahead for behind, ahead in pairwise(forces)]
+        forces = [0.0, *(stiffness * max(left - right, 0.0) ** q for left, right in pairwise(x)), 0.0]
+        return [behind - (ahead if both else 0.0) for behind, ahead in pairwise(forces)]
 
     return acceleration
 
@@ -96,7 +117,7 @@ def _wrong(called: Called) -> Fault:
         return others is not None and math.dist(returned, others) <= NAMED * v0
 
     for scheme, sentence in USUAL.items():
-        if near(wrong_cradle(scheme, balls, one["m"], one["k"], one["q"], v0, one["dt"])):
+        if near(wrong_cradle(scheme, balls, one["k"] / one["m"], one["q"], v0, one["dt"])):
             return Fault(f"{case}: {sentence}", known=True)
     if near([v0] + [0.0] * (balls - 1)):
         return Fault(
@@ -139,3 +160,56 @@ def judge_contact(given: Given, called: Sequence[Called]) -> Fault | None:
     return Fault(
         f"With your k and q the middle ball keeps {left:.0%} of v0; the goal is less than 2 %. Which of the two matters?"
     )
+
+
+@lru_cache(maxsize=256)
+def wrong_cradle(
+    scheme: Scheme, balls: int, stiffness: float, q: float, v0: float, dt: float
+) -> tuple[float, ...] | None:
+    """The velocities that a wrong program ends with (`stiffness` is k/m), or None when it never ends."""
+    method = EULER if scheme == "euler" else EULER_CROMER
+    acceleration = _pushed(q, stiffness, both=scheme != "one-sided")
+    touched = False
+    path = states(method, acceleration, [0.0] * balls, [v0] + [0.0] * (balls - 1), dt)
+    try:
+        for x, v in islice(path, MOST_STEPS):
+            touching = any(left > right for left, right in pairwise(x))
+            if touched and not touching:
+                return tuple(v)
+            touched = touched or touching
+            if not max(map(abs, v)) <= 1e6 * v0:
+                return None
+    except OverflowError:  # a power beyond the doubles
+        return None
+    return None
+
+
+def judge_velocity_plot(given: Given, figures: Sequence[Any], balls: int) -> Fault | None:
+    """Velocities against time: a curve for each ball, from (v0, 0, …) to where only the last one moves, with labelled axes."""
+    v0 = given["v0"]
+    for axes in figures:
+        curves = [line for line in axes.lines if line.kind in {"line", "points"} and len(line.x) > 10]
+        if len(curves) < balls:
+            continue
+        if missing := [name for name, label, words in (("x", axes.xlabel, "t time zeit tid s"), ("y", axes.ylabel, "v velocity m/s"))
+                       if not any(word in label.lower() for word in words.split())]:  # fmt: skip
+            return Fault(
+                f"The {' and '.join(missing)} axis needs a label that names the quantity and its unit: t [s], v [m/s]."
+            )
+        starts, ends = sorted(line.y[0] for line in curves[:balls]), [line.y[-1] for line in curves[:balls]]
+        if not _near(starts, [0.0] * (balls - 1) + [v0], v0, 0.03):
+            return Fault(
+                f"The curves must start with one ball at v0 = {v0:g} m/s and the other{'s' if balls > 2 else ''} at rest."
+            )
+        if not _near(sorted(ends), [0.0] * (balls - 1) + [v0], v0, 0.06):
+            return Fault(
+                "The curves must run until the balls have parted; then only the last ball moves with v0."
+            )
+        return None
+    return Fault(
+        f"No axes with a curve for each of the {balls} balls were found; plot every velocity against time."
+    )
+
+
+def _near(values: Sequence[float], others: Sequence[float], scale: float, tolerance: float) -> bool:
+    return len(values) == len(others) and math.dist(values, others) <= tolerance * scale

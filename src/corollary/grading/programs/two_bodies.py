@@ -6,12 +6,31 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 from corollary.derive.statements import Fault
-from corollary.grading.programs.bound import NAMED, SAFETY, measured
-from corollary.grading.programs.called import Called, Inputs, miscounted
-from corollary.grading.programs.convergence import Standard
-from corollary.scenes.integrate.fixed_step import EULER_CROMER, RK4, Method, march
+from corollary.grading.programs.convergence import (
+    NAMED,
+    SAFETY,
+    Called,
+    Inputs,
+    Standard,
+    measured,
+    miscounted,
+)
+from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, RK4, Method, march
 
-FINEST = 1 << 15
+FINEST = 1 << 15  # steps: beyond, a reference that has not converged will not
+LOST = (math.inf,) * 4
+FORWARD_EULER = (
+    "this is forward Euler: the position is stepped with the old velocity. Step the velocity first, then the position "
+    "with the new one."
+)
+ONE_SIDED = "only A feels a force. What B does to A, A does to B, the other way."
+NOT_CONSERVED = (
+    "the total momentum is not kept. The force on B is that on A, the other way, and each has its own mass."
+)
+CONSERVED = (
+    "the total momentum is kept, but the velocities after the time T are not right. Check the force law, and that you "
+    "reach T."
+)
 Force = Callable[[float, float, float, float], tuple[float, float]]  # on A, from r_B - r_A and v_B - v_A
 
 
@@ -24,36 +43,30 @@ def speed(inputs: Inputs) -> float:
     return math.dist(inputs["vA"], inputs["vB"])
 
 
-def stepped(
-    inputs: Inputs, force: Force, *, steps: int = 0, both: bool = True, euler: bool = False
-) -> tuple[float, ...]:  # fmt: skip
-    """Velocities (A x, A y, B x, B y) at the time T by Euler-Cromer's method, in `steps` or in steps of dt; inf when lost."""
-    count = steps or max(1, round(inputs["T"] / inputs["dt"]))
-    dt = inputs["T"] / count
-    (ax, ay), (bx, by), (au, aw), (bu, bw) = inputs["rA"], inputs["rB"], inputs["vA"], inputs["vB"]
-    to_a, to_b = dt / inputs["mA"], (dt / inputs["mB"] if both else 0.0)
-    for _ in range(count):
-        fx, fy = force(bx - ax, by - ay, bu - au, bw - aw)
-        if not math.isfinite(fx + fy) or abs(fx) + abs(fy) > 1e12:
-            return (math.inf,) * 4
-        if euler:
-            ax, ay, bx, by = ax + au * dt, ay + aw * dt, bx + bu * dt, by + bw * dt
-        au, aw, bu, bw = au + fx * to_a, aw + fy * to_a, bu - fx * to_b, bw - fy * to_b
-        if not euler:
-            ax, ay, bx, by = ax + au * dt, ay + aw * dt, bx + bu * dt, by + bw * dt
-    return au, aw, bu, bw
+def marched(
+    inputs: Inputs, force: Force, method: Method, count: int, *, both: bool = True
+) -> tuple[float, ...]:
+    """Velocities (A x, A y, B x, B y) at the time T after so many steps; inf when the bodies are lost.
 
-
-def marched(inputs: Inputs, force: Force, method: Method, count: int) -> tuple[float, ...]:
-    """The velocities at the time T after so many steps of a method."""
-    m = (inputs["mA"], inputs["mA"], inputs["mB"], inputs["mB"])
+    Not `both`: B feels no force, a usual mistake.
+    """
+    mA, mB = inputs["mA"], inputs["mB"] if both else math.inf
 
     def acceleration(x: Sequence[float], v: Sequence[float]) -> list[float]:
         fx, fy = force(x[2] - x[0], x[3] - x[1], v[2] - v[0], v[3] - v[1])
-        return [push / mass for push, mass in zip((fx, fy, -fx, -fy), m, strict=True)]
+        return [fx / mA, fy / mA, -fx / mB, -fy / mB]
 
     places, velocities = [*inputs["rA"], *inputs["rB"]], [*inputs["vA"], *inputs["vB"]]
-    return march(method, acceleration, places, velocities, inputs["T"] / count, count).velocities[-1]
+    try:
+        end = march(method, acceleration, places, velocities, inputs["T"] / count, count).velocities[-1]
+    except (OverflowError, ZeroDivisionError):  # beyond the doubles, or one body on the other
+        return LOST
+    return end if all(map(math.isfinite, end)) else LOST
+
+
+def steps_of(inputs: Inputs) -> int:
+    """How many steps of dt lead to the time T."""
+    return max(1, round(inputs["T"] / inputs["dt"]))
 
 
 def converged(inputs: Inputs, force: Force, tolerance: float) -> tuple[float, ...]:
@@ -74,7 +87,7 @@ def converged(inputs: Inputs, force: Force, tolerance: float) -> tuple[float, ..
 
 def standard(
     inputs: Inputs, force: Force, truth: Sequence[float], *, order: int, unit: float, safety: float = SAFETY
-) -> Standard:  # fmt: skip
+) -> Standard:
     """Bounds measured for this case; `unit` is the time that steps are counted in."""
 
     def errors(found: Sequence[float]) -> tuple[float, ...]:
@@ -89,12 +102,12 @@ def standard(
 def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -> Fault:
     """What is said of a program that ends too far away: the usual mistake it is nearest to, or what it does not keep."""
     inputs, returned = called.inputs, called.returned
-    ends = {f"{case} {sentence}": stepped(inputs, force) for sentence, force in usual.items()}
-    ends[f"{case} this is forward Euler: the position is stepped with the old velocity. Step the velocity first, then the position "
-         f"with the new one."] = stepped(inputs, right, euler=True)  # fmt: skip
-    ends[f"{case} only A feels a force. What B does to A, A does to B, the other way."] = stepped(
-        inputs, right, both=False
-    )
+    count = steps_of(inputs)
+    ends = {
+        f"{case} {sentence}": marched(inputs, force, EULER_CROMER, count) for sentence, force in usual.items()
+    }
+    ends[f"{case} {FORWARD_EULER}"] = marched(inputs, right, EULER, count)
+    ends[f"{case} {ONE_SIDED}"] = marched(inputs, right, EULER_CROMER, count, both=False)
     sentence, end = min(ends.items(), key=lambda item: math.dist(returned, item[1]))
     if math.dist(returned, end) <= NAMED * speed(inputs):
         return Fault(sentence, known=True)
@@ -103,7 +116,5 @@ def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -
     mA, mB = inputs["mA"], inputs["mB"]
     lost = [mA * (returned[i] - inputs["vA"][i]) + mB * (returned[i + 2] - inputs["vB"][i]) for i in (0, 1)]
     if math.hypot(*lost) > 0.01 * mA * speed(inputs):
-        return Fault(f"{case} the total momentum is not kept. The force on B is that on A, the other way, and each has "
-                    f"its own mass.", known=True)  # fmt: skip
-    return Fault(f"{case} the total momentum is kept, but the velocities after the time T are not right. Check the "
-                f"force law, and that you reach T.")  # fmt: skip
+        return Fault(f"{case} {NOT_CONSERVED}", known=True)
+    return Fault(f"{case} {CONSERVED}")

@@ -54,6 +54,9 @@ YOSHIDA_8 = composed(
     ),
 )
 
+# The method of a usual mistake: the position is stepped with the old velocity. Not among METHODS: nobody should choose it.
+EULER = Tableau(order=1, nodes=(0.0,), rows=(Coefficients((), ()),), result=Coefficients((0,), (1.0,)))
+
 RK4 = Tableau(
     order=4,
     nodes=(0.0, 0.5, 0.5, 1.0),
@@ -101,16 +104,17 @@ def march(method: Method, acceleration: Acceleration, x: Places, v: Places, dt: 
         return acceleration(x, v)
 
     rows = [(tuple(x), tuple(v))]
-    for places, velocities in islice(_states(method, counted, list(x), list(v), dt), steps):
+    for places, velocities in islice(states(method, counted, list(x), list(v), dt), steps):
         rows.append((tuple(places), tuple(velocities)))
     return Path(
         tuple(i * dt for i in range(steps + 1)), tuple(x for x, _ in rows), tuple(v for _, v in rows), spent
     )
 
 
-def _states(
+def states(
     method: Method, acceleration: Acceleration, x: list[float], v: list[float], dt: float
 ) -> Iterator[tuple[list[float], list[float]]]:
+    """Places and velocities after one step, after two, and so on, for ever."""
     match method:
         case Splitting():
             yield from _split(method, acceleration, x, v, dt)
