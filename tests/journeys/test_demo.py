@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.whole
 BIN = Path(sys.executable).parent
 
 

@@ -30,6 +30,7 @@ from corollary.records.assigned import read_assigned
 from corollary.records.files import Course, open_course
 from corollary.records.marks import history, read_record, settle
 
+pytestmark = pytest.mark.whole
 BIN = Path(sys.executable).parent
 SET = """\
 ---

@@ -30,6 +30,7 @@ from corollary.records.files import Course, one_writer, open_course
 from corollary.records.marks import history
 from corollary.sandbox.runner import Runner
 
+pytestmark = pytest.mark.whole
 BIN = Path(sys.executable).parent
 SET = "momentum_1"
 ALL = bool(os.environ.get("COROLLARY_ALL_OF_NBGRADERS_TESTS"))
