@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import runpy
 import statistics
 import sys
@@ -175,7 +174,7 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
     if truth is None or part.components or part.kind != "value":
         return []
     value, closed = (
-        truth.values[0] / (float(part.unit.factor) * math.pi**part.unit.pi),
+        truth.values[0] / part.unit.si,
         key.find(truth).closed,
     )
     found: list[tuple[str, Value]] = [

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import random
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -244,7 +243,7 @@ def _judged(key: Key, answers: Answers, figures: int) -> Iterator[tuple[str, Any
 
 def written(part: Part, values: Values, figures: int) -> Value:
     """Numbers as a student types them, with the part's unit."""
-    size = float(part.unit.factor) * math.pi**part.unit.pi
+    size = part.unit.si
     unit = "" if part.unit.text == "1" else f" {canonical(part.unit)}"
     texts = [Text(f"{value / size:.{figures - 1}e}{unit}") for value in values]
     return Items(tuple(texts), (len(texts),)) if part.components else texts[0]

@@ -116,7 +116,7 @@ def test_si_as_a_float():
         "",
         "m",
         "8.6 n s",
-        "5 K",
+        "5 °C",
         "1e300 km^9",
     ],
 )
@@ -265,3 +265,44 @@ def test_hostile_text_is_read_or_refused_soon_and_small(text):
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 50e6
+
+
+@pytest.mark.parametrize(
+    ("text", "expected", "shown"),
+    [
+        ("5 K", "K", "5 K"),
+        ("2,5 mA", "A", "2.5 mA"),
+        ("4.7 kΩ", "ohm", "4.7 kΩ"),
+        ("4.7 kOhm", "kohm", "4.7 kΩ"),
+        ("230 Volt", "V", "230 V"),
+        ("3 A s", "C", "3 A s"),
+        ("3 As", "C", "3 A s"),
+        ("12 V * 2 A", "W", "24 W"),
+        ("0.1 mol", "mol", "0.1 mol"),
+        ("20 µT", "T", "20 µT"),
+        ("3 V/A", "ohm", "3 V/A"),
+        ("5 Kgm/s", "N s", "5 kg m/s"),  # kg, not kelvin times gram
+    ],
+)
+def test_units_beyond_mechanics(text, expected, shown):
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, Reading), found
+    assert (found.fit, found.shown) == ("fits", shown)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected", "meant"),
+    [("5 T", "kg", "t"), ("72 km/H", "m/s", "km/h"), ("3 H", "s", "h")],
+)
+def test_a_capital_too_many_is_asked_about_where_its_small_letter_fits(text, expected, meant):
+    """Tonnes and hours have capital letters more often than a mass is given in tesla."""
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, ParseError)
+    assert found.suggestion == f"did you mean {meant}?"
+    assert isinstance(read_quantity(text, None), Reading)
+
+
+def test_a_unit_of_another_subject_is_a_wrong_dimension():
+    found = read_quantity("5 T", unit("N"))
+    assert isinstance(found, Reading)
+    assert found.why == "a force is expected, for example in N; 5 T is a magnetic field"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -62,6 +63,26 @@ from corollary.units.unit import (
         ("eV", "eV", (1, 2, -2), Fraction("1.602176634e-19")),
         ("newton seconds", "N*s", (1, 1, -1), 1),
         ("1", "1", (0, 0, 0), 1),
+        ("A", "A", (0, 0, 0, 1), 1),
+        ("mA", "mA", (0, 0, 0, 1), Fraction(1, 1000)),
+        ("K", "K", (0, 0, 0, 0, 1), 1),
+        ("J/(kg K)", "J/(kg*K)", (0, 2, -2, 0, -1), 1),
+        ("J/(mol*K)", "J/(mol*K)", (1, 2, -2, 0, -1, -1), 1),
+        ("cd", "cd", (0, 0, 0, 0, 0, 0, 1), 1),
+        ("Ω", "ohm", (1, 2, -3, -2), 1),
+        ("kΩ m", "kohm*m", (1, 3, -3, -2), 1000),
+        ("Ohms", "ohm", (1, 2, -3, -2), 1),
+        ("V/m", "V/m", (1, 1, -3, -1), 1),
+        ("Vs", "V*s", (1, 2, -2, -1), 1),
+        ("Wb", "Wb", (1, 2, -2, -1), 1),
+        ("pF", "pF", (-1, -2, 4, 2), Fraction(1, 10**12)),
+        ("microcoulombs", "uC", (0, 0, 1, 1), Fraction(1, 10**6)),
+        ("MBq", "MBq", (0, 0, -1), 10**6),
+        ("mSv", "mSv", (0, 2, -2), Fraction(1, 1000)),
+        ("Km/h", "km/h", (0, 1, -1), Fraction(5, 18)),  # K is kilo before a unit, a kelvin alone or last
+        ("KN", "kN", (1, 1, -2), 1000),
+        ("Kgm", "kg*m", (1, 1), 1),
+        ("kgK", "kg*K", (1, 0, 0, 0, 1), 1),
         ("m/m", "1", (0, 0, 0), 1),
     ],
 )
@@ -99,6 +120,9 @@ def test_two_readings_are_asked_about_and_each_choice_can_be_typed(text):
         ("KM", "km"),
         ("newtn", "newton"),
         ("hz", "Hz"),
+        ("°C", None),
+        ("deg F", None),
+        ("m/S", "s"),
         ("Kgm/S", None),
         ("blub", None),
         ("kg/", None),
@@ -127,6 +151,13 @@ def test_what_is_no_unit_is_refused_with_a_suggestion(text, suggestion):
     assert found.status == "refused"
     assert suggestion is None or found.suggestion == f"did you mean {suggestion}?"
     assert found.position is None or 0 <= found.position <= len(text)
+
+
+@pytest.mark.parametrize("letters", ["v", "a", "c", "mv", "B"])
+def test_a_letter_of_a_formula_is_not_taken_for_a_unit_of_another_subject(letters):
+    found = read_unit(letters)
+    assert isinstance(found, ParseError)
+    assert not any(other in found.suggestion for other in ("V", "A", "C", "Bq"))
 
 
 def test_an_author_is_told_in_a_sentence():
@@ -159,6 +190,9 @@ def test_units_for_people_and_for_tex(text, people, tex):
         ("N*s", "a momentum or an impulse"),
         ("rad", "a plain number"),
         ("kg^2", "something in kg²"),
+        ("C", "an electric charge"),
+        ("V/A", "a resistance"),
+        ("V*m", "something in kg m³/(s³ A)"),
     ],
 )
 def test_a_dimension_has_a_name(text, words):
@@ -198,7 +232,7 @@ def test_what_people_are_shown_reads_back(parts):
 
 
 halves = st.integers(-6, 6).map(lambda number: Fraction(number, 2))
-dimensions = st.builds(Dimension, halves, halves, halves)
+dimensions = st.builds(Dimension, *[halves] * 7)
 
 
 @given(dimensions, dimensions, st.integers(-4, 4))
@@ -207,3 +241,18 @@ def test_dimensions_form_a_group(left, right, power):
     assert (left * right) ** power == left**power * right**power
     assert si_unit(left).dimension == left
     assert si_unit(left).factor == 1
+
+
+def test_the_powers_of_a_dimension_leave_out_zero():
+    assert unit("N").dimension.powers() == {"kg": 1, "m": 1, "s": -2}
+    assert unit("J/(mol*K)").dimension.powers() == {"kg": 1, "m": 2, "s": -2, "K": -1, "mol": -1}
+    assert Dimension.of("kg m^2 s^-3 A^-1") == unit("V").dimension
+    with pytest.raises(ValueError, match="no product of base units"):
+        Dimension.of("kg V")
+
+
+@pytest.mark.parametrize(
+    ("text", "size"), [("km", 1e3), ("deg", math.pi / 180), ("g", 1e-3), ("eV", 1.602176634e-19)]
+)
+def test_the_size_in_si_as_a_double(text, size):
+    assert unit(text).si == pytest.approx(size, rel=1e-15)

@@ -1,41 +1,40 @@
-"""Calculations left standing in an answer, worked out with their units: `0.43 kg * 20 m/s`, `20√3 m/s`, `π/2`, `sqrt(2*9.8*5) m/s`."""
+"""Calculations left standing in an answer, worked out with their units: `0.43 kg * 20 m/s`, `20√3 m/s`, `π/2`, `sqrt(2*9.8*5) m/s`.
+
+They are formulas whose letters are units: read by the parser of formulas, and evaluated as those are.
+"""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import NoReturn
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
 
+from corollary.formula.arithmetics import DOUBLES, ready
+from corollary.formula.ast import Call, Expr, Negative, Number, walk
 from corollary.formula.errors import ParseError, refused
-from corollary.formula.functions import SPELLINGS
-from corollary.formula.numerals import RAISED, VULGAR, unsigned
-from corollary.units.unit import ONE, Dimension, Unit, read_unit, si_unit
+from corollary.formula.functions import FUNCTIONS, SPELLINGS
+from corollary.formula.lexer import Found, Token, tokens
+from corollary.formula.numerals import VULGAR, unsigned
+from corollary.formula.parser import formula
+from corollary.messages import catalogue
+from corollary.units.dimensions import dimension_of
+from corollary.units.unit import ONE, Unit, read_unit, si_unit
 
-DEEPEST = 20
-LARGEST_POWER = 9
-WORD = rf"(?!(?:{'|'.join(sorted((*SPELLINGS, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμ]++|[°º%]"
-UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
-SYMBOL = rf"(?:{WORD})(?:{UNIT_POWER})?"
-UNITS_BEHIND = re.compile(
-    rf"\s*\*?\s*{SYMBOL}(?:\s*[*/]?\s*{SYMBOL}|\s*/\s*\(\s*{SYMBOL}(?:\s*\*?\s*{SYMBOL})*\s*\))*"
-)
-NUMBER = re.compile(r"[0-9.,½⅓⅔¼¾]")
-ROOT = re.compile(r"√\s*")
-CALLED = re.compile(rf"({'|'.join(sorted(SPELLINGS, key=len, reverse=True))})(?![A-Za-z_])\s*")
-PI = re.compile(r"pi(?![A-Za-z_])|π")
-RAISE = re.compile(
-    r"\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]+(?:[./][0-9]+)?)\s*\)|([+-]?[0-9]+(?:\.[0-9]+)?))|([⁻⁺]?[⁰¹²³⁴-⁹]+)"
-)
-BRACKET = re.compile(r"\((?=\s*[^()\s][^()]*[-+*/])")
+_ = catalogue(__name__)
+
+NUMBER = re.compile(r"[0-9.,]")
+WORD = re.compile(r"π|(?P<letters>[A-Za-z]+)[0-9]*")
+EXPONENT = re.compile(r"[0-9]")
+RAISED = re.compile(r"\^|\*\*|[⁻⁺]?[⁰¹²³⁴-⁹]")
+BRACKET = re.compile(
+    r"\((?=\s*[^()\s][^()]*[-+*/])"
+)  # with a number alone in it, it says something twice: `0.4 (40 %)`
 ANGLE = re.compile(r"\s*(°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))")
-ANGLES = frozenset({"sin", "cos", "tan"})
-OF_A_NUMBER: dict[str, Callable[[float], float]] = {
-    "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "exp": math.exp,
-    "ln": math.log, "log10": math.log10, "sinh": math.sinh, "cosh": math.cosh, "tanh": math.tanh,
-}  # fmt: skip
-BARE_ANGLE = "a number inside sin, cos or tan can be in degrees or in radians"
+UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
+FACTOR_ENDS = frozenset({"number", "name", "unit", "degree", "close"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,40 +45,16 @@ class Worked:
     unit: Unit | None
 
 
-@dataclass(frozen=True, slots=True)
-class _Amount:
-    """A value in SI. `bare`: a number as typed, which says of itself neither degrees nor radians."""
-
-    value: float
-    dimension: Dimension = ONE
-    bare: bool = False
-
-
-class _Stop(Exception):
-    """Leaves the calculation with what is to be said."""
-
-    def __init__(self, trouble: ParseError) -> None:
-        self.trouble = trouble
-
-
-@dataclass(slots=True)
-class _Line:
-    text: str
-    at: int = 0
-    depth: int = 0
-    units: list[tuple[Unit, int, int]] = field(default_factory=list)
-
-    def skip(self) -> str:
-        """The next sign that is no blank; "" at the end."""
-        while self.text[self.at : self.at + 1] == " ":
-            self.at += 1
-        return self.text[self.at : self.at + 1]
-
-    def take(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        found = pattern.match(self.text, self.at)
-        if found:
-            self.at = found.end()
-        return found
+@cache
+def _units_behind(functions: tuple[str, ...]) -> re.Pattern[str]:
+    """Units behind a factor: `kg`, `m/s^2`, `* m/(kg s)`. A function of several numbers (min) is one before its bracket only."""
+    words = [rf"{word}(?=\s*\()" if FUNCTIONS[SPELLINGS[word]].arity > 1 else word for word in functions]
+    word = (
+        rf"(?!(?:{'|'.join(sorted((*words, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩ]++|[°º%]"
+    )
+    symbol = rf"(?:{word})(?:{UNIT_POWER})?"
+    below = rf"\s*/\s*\(\s*{symbol}(?:\s*\*?\s*{symbol})*\s*\)"
+    return re.compile(rf"\s*\*?\s*{symbol}(?:\s*[*/]?\s*{symbol}|{below})*")
 
 
 def worked_out(plain: str) -> Worked | ParseError:
@@ -87,158 +62,103 @@ def worked_out(plain: str) -> Worked | ParseError:
 
     One unit at the very end is that of the result; otherwise each unit belongs to the number before it.
     """
-    line = _Line(plain)
+    units: dict[str, Unit] = {}
+    read = tokens(plain, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units))
+    if isinstance(read, ParseError):
+        return read
+    if _sum_at_the_top(read):
+        return refused(_("one number is enough here"), 0, _("work it out and write a number and a unit"))
+    written = [token for token in read if token.kind == "unit"]
+    sized = [token for token in written if units[token.text].dimension != ONE]  # angles apart
+    at_the_end = len(sized) == 1 and sized[0] is read[-2]
+    tree = formula([*read[:-2], read[-1]] if at_the_end else read, student=True, numbers=True)
+    if isinstance(tree, ParseError):
+        return tree
+    if function := _bare_angle(tree):
+        why = _("a number inside sin, cos or tan can be in degrees or in radians")
+        return refused(why, None, _("write {function}(30°) or {function}(0.5 rad)", function=function))
+    measured = dimension_of(tree, {name: unit.dimension for name, unit in units.items()})
+    if isinstance(measured, ParseError):
+        return measured
     try:
-        amount = _whole(line)
-        sized = [each for each in line.units if each[0].dimension != ONE]  # angles apart
-        if len(sized) == 1 and sized[0][2] == len(plain.rstrip()):
-            unit, start, _ = sized[0]
-            return Worked(_whole(_Line(plain[:start])).value, unit)
-    except _Stop as stop:
-        return stop.trouble
+        value = ready(tree, DOUBLES)({name: unit.si for name, unit in units.items()})
     except (ValueError, OverflowError, ZeroDivisionError):
-        return refused("this calculation has no value")
-    if not line.units:
-        return Worked(amount.value, None)
-    return Worked(amount.value, si_unit(amount.dimension))
+        value = math.nan
+    if not math.isfinite(value):
+        return refused(_("this calculation has no value"))
+    if at_the_end:
+        return Worked(value, units[sized[0].text])
+    return Worked(value, si_unit(measured) if written and value else None)  # 0 is 0 in every unit
 
 
-def _whole(line: _Line) -> _Amount:
-    amount = _products(line)
-    if line.skip():
-        _refuse(line, "one number is enough here", "work it out and write a number and a unit")
-    if not math.isfinite(amount.value):
-        _refuse(line, "this calculation has no value")
-    return amount
+def _sum_at_the_top(signs: list[Token]) -> bool:
+    """Whether two terms stand side by side without a bracket around them: `3 m - 4 m`."""
+    depth = 0
+    for before, sign in pairwise(signs):
+        depth += (before.kind == "open") - (before.kind == "close")
+        if depth == 0 and sign.text in ("+", "-") and before.kind in FACTOR_ENDS:
+            return True
+    return False
 
 
-def _refuse(line: _Line, why: str, suggestion: str = "") -> NoReturn:
-    raise _Stop(refused(why, min(line.at, len(line.text) - 1), suggestion))
+def _bare_angle(tree: Expr) -> str:
+    """A function of an angle that is given a bare number, `cos(30)`; "" when there is none."""
+    for node in walk(tree):
+        match node:
+            case Call(function, (Number() | Negative(Number()),)) if FUNCTIONS[function].angle:
+                return function
+            case _:
+                continue
+    return ""
 
 
-def _terms(line: _Line) -> _Amount:
-    amount = _products(line)
-    while (sign := line.skip()) in ("+", "-") and sign:
-        line.at += 1
-        term = _products(line)
-        if term.dimension != amount.dimension:
-            _refuse(line, "only quantities of one kind can be added")
-        amount = _Amount(amount.value + (term.value if sign == "+" else -term.value), amount.dimension)
-    return amount
+def _no_letters(run: str, at: int) -> ParseError:
+    return refused(_("a number is missing here"), at, _("begin with digits, such as 8.6"))
 
 
-def _products(line: _Line) -> _Amount:
-    sign = line.skip()
-    if sign in ("+", "-") and sign:
-        line.at += 1
-        amount = _factor(line)
-        amount = _Amount(-amount.value if sign == "-" else amount.value, amount.dimension, amount.bare)
-    else:
-        amount = _factor(line)
-    divided = (
-        False  # by more than a number with a blank behind it: `1/2 π` is a half of π, `1/2π` is not clear
-    )
-    while True:
-        sign = line.skip()
-        if sign in ("*", "/") and sign:
-            line.at += 1
-            negative = line.skip() == "-"
-            line.at += negative
-            factor = _factor(line)
-            factor = _Amount(-factor.value, factor.dimension, factor.bare) if negative else factor
-        elif _stands(line) and not NUMBER.match(sign):
-            if divided:
-                _refuse(
-                    line,
-                    "it is not clear what stands below the slash",
-                    "put brackets around what is divided by",
-                )
-            sign, factor = "*", _factor(line)
-        else:
-            return amount
-        divided = divided or (sign == "/" and not (factor.bare and line.text[line.at : line.at + 1] == " "))
-        amount = (
-            _Amount(amount.value * factor.value, amount.dimension * factor.dimension)
-            if sign == "*"
-            else _Amount(amount.value / factor.value, amount.dimension / factor.dimension)
-        )
-
-
-def _stands(line: _Line) -> bool:
-    """Whether a factor comes next. A number in brackets is none: `0.4 (40 %)` says the same twice."""
-    return any(pattern.match(line.text, line.at) for pattern in (NUMBER, ROOT, CALLED, PI, BRACKET))
-
-
-def _factor(line: _Line) -> _Amount:
-    """A number, π, a root, a function or a bracket; its power; the unit behind it."""
-    line.depth += 1
-    if line.depth > DEEPEST:
-        _refuse(line, "this calculation is nested too deep")
-    line.skip()
-    amount = _to_power(line, _atom(line))
-    found = UNITS_BEHIND.match(line.text, line.at)
-    if found and not isinstance(unit := read_unit(found[0].strip().lstrip("*")), ParseError):
-        line.units.append((unit, found.start(), found.end()))
-        line.at = found.end()
-        size = float(unit.factor) * math.pi**unit.pi
-        amount = _Amount(amount.value * size, amount.dimension * unit.dimension)
-    line.depth -= 1
-    return amount
-
-
-def _atom(line: _Line) -> _Amount:
-    if NUMBER.match(line.text, line.at):
-        number = unsigned(line.text, line.at)
+def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Found | ParseError | None:
+    """The sign of a calculation at one place, with those before it; None for one that every formula may have."""
+    last = before[-1].kind if before else "sign"
+    of_function = len(before) > 1 and before[-2].kind == "function" and before[-2].text != "sqrt"
+    if last == "number" and of_function and (angle := ANGLE.match(text, at)):
+        if angle[1] != "rad":
+            return [Token("degree", "°", at, True)], angle.end()
+        before.insert(
+            -1, Token("open", "(", at, True)
+        )  # `cos 0.5 rad` is cos(0.5*1), whose number is not bare
+        one = Token("number", "1", at, True, Fraction(1))
+        return [Token("sign", "*", at, True), one, Token("close", ")", at, True)], angle.end()
+    if last in FACTOR_ENDS and last != "unit" and (found := _units_behind(tuple(SPELLINGS)).match(text, at)):
+        unit = read_unit(found[0].strip().lstrip("*"))
+        if isinstance(unit, Unit):
+            units[unit.text] = unit
+            return [Token("unit", unit.text, at, True)], found.end()
+    if last == "sign" and before and before[-1].text == "^" and EXPONENT.match(text, at):
+        return None  # `2^3*10^-3`: here a number ends before its power of ten
+    if NUMBER.match(text, at):
+        number = unsigned(text, at)
         if isinstance(number, ParseError):
-            raise _Stop(number)
-        line.at = number[1]
-        return _Amount(float(number[0].value), bare=line.text[line.at - 1] not in VULGAR)
-    if line.take(PI):
-        return _Amount(math.pi)
-    if line.take(ROOT):
-        return _root(_atom(line))
-    if function := line.take(CALLED):
-        return _called(line, SPELLINGS[function[1]])
-    if line.skip() == "(":
-        line.at += 1
-        inner = _terms(line)
-        if line.skip() != ")":
-            _refuse(line, "a bracket is not closed")
-        line.at += 1
-        return inner
-    _refuse(line, "a number is missing here", "begin with digits, such as 8.6")
+            return number
+        return [Token("number", text[at : number[1]], at, True, number[0].value)], number[1]
+    if word := WORD.match(text, at):
+        tight = text[at - 1 : at] != " "
+        if word[0] in ("pi", "π"):
+            return [Token("name", "pi", at, tight)], word.end()
+        known = next((each for each in (word[0], word["letters"]) if each in SPELLINGS), None)
+        if (
+            known and not text[at + len(known) : at + len(known) + 1].isalpha()
+        ):  # `cos30°`, but not `cosh` cut short
+            return [Token("function", SPELLINGS[known], at, tight)], at + len(known)
+    twice = text[at] in "+-" and before and before[-1].text in ("+", "-") and not _factor_before_sign(before)
+    beside = last in FACTOR_ENDS and (text[at] in VULGAR or (text[at] == "(" and not BRACKET.match(text, at)))
+    tower = (
+        last == "number" and RAISED.match(text, at) and RAISED.search(before[-1].text)
+    )  # 10^10^9 is not (10^10)^9
+    if twice or beside or tower or text[at] in "[]{}|°º":
+        return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
+    return None
 
 
-def _called(line: _Line, function: str) -> _Amount:
-    bracket = line.skip() == "("
-    argument = _atom(line)
-    if not bracket and (angle := line.take(ANGLE)):
-        argument = _Amount(argument.value * (1.0 if angle[1] == "rad" else math.pi / 180))
-    if function == "sqrt":
-        return _root(argument)
-    if function not in OF_A_NUMBER or argument.dimension != ONE:
-        _refuse(line, f"{function} cannot be worked out here")
-    if function in ANGLES and argument.bare:
-        _refuse(line, BARE_ANGLE, f"write {function}(30°) or {function}(0.5 rad)")
-    return _Amount(OF_A_NUMBER[function](argument.value))
-
-
-def _root(amount: _Amount) -> _Amount:
-    half = Dimension(amount.dimension.kg / 2, amount.dimension.m / 2, amount.dimension.s / 2)
-    return _Amount(math.sqrt(amount.value), half)
-
-
-def _to_power(line: _Line, amount: _Amount) -> _Amount:
-    found = line.take(RAISE)
-    if found is None:
-        return amount
-    written = (found[1] or found[2] or found[3]).translate(RAISED)
-    above, _, below = written.partition("/")
-    power = float(above) / float(below or 1) if len(written) < 8 else math.inf
-    if abs(power) > LARGEST_POWER or 2 * power != round(2 * power):
-        _refuse(line, f"a power such as {written[:8]} does not occur here")
-    twice = round(2 * power)
-    size = amount.dimension
-    return _Amount(
-        math.pow(amount.value, power), Dimension(size.kg * twice / 2, size.m * twice / 2, size.s * twice / 2)
-    )
+def _factor_before_sign(before: list[Token]) -> bool:
+    """Whether the last sign stands between two terms: `2 - -1`, but not `--1`."""
+    return len(before) > 1 and before[-2].kind in FACTOR_ENDS

@@ -157,7 +157,7 @@ def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
                 _("the result is not a number") if math.isnan(value) else _("the result is infinite"),
                 str(value),
             )
-    size = float(unit.factor) * math.pi**unit.pi
+    size = unit.si
     digits = [
         len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0")) for value in values
     ]
@@ -260,7 +260,7 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
         value = float(ratio) * math.pi**pi
     except OverflowError:
         value = math.inf if ratio > 0 else -math.inf
-    size = (float(found.unit.factor) * math.pi**found.unit.pi,) if found.unit is not None else ()
+    size = (found.unit.si,) if found.unit is not None else ()
     missing = found.why if found.fit == "unit missing" else ""
     misfit = found.why if found.fit == "wrong dimension" else ""
     polar = (_reading(found.polar[0], unit), _reading(found.polar[1], unit)) if found.polar else None

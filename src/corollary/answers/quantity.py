@@ -15,9 +15,14 @@ from corollary.answers.preamble import SIDES, answer_in
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.numerals import LONGEST, PLAIN, Written, decimal_text, scan_number
 from corollary.formula.tex import moved, without_tex
+from corollary.messages import catalogue
+from corollary.units.table import UNSUGGESTED
 from corollary.units.unit import PURE, Unit, called, read_unit, show
 
+_ = catalogue(__name__)
+
 MOST_SIDES = 5
+WORD = re.compile(r"[A-Za-z]+")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
 TWICE = re.compile(
@@ -126,6 +131,8 @@ def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
     unit = read_unit(text)
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
+    if isinstance(unit, Unit) and (slip := _slip_of_case(text, unit, expected)) is not None:
+        return slip
     twice = UNIT_TWICE.fullmatch(text)
     meanings = (
         (*unit.choices, METRES.sub("m s", text))
@@ -142,6 +149,16 @@ def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
     if twice:
         return fitting[0] if len(fitting) == 2 else unit
     return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
+
+
+def _slip_of_case(text: str, unit: Unit, expected: Unit) -> ParseError | None:
+    """`5 T` where a mass is asked for, `km/H` where a velocity is: asked for again, rather than judged as tesla and henry."""
+    smaller = WORD.sub(lambda word: word[0].lower() if word[0] in UNSUGGESTED else word[0], text)
+    meant = read_unit(smaller)
+    if not isinstance(meant, Unit) or meant.dimension != expected.dimension:
+        return None
+    why = _("{unit} is {what}", unit=show(unit), what=called(unit.dimension))
+    return ParseError("asked", why, 0, _("did you mean {near}?", near=smaller), (smaller, unit.text))
 
 
 def _worked(text: str, plain: str, expected: Unit | None) -> Reading | ParseError:

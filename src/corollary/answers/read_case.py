@@ -71,7 +71,7 @@ def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
         else f"{called(expected.dimension)} is expected, for example in {show(expected) or '1'}; {show(found)} is {called(found.dimension)}"
     )
     return {
-        "status": "ok", "read": show(found) or "1", "value": float(found.factor) * math.pi**found.pi, "unit": canonical(found), "figures": None,
+        "status": "ok", "read": show(found) or "1", "value": found.si, "unit": canonical(found), "figures": None,
         "dimension": powers(found.dimension), "verdict": None if expected is None else "compatible" if fits else "wrong dimension", "why": why,
     }  # fmt: skip
 
@@ -109,8 +109,7 @@ def powers(dimension: Dimension) -> dict[str, int | float]:
     """A dimension as {"kg": 1, "m": 1, "s": -1}; powers of zero are left out."""
     return {
         name: int(power) if power.denominator == 1 else float(power)
-        for name, power in (("kg", dimension.kg), ("m", dimension.m), ("s", dimension.s))
-        if power
+        for name, power in dimension.powers().items()
     }
 
 

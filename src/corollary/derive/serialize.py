@@ -9,11 +9,11 @@ from typing import Any
 
 from corollary.derive import solution, statements
 from corollary.formula import ast
-from corollary.units import unit
+from corollary.units import dimension
 
 TYPES: dict[str, type] = {
     each.__name__: each
-    for room in (ast, unit, solution, statements)
+    for room in (ast, dimension, solution, statements)
     for each in vars(room).values()
     if isinstance(each, type) and is_dataclass(each) and each.__module__ == room.__name__
 }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -224,7 +223,7 @@ def _given_numbers(variant: Variant) -> dict[str, str]:
 
 
 def _quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
-    size = float(unit.factor) * math.pi**unit.pi
+    size = unit.si
     text = decimal_text(value / size, FIGURES) if value else "0"
     mantissa, _, power = text.partition("e")
     text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa

@@ -18,7 +18,19 @@ MOST_DIGITS = 40
 LARGEST_EXPONENT = 400
 
 Kind = Literal[
-    "number", "name", "function", "e", "degree", "sign", "open", "close", "comma", "bar", "compare", "end"
+    "number",
+    "name",
+    "unit",
+    "function",
+    "e",
+    "degree",
+    "sign",
+    "open",
+    "close",
+    "comma",
+    "bar",
+    "compare",
+    "end",
 ]
 NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<power>[+-]?[0-9]+))?")
 RAISED_RUN = re.compile(r"[⁻⁺]?[⁰¹²³⁴-⁹]+")
@@ -47,12 +59,22 @@ class Token:
 
 
 ReadRun = Callable[[str, int], list[Piece] | ParseError]
+Found = tuple[list[Token], int]  # signs, and where they end
+ReadFirst = Callable[[str, int, list[Token]], Found | ParseError | None]
 
 
 def tokens(
-    text: str, read_run: ReadRun, *, longest: int = LONGEST, most: int = MOST_TOKENS
+    text: str,
+    read_run: ReadRun,
+    *,
+    read_first: ReadFirst | None = None,
+    longest: int = LONGEST,
+    most: int = MOST_TOKENS,
 ) -> list[Token] | ParseError:
-    """The signs of a formula, an `end` last; words are taken apart by `read_run`."""
+    """The signs of a formula, an `end` last; words are taken apart by `read_run`.
+
+    `read_first` is asked before all else at each place, with the signs before it: it may find a sign of its own, or refuse.
+    """
     if len(text) > longest:
         return refused(f"this is longer than {longest} characters", longest)
     plain = text.translate(PLAIN)
@@ -62,7 +84,8 @@ def tokens(
         if plain[at] == " ":
             at, tight = at + 1, False
             continue
-        step = _next(plain, at, tight, read_run)
+        own = read_first(plain, at, found) if read_first is not None else None
+        step = own or _next(plain, at, tight, read_run)
         if isinstance(step, ParseError):
             return step
         more, at = step
@@ -73,7 +96,7 @@ def tokens(
     return [*found, Token("end", "", len(text), False)]
 
 
-def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> tuple[list[Token], int] | ParseError:
+def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> Found | ParseError:
     letter = plain[at]
     number = NUMBER.match(plain, at)
     if number:
@@ -130,7 +153,7 @@ def _vulgar(value: Fraction, at: int, tight: bool) -> list[Token]:
     ]
 
 
-def _raised(found: re.Match[str], tight: bool) -> tuple[list[Token], int] | ParseError:
+def _raised(found: re.Match[str], tight: bool) -> Found | ParseError:
     plain, at = found[0].translate(RAISED), found.start()
     digits = plain.lstrip("+-")
     if len(digits) > 4:

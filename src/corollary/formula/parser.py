@@ -20,7 +20,7 @@ Lean = Literal[
 DEEPEST = 40
 LARGEST_POWER = 64
 MOST_BITS = 4096
-COMPARE, ADD, TIMES, FACTOR, RAISE = 5, 10, 20, 21, 30
+COMPARE, ADD, TIMES, FACTOR, UNIT, RAISE = 5, 10, 20, 21, 25, 30
 STARTS = frozenset({"number", "name", "function", "e", "open"})
 
 
@@ -38,6 +38,7 @@ class _Line:
     tokens: list[Token]
     student: bool
     lean: Lean = "ask"
+    numbers: bool = False
     at: int = 0
     depth: int = 0
     bars: list[int] = field(default_factory=list)  # depth of brackets at each | still open
@@ -56,9 +57,15 @@ class _Line:
         return token
 
 
-def formula(tokens: list[Token], *, student: bool, lean: Lean = "ask") -> Expr | ParseError:
-    """The tree of a whole line. Students may leave out product signs and compare nothing; authors the other way round."""
-    line = _Line(tokens, student, lean)
+def formula(
+    tokens: list[Token], *, student: bool, lean: Lean = "ask", numbers: bool = False
+) -> Expr | ParseError:
+    """The tree of a whole line. Students may leave out product signs and compare nothing; authors the other way round.
+
+    A unit behind a factor belongs to it, as a letter named by the unit. In a calculation with `numbers` alone, whatever is
+    divided by a number with a space behind it ends there: `√2/2 π` is (√2/2) π.
+    """
+    line = _Line(tokens, student, lean, numbers)
     try:
         tree = _formula(line, 0)
         if line.next.kind != "end":
@@ -130,6 +137,9 @@ def _formula(line: _Line, least: int) -> Expr:
         elif token.kind == "degree" and least < RAISE:
             line.take()
             tree, grows = degrees(tree), None
+        elif token.kind == "unit" and least < UNIT:  # `80 kg/4 m` is (80 kg)/(4 m), `3^2 m` is 9 m
+            line.take()
+            tree, grows = Product((tree, Name(token.text))), None
         elif _follows(line) and least < TIMES:
             tree, grows = _implicit(line, tree, grows)
         else:
@@ -165,7 +175,7 @@ def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
         raise _Stop(ambiguous("a number behind a factor can be a power or a product", token.at, *shown))
     half = (
         isinstance(tree, Quotient)
-        and isinstance(tree.top, Number)
+        and (isinstance(tree.top, Number) or line.numbers)
         and isinstance(tree.bottom, Number)
         and not token.tight
     )
@@ -307,7 +317,7 @@ def _bare_argument(line: _Line, function: str) -> Expr:
         argument = Product((argument, _first(line, FACTOR)))
     behind = line.next
     if behind.kind in ("number", "name", "e", "open") or (behind.kind == "sign" and behind.text in "/^"):
-        if line.lean == "near":
+        if line.lean == "near" or line.numbers:
             return argument
         if line.lean == "far":
             line.at = start

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import assert_never
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
@@ -44,7 +43,7 @@ def revealed(key: Key, part: Part) -> str:
     truth = key.truths.get(part.id)
     if truth is None:
         return ""
-    size = float(part.unit.factor) * math.pi**part.unit.pi
+    size = part.unit.si
     numbers = [decimal_text(value / size, 4) for value in truth.values]
     unit = show(part.unit)
     body = numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"

@@ -1,1 +1,5 @@
-"""Units and dimensions: what they measure, how they are written, and what they are in SI."""
+"""Units and dimensions: what a quantity measures, and what students and authors call it."""
+
+from corollary.units.table import register
+
+__all__ = ["register"]

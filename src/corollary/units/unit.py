@@ -1,132 +1,74 @@
-"""The units of mechanics: what they measure, how they are written, and what they are in kg, m and s."""
+"""Units as students and authors write them, read and written again: `kg m/s`, `Ns`, `m s⁻²`, `J/(kg m)`."""
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from difflib import get_close_matches
 from fractions import Fraction
+from functools import lru_cache
 
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.numerals import PLAIN, RAISED
-from corollary.units.words import SPELLED, in_signs
+from corollary.messages import catalogue
+from corollary.units.dimension import BASE, ONE, PURE, Dimension, Unit
+from corollary.units.table import CALLED, NAMED, UNITS, UNSUGGESTED
+from corollary.units.words import in_signs
+
+__all__ = [
+    "BASE",
+    "ONE",
+    "PURE",
+    "UNITS",
+    "Dimension",
+    "Unit",
+    "called",
+    "canonical",
+    "latex",
+    "read_unit",
+    "show",
+    "si_unit",
+    "unit",
+]
+
+_ = catalogue(__name__)
 
 LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 LARGEST_POWER = 9
-
-
-@dataclass(frozen=True, slots=True)
-class Dimension:
-    """Powers of kilogram, metre and second; an angle has none. Fractions occur in contact constants (N/m^1.5)."""
-
-    kg: Fraction = Fraction(0)
-    m: Fraction = Fraction(0)
-    s: Fraction = Fraction(0)
-
-    def __mul__(self, other: Dimension) -> Dimension:
-        return Dimension(self.kg + other.kg, self.m + other.m, self.s + other.s)
-
-    def __truediv__(self, other: Dimension) -> Dimension:
-        return Dimension(self.kg - other.kg, self.m - other.m, self.s - other.s)
-
-    def __pow__(self, power: int | Fraction) -> Dimension:
-        return Dimension(self.kg * power, self.m * power, self.s * power)
-
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """A unit and its size: one of it is `factor` times pi**`pi` in SI (a degree is pi/180, a percent 1/100)."""
-
-    text: str
-    dimension: Dimension
-    factor: Fraction = Fraction(1)
-    pi: int = 0
-
-
-def _dimension(kg: int, m: int, s: int) -> Dimension:
-    return Dimension(Fraction(kg), Fraction(m), Fraction(s))
-
-
-ONE = Dimension()
-PURE = Unit("1", ONE)
-PREFIX = {
-    "": 0,
-    "p": -12,
-    "n": -9,
-    "u": -6,
-    "µ": -6,
-    "μ": -6,
-    "m": -3,
-    "c": -2,
-    "d": -1,
-    "h": 2,
-    "k": 3,
-    "K": 3,
-    "M": 6,
-    "G": 9,
-}
-TABLE = (  # symbol, powers of kg, m and s, size in SI, prefixes it is used with; sizes of eV and u: CODATA 2018
-    ("g", (1, 0, 0), "1/1000", "nuµμmkK"), ("m", (0, 1, 0), "1", "nuµμmcdkK"), ("s", (0, 0, 1), "1", "pnuµμm"),
-    ("N", (1, 1, -2), "1", "uµμmkKMG"), ("J", (1, 2, -2), "1", "uµμmkKMG"), ("W", (1, 2, -3), "1", "uµμmkKMG"),
-    ("Pa", (1, -1, -2), "1", "hkKMG"), ("Hz", (0, 0, -1), "1", "mkKMG"), ("eV", (1, 2, -2), "1.602176634e-19", "mkKMG"),
-    ("t", (1, 0, 0), "1000", ""), ("u", (1, 0, 0), "1.66053906660e-27", ""), ("min", (0, 0, 1), "60", ""),
-    ("h", (0, 0, 1), "3600", ""), ("rad", (0, 0, 0), "1", "m"), ("%", (0, 0, 0), "1/100", ""),
-)  # fmt: skip
-ONE_SIGN = {"K": "k", "µ": "u", "μ": "u"}
-UNITS = {
-    sign + symbol: Unit(
-        ONE_SIGN.get(sign, sign) + symbol, _dimension(*powers), Fraction(size) * Fraction(10) ** PREFIX[sign]
-    )
-    for symbol, powers, size, prefixes in TABLE
-    for sign in ("", *prefixes)
-}
-UNITS |= dict.fromkeys(("deg", "°", "º", "degree", "degrees"), Unit("deg", ONE, Fraction(1, 180), 1))
-UNITS |= {
-    prefix + word + plural: UNITS[sign + symbol]
-    for symbol, words in SPELLED.items()
-    for word in words.split()
-    for prefix, sign in (
-        ("", ""),
-        ("milli", "m"),
-        ("micro", "u"),
-        ("centi", "c"),
-        ("kilo", "k"),
-        ("mega", "M"),
-    )
-    for plural in ("", "s", "n", "en")
-    if sign + symbol in UNITS and (plural != "en" or word[-1] != "e")
-}
-CALLED = {
-    _dimension(*powers): words
-    for powers, words in {
-        (0, 0, 0): "a plain number", (1, 0, 0): "a mass", (0, 1, 0): "a length", (0, 0, 1): "a time", (0, 1, -1): "a velocity",
-        (0, 1, -2): "an acceleration", (1, 1, -1): "a momentum or an impulse", (1, 1, -2): "a force", (1, 2, -2): "an energy",
-        (1, 2, -3): "a power", (0, 0, -1): "a rate", (1, 0, -1): "a rate of mass", (1, 0, -2): "a spring constant",
-        (1, -1, -2): "a pressure", (0, 2, 0): "an area", (0, 3, 0): "a volume", (1, -3, 0): "a density",
-        (1, 2, 0): "a moment of inertia",
-    }.items()
-}  # fmt: skip
+SIGNS = {"deg": "°", "ohm": "Ω"}
+"""How units are shown that files spell out."""
+IN_TEX = {"deg": r"{}^{\circ}", "ohm": r"\Omega", "%": r"\%"}
 
 MARK = re.compile(
-    r"\s*(?:(?P<symbol>[A-Za-zµμèé]+|[°º%])(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
+    r"\s*(?:(?P<symbol>[A-Za-zµμèéΩΩ]+|[°º%])(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
     r"|(?P<one>1(?![0-9.,]))|(?P<sign>\*|/|\(|\)))"
 )
+TEMPERATURE = re.compile(
+    r"(?:[°º]|(?<![A-Za-z])deg(?:rees?)?)\s?[CFK](?![A-Za-z])"
+)  # °C is no degree times a coulomb
 Factors = list[tuple[Unit, Fraction]]
 
 
 def read_unit(text: str) -> Unit | ParseError:
     """The unit a student wrote; asks about `J/kg m` and `ms^-1`, refuses what is not in the table."""
     if len(text) > LONGEST_UNIT:
-        return refused(f"a unit is not longer than {LONGEST_UNIT} characters", LONGEST_UNIT)
+        return refused(_("a unit is not longer than {most} characters", most=LONGEST_UNIT), LONGEST_UNIT)
     plain = in_signs(text.translate(PLAIN))
+    if temperature := TEMPERATURE.search(plain):
+        written = plain[temperature.start() : temperature.end()]
+        why = _("{written} is not a unit known here", written=written)
+        return refused(why, temperature.start(), _("write a temperature in K"))
     marks: list[re.Match[str]] = []
     at, end = 0, len(plain.rstrip())
     while at < end:
         mark = MARK.match(plain, at)
         if mark is None:
             at += len(plain[at:]) - len(plain[at:].lstrip())
-            return refused(f"{plain[at]!r} does not belong in a unit", at, "write a unit such as kg m/s")
+            return refused(
+                _("{sign} does not belong in a unit", sign=repr(plain[at])),
+                at,
+                _("write a unit such as kg m/s"),
+            )
         marks.append(mark)
         at = mark.end()
     return _product(marks, end)
@@ -142,22 +84,26 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
         if mark["sign"] == "/":
             if opened or (ready and certain) or floating:
                 return refused(
-                    "this slash has no clear place", at, "write one slash and brackets, such as J/(kg m)"
+                    _("this slash has no clear place"),
+                    at,
+                    _("write one slash and brackets, such as J/(kg m)"),
                 )
             side, slashed, ready = -1, False, True
         elif mark["sign"] == "*":
             if ready:
-                return refused("a unit is missing before this sign", at)
+                return refused(_("a unit is missing before this sign"), at)
             ready = True
         elif mark["sign"] == "(":
             if opened or (slashed and side < 0):
                 return refused(
-                    "this bracket has no clear place", at, "write one slash and one bracket, such as J/(kg m)"
+                    _("this bracket has no clear place"),
+                    at,
+                    _("write one slash and one bracket, such as J/(kg m)"),
                 )
             opened, ready = 1, True
         elif mark["sign"] == ")":
             if not opened or ready:
-                return refused("this bracket closes nothing", at)
+                return refused(_("this bracket closes nothing"), at)
             opened, slashed, ready = 0, True, False
         else:
             found = [(PURE, Fraction(1))] if mark["one"] else _symbol(mark["symbol"], mark["power"] or "", at)
@@ -170,36 +116,50 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
             )
             slashed, ready = slashed or not opened, False
     if opened or ready:
-        return refused("something is missing at the end of this unit", end, "write a unit such as kg m/s")
+        return refused(
+            _("something is missing at the end of this unit"), end, _("write a unit such as kg m/s")
+        )
     below = _composed(certain + floating)
     if not floating or isinstance(below, ParseError):
         return below
     above = _composed(certain + [(each, -power) for each, power in floating])
     if isinstance(above, ParseError):
         return above
-    return ambiguous("it is not clear what stands below the slash", doubt, above.text, below.text)
+    return ambiguous(_("it is not clear what stands below the slash"), doubt, above.text, below.text)
 
 
 def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
     power = _power(power_text)
     if power is None or abs(power) > LARGEST_POWER:
-        return refused(f"a unit to the power {power_text.strip('^*')} does not occur here", at)
+        return refused(_("a unit to the power {power} does not occur here", power=power_text.strip("^*")), at)
     if symbol == "ms" and power < 0:
         return ambiguous(
-            "ms can be milliseconds, or metres times seconds", at, f"m s^{power}", _written("1/ms", -power)
+            _("ms can be milliseconds, or metres times seconds"), at, f"m s^{power}", _written("1/ms", -power)
         )
     if known := UNITS.get(symbol) or (UNITS.get(symbol.lower()) if len(symbol) > 3 else None):
         return [(known, power)]
     splits = [[*((each, Fraction(1)) for each in before), (last, power)] for *before, last in _splits(symbol)]
     if len(splits) > 1:
         return ambiguous(
-            f"{symbol} can be read in several ways", at, *(_factors_text(split) for split in splits)
+            _("{text} can be read in several ways", text=symbol),
+            at,
+            *(_factors_text(split) for split in splits),
         )
     if splits:
         return splits[0]
-    low = {known.lower(): known for known in UNITS if known[0] != "K"}
+    low = _suggestions(len(UNITS))
     near = [low[symbol.lower()]] if symbol.lower() in low else get_close_matches(symbol[:20], low.values(), 1)
-    return refused(f"{symbol[:20]} is not a unit known here", at, f"did you mean {near[0]}?" if near else "")
+    return refused(
+        _("{written} is not a unit known here", written=symbol[:20]),
+        at,
+        _("did you mean {near}?", near=near[0]) if near else "",
+    )
+
+
+@lru_cache(maxsize=1)
+def _suggestions(units: int) -> dict[str, str]:
+    """Units by their small letters, for as many as there are by now."""
+    return {known.lower(): known for known in UNITS if known not in UNSUGGESTED and known[0] != "K"}
 
 
 def _splits(run: str) -> list[tuple[Unit, ...]]:
@@ -207,7 +167,10 @@ def _splits(run: str) -> list[tuple[Unit, ...]]:
     ends = range(1, len(run)) if len(run) < 10 else ()
     cuts = [(run[:end], run[end:]) for end in ends]
     cuts += [(run[:first], run[first:end], run[end:]) for end in ends for first in range(1, end)]
-    return [tuple(UNITS[piece] for piece in cut) for cut in cuts if all(piece in UNITS for piece in cut)]
+    known = [cut for cut in cuts if all(piece in UNITS for piece in cut)]
+    return [
+        tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]
+    ]  # Kgm: kg m, no kelvin
 
 
 def _power(text: str) -> Fraction | None:
@@ -224,10 +187,12 @@ def _composed(factors: Factors) -> Unit | ParseError:
     for each, power in factors:
         size = _raised(each.factor, power)
         if size is None:
-            return refused(f"{each.text} to the power {power} has no exact size", None)
+            return refused(
+                _("{unit} to the power {power} has no exact size", unit=each.text, power=power), None
+            )
         dimension, factor, pi = dimension * each.dimension**power, factor * size, pi + each.pi * power
     if pi.denominator != 1:
-        return refused("an angle has whole powers only", None)
+        return refused(_("an angle has whole powers only"), None)
     return Unit(_factors_text(factors), dimension, factor, int(pi))
 
 
@@ -274,19 +239,19 @@ def unit(text: str) -> Unit:
 
 
 def si_unit(dimension: Dimension) -> Unit:
-    """The SI unit of a dimension, under its own name where it has one (N, J, W, Pa)."""
-    for name in ("N", "J", "W", "Pa"):
+    """The SI unit of a dimension, under its own name where it has one (N, J, V, ohm)."""
+    for name in NAMED:
         if UNITS[name].dimension == dimension:
             return UNITS[name]
-    powers = [(UNITS["kg"], dimension.kg), (UNITS["m"], dimension.m), (UNITS["s"], dimension.s)]
-    found = _composed([(each, power) for each, power in powers if power])
+    found = _composed([(UNITS[name], power) for name, power in dimension.powers().items()])
     assert isinstance(found, Unit)  # sizes of 1 have every root
     return found
 
 
 def called(dimension: Dimension) -> str:
     """What a person calls it: a force, a velocity; otherwise by its SI unit."""
-    return CALLED.get(dimension) or f"something in {show(si_unit(dimension))}"
+    name = CALLED.get(dimension)
+    return _(name) if name else _("something in {unit}", unit=show(si_unit(dimension)))
 
 
 def canonical(unit: Unit) -> str:
@@ -299,7 +264,8 @@ def show(unit: Unit) -> str:
     if unit.text == "1":
         return ""
     raised = re.sub(r"\^([0-9]+)(?![0-9.])", lambda found: found[1].translate(SUPERSCRIPTS), unit.text)
-    return re.sub(r"\bu(?=[a-zA-Z])", "µ", raised).replace("*", " ").replace("deg", "°")
+    micro = re.sub(r"\bu(?=[a-zA-Z])", "µ", raised)
+    return re.sub("deg|ohm", lambda found: SIGNS[found[0]], micro).replace("*", " ")
 
 
 def latex(unit: Unit) -> str:
@@ -307,10 +273,5 @@ def latex(unit: Unit) -> str:
     if unit.text == "1":
         return ""
     raised = re.sub(r"\^(\(?[-0-9./]+\)?)", r"^{\1}", unit.text)
-    symbols = (
-        re.sub(r"\bu(?=[a-zA-Z])", r"\\mu ", raised)
-        .replace("*", r"\,")
-        .replace("deg", r"{}^{\circ}")
-        .replace("%", r"\%")
-    )
-    return rf"\mathrm{{{symbols}}}"
+    micro = re.sub(r"\bu(?=[a-zA-Z])", r"\\mu ", raised).replace("*", r"\,")
+    return rf"\mathrm{{{re.sub('deg|ohm|%', lambda found: IN_TEX[found[0]], micro)}}}"

@@ -1,14 +1,9 @@
-"""Units in words and with other marks: `Newton seconds`, `meters per second`, `kg.m/s`, `N-s`, `kmph`."""
+"""Marks and words between units: `Newton seconds`, `meters per second`, `kg.m/s`, `N-s`, `kmph`."""
 
 from __future__ import annotations
 
 import re
 
-SPELLED = {
-    "s": "sec second seconde sekunde sekund", "m": "meter metre mètre", "g": "gram gramme gramm", "N": "newton", "J": "joule",
-    "W": "watt", "h": "hour hr heure stunde timme", "min": "minute", "rad": "radian", "Pa": "pascal", "t": "tonne", "%": "percent",
-    "deg": "degree degré grad grader", "eV": "electronvolt",
-}  # fmt: skip
 SPEEDS = {"kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s"}
 SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
 PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")

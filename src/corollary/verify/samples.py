@@ -80,7 +80,7 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
                 continue
             ratio, pi = read.si
             unit = read.unit or part.unit
-            size = float(unit.factor) * math.pi**unit.pi
+            size = unit.si
             met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,), (0.0,)) or (
                 ratio == 0 and value == 0
             )

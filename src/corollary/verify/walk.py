@@ -138,4 +138,4 @@ def _list(seen: Seen) -> tuple[float, ...]:
 
 
 def _size(unit) -> float:
-    return float(unit.factor) * math.pi**unit.pi
+    return unit.si

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -30,7 +29,7 @@ OTHER_UNITS = {
 
 def in_unit(values: tuple[float, ...], of: Unit, mark: str = ".") -> list[str]:
     """Numbers as typed, with a unit: about four figures, but never three decimals, which after a comma could be thousands."""
-    size = float(of.factor) * math.pi**of.pi
+    size = of.si
     numbers = []
     for value in values:
         tries = (decimal_text(value / size, figures) if value else "0" for figures in (4, 5))

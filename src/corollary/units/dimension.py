@@ -1,0 +1,70 @@
+"""What a quantity measures, in the seven base units of the SI."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from fractions import Fraction
+from operator import attrgetter
+
+ZERO = Fraction(0)
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """Powers of the base units; an angle has none. Fractions occur in contact constants (N/m^1.5)."""
+
+    kg: Fraction = ZERO
+    m: Fraction = ZERO
+    s: Fraction = ZERO
+    A: Fraction = ZERO
+    K: Fraction = ZERO
+    mol: Fraction = ZERO
+    cd: Fraction = ZERO
+
+    def __mul__(self, other: Dimension) -> Dimension:
+        return Dimension(*(a + b if b else a for a, b in zip(_all(self), _all(other), strict=True)))
+
+    def __truediv__(self, other: Dimension) -> Dimension:
+        return Dimension(*(a - b if b else a for a, b in zip(_all(self), _all(other), strict=True)))
+
+    def __pow__(self, power: int | Fraction) -> Dimension:
+        return Dimension(*(a * power if a else a for a in _all(self)))
+
+    def powers(self) -> dict[str, Fraction]:
+        """The powers that are not zero: {"kg": 1, "m": 1, "s": -2}."""
+        return {name: power for name, power in zip(BASE, _all(self), strict=True) if power}
+
+    @classmethod
+    def of(cls, base_units: str) -> Dimension:
+        """From a product of base units such as `kg m s^-2`; an empty text or `1` is a plain number. Raises ValueError."""
+        found = ONE
+        for factor in base_units.split():
+            name, _, power = factor.partition("^")
+            if name not in BASE and name != "1":
+                raise ValueError(f"{base_units!r} is no product of base units: use {', '.join(BASE)}")
+            found = found * (cls(**{name: Fraction(power or 1)}) if name != "1" else ONE)
+        return found
+
+
+BASE = tuple(field.name for field in fields(Dimension))
+ONE = Dimension()
+_all = attrgetter(*BASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit and its size: one of it is `factor` times pi**`pi` in SI (a degree is pi/180, a percent 1/100)."""
+
+    text: str
+    dimension: Dimension
+    factor: Fraction = Fraction(1)
+    pi: int = 0
+
+    @property
+    def si(self) -> float:
+        """Its size in SI as a double."""
+        return float(self.factor) * math.pi**self.pi
+
+
+PURE = Unit("1", ONE)
