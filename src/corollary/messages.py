@@ -38,11 +38,6 @@ class Catalogue:
         )
 
 
-def N_(message: str) -> str:
-    """Marks a message of a table for translation; it is translated when it is used: `_(TABLE[name])`."""
-    return message
-
-
 def catalogue(module: str) -> Catalogue:
     """The catalogue of the room that a module (its `__name__`) belongs to; a package of somebody else's has one for all."""
     return Catalogue(".".join(module.split(".")[: 2 if module.startswith("corollary.") else 1]))

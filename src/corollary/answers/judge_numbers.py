@@ -92,7 +92,7 @@ def _length(target: Values, wanted: Quantity) -> float:
 
 def _coarse(answer: Numbers, wanted: Quantity, question: Question, target: Values) -> int:
     """How many figures were written, where they are too few to tell the answer from the target; else 0."""
-    unit = float(question.unit.factor) * math.pi**question.unit.pi
+    unit = question.unit.si
     sizes: Sequence[float] = answer.sizes or (unit,) * len(target)
     near = NEAR * wanted.tolerance
     if answer.polar is not None:
