@@ -17,7 +17,8 @@ from corollary.grading.solutions import Solutions
 from corollary.records.assigned import set_of
 from corollary.records.files import one_writer, open_course
 from corollary.records.regrading import Change
-from corollary.sandbox.runner import Runner
+from corollary.sandbox.isolation import Isolation
+from corollary.sandbox.runner import Runner, probe_isolation
 
 
 def run(
@@ -45,11 +46,15 @@ def run(
             progress=progress,
             jobs=jobs,
             execute=on_cluster(executor) if executor else None,
+            # On a cluster it is the workers' machines that count, and each mark says theirs.
+            begin=(lambda: None) if executor else (lambda: say_isolation(probe_isolation(require))),
         )
     for stranger in done.strangers:
         say(
             f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)"
         )
+    for student, why in done.not_run.items():
+        say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
     for student, names in done.unclear.items():
         which = f"{student} handed in {len(names)} notebooks, none of them called {problem_set.name}.ipynb ({', '.join(names)})"
         say(f"{which}; rename the one that counts")
@@ -61,6 +66,13 @@ def run(
 
 
 SHOWN = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
+
+
+def say_isolation(isolation: Isolation) -> None:
+    """The level, before any notebook is run, and what is missing for a better one."""
+    say(f"isolation level {isolation.level}: {isolation.line}")
+    for missing in isolation.missing:
+        say(f"warning: isolation without {missing}")
 
 
 def document(name: str, done: Outcome) -> dict[str, Any]:

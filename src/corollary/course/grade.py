@@ -36,7 +36,8 @@ class NotDealt(LookupError):
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What a run of grading did. `records` holds every student's marks, those skipped included."""
+    """What a run of grading did. `not_run` are those whose notebook the machine failed to run, with a sentence: nothing is
+    recorded for them, and the next run marks them. `records` holds every student's marks, those skipped included."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -48,6 +49,7 @@ class Outcome:
     page: Path
     changed: tuple[Change, ...] = ()
     unclear: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    not_run: Mapping[str, str] = field(default_factory=dict)
 
 
 def grade_set(
@@ -62,11 +64,13 @@ def grade_set(
     progress: Callable[[str, int], None] = lambda student, left: None,
     jobs: int | None = None,
     execute: Execute | None = None,
+    begin: Callable[[], None] = lambda: None,
 ) -> Outcome:
     """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
 
     A regrade marks everything first and shows who changes before anything is written; a dry run writes nothing at all.
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
+    `begin` is called before the first notebook is run.
     `progress` gets each student as their marks are written, and how many are left. Raises NotDealt, NotDerivable, CannotStart,
     WeakIsolation, and what the gradebook refuses (GradebookLocked, NotRegistered).
     """
@@ -95,14 +99,18 @@ def grade_set(
         for one in todo
     )
     held: list[GradedSubmission] = []
+    not_run: dict[str, str] = {}
     changed: tuple[Change, ...] = ()
     if todo:
         for problem in problem_set.problems:
             solutions.of(problem)  # once, before there are workers who would each do it
         context = GradingContext(problem_set, solutions, course.key, runner, has_nbgrader())
+        begin()
         with (execute or here(jobs, len(todo)))(context, waiting) as graded, _gradebook(course) as book:
             for place, one in enumerate(graded, start=1):
-                if regrade or dry_run:
+                if one.marked.machine_failed:
+                    not_run[one.submission.student.id] = one.marked.trouble
+                elif regrade or dry_run:
                     held.append(one)
                 else:
                     _write(course, problem_set, one, book)
@@ -120,9 +128,9 @@ def grade_set(
     if not dry_run:
         write_whole(page, report_page(report, problem_set))
     return Outcome(
-        graded=tuple(todo),
+        graded=tuple(student for student in todo if student not in not_run),
         skipped=tuple(student for student in digests if student not in todo),
-        failed=tuple(one.student for one in report.failed),
+        failed=(*not_run, *(one.student for one in report.failed if one.student not in not_run)),
         strangers=strangers,
         records=records,
         in_gradebook=has_nbgrader(),
@@ -130,6 +138,7 @@ def grade_set(
         page=page,
         changed=changed,
         unclear=unclear(course, name),
+        not_run=not_run,
     )
 
 

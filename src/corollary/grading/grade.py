@@ -61,6 +61,9 @@ class Marked:
     late: float
     late_share: float
     notes: tuple[str, ...] = ()
+    machine_failed: bool = (
+        False  # the notebook could not be run, for no reason of its own: nothing is to be recorded
+    )
 
     @property
     def points(self) -> float:

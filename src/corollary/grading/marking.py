@@ -33,6 +33,8 @@ def mark(
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
     taken = runner.execute(_job(sheet, keys, notebook, secret))
+    if taken.machine_failed:
+        return replace(not_marked(sheet, taken.trouble, late), machine_failed=True)
     grades = tuple(
         _grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises
     )

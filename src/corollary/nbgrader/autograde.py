@@ -80,6 +80,10 @@ class JudgedOutside(Execute):
             return nb, cast(ResourcesDict, stock)
         try:
             graded = grade_submission(ours.context, _runner(self.require_isolation), ours.submission)
+            if graded.marked.machine_failed:
+                raise NbGraderException(
+                    f"this machine failed, and nothing is recorded: {graded.marked.trouble}"
+                )
         except Exception:
             _flag(resources["nbgrader"])
             raise

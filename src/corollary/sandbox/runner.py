@@ -20,6 +20,14 @@ from corollary.sandbox.zygote import CannotStart, Worker, Zygote
 _NO_JOB = Job((), ())
 
 
+def probe_isolation(require: int = 0) -> Isolation:
+    """How well notebooks are isolated here, before any is run. Raises WeakIsolation below `require`, and CannotStart."""
+    runner = Runner(require=require)
+    runner._probe_only = True
+    with runner:
+        return runner.isolation
+
+
 @final
 class Runner:
     """Runs notebooks one after another, each in a fork of one zygote; for several at once use several.
@@ -36,6 +44,7 @@ class Runner:
         self.require = require
         self.without = without
         self.isolation: Isolation = UNKNOWN
+        self._probe_only = False
         self._zygote: Zygote | None = None
         self._lock = threading.Lock()
 
@@ -74,7 +83,7 @@ class Runner:
         if self._zygote is not None and not self._zygote.running:
             self._stop()
         if self._zygote is None:
-            self._zygote = Zygote(self.limits, self.without)
+            self._zygote = Zygote(self.limits, self.without, self._probe_only)
             probed = self._probe(self._zygote)
             self.isolation = isolation_of(probed.held, self._zygote.missing)
             if self.isolation.level < self.require:

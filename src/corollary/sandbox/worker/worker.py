@@ -4,7 +4,7 @@ import os
 import random
 import sys
 
-from . import executor, libc, namespaces, privileges, probe, protocol
+from . import libc, namespaces, privileges, probe, protocol
 
 
 def run(isolation, shell, outputs, channel):
@@ -22,6 +22,8 @@ def run(isolation, shell, outputs, channel):
         if job["probe"] is not None:
             protocol.send({"t": "probed", "held": probe.probe(job["probe"], isolation)})
         else:
+            from . import executor
+
             executor.execute(shell, outputs, job)
         os._exit(0)
     except BaseException as error:

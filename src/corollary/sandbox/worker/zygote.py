@@ -7,9 +7,7 @@ import signal
 import socket
 import tempfile
 
-from . import executor, layers, libc, namespaces, privileges, protocol, worker
-from . import shell as shells
-from .outputs import Outputs
+from . import layers, libc, namespaces, privileges, protocol, worker
 
 # What most notebooks do, run once before the first fork: fonts, lazy imports and caches are then there for every worker.
 # (Running it ten times, for the interpreter to specialise its bytecode, and copying the pages that workers write to before
@@ -41,8 +39,9 @@ def serve(config):
         isolation.missing = dict.fromkeys(("namespaces", "Landlock", "seccomp"), "only Linux has it")
     for name in ("HOME", "TMPDIR", "MPLCONFIGDIR", "IPYTHONDIR"):
         os.environ[name] = isolation.folder
-    outputs = Outputs(isolation.limits["output_bytes"])
-    shell = _warm_shell(outputs, config["preload"])
+    shell = outputs = None
+    if not config["probe_only"]:
+        shell, outputs = _warm_shell(isolation, config["preload"])
     tempfile.tempdir = None
     if libc.on_linux():
         layers.prepare(isolation, config)
@@ -73,16 +72,20 @@ def serve(config):
         protocol.send(exited, descriptor=control.fileno())
 
 
-def _warm_shell(outputs, preload):
-    shell = shells.new_shell(outputs)
+def _warm_shell(isolation, preload):
+    from . import executor, outputs  # with what they import, most of the time a zygote takes to start
+    from . import shell as shells
+
+    collected = outputs.Outputs(isolation.limits["output_bytes"])
+    shell = shells.new_shell(collected)
     layers.import_each(preload)
-    out, err = shells.streams(outputs)
+    out, err = shells.streams(collected)
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        executor.warm_up(shell, outputs, _WARM_UP)
+        executor.warm_up(shell, collected, _WARM_UP)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the clock of the cells has set it
     shells.reset(shell)
-    outputs.start()
-    return shell
+    collected.start()
+    return shell, collected
 
 
 def _kill_orphans():
