@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 
 from corollary.atomic import write_whole
+from corollary.problem.bank import chapter_bank
+from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course
-from corollary.records.submission import fingerprint, handed_in, moment, submissions
+from corollary.records.submission import fingerprint, handed_in, moment, read_submission, submissions
 
 
 @pytest.fixture
@@ -51,6 +53,39 @@ def test_handed_in_is_the_timestamp_or_the_age_of_the_file(course: Course):
     assert handed_in(course, "week_1", "ada") == datetime.fromtimestamp(1_700_000_000, UTC)
     (notebook.parent / "timestamp.txt").write_text("2026-12-04 21:03:11 UTC\n")
     assert handed_in(course, "week_1", "ada") == datetime(2026, 12, 4, 21, 3, 11, tzinfo=UTC)
+
+
+@pytest.mark.parametrize("kind", ["pipe", "link", "folder", "sparse", "year 1", "zone"])
+def test_a_timestamp_that_is_none_is_passed_over(course: Course, kind: str):
+    notebook = course.notebook("submitted", "ada", "week_1")
+    write_whole(notebook, "{}")
+    os.utime(notebook, (1_700_000_000, 1_700_000_000))
+    stamp = notebook.parent / "timestamp.txt"
+    match kind:
+        case "pipe":
+            os.mkfifo(stamp)
+        case "link":
+            stamp.symlink_to("/dev/zero")
+        case "folder":
+            stamp.mkdir()
+        case "sparse":
+            with stamp.open("wb") as file:
+                file.truncate(40 << 30)
+        case "year 1":
+            stamp.write_text("0001-01-01 00:00:00 +0500")
+        case _:
+            stamp.write_text("2026-12-04 21:03:11 Zone/../../etc/passwd")
+    assert handed_in(course, "week_1", "ada") == datetime.fromtimestamp(1_700_000_000, UTC)
+
+
+def test_a_students_folder_that_is_a_link_is_not_followed(course: Course):
+    write_whole(course.notebook("submitted", "ada", "week_1"), "{}")
+    (course.folder / "submitted" / "bob").symlink_to(course.folder / "submitted" / "ada")
+    problem_set = find_set(chapter_bank(), "momentum_1")
+    for student, content in (("ada", b"{}"), ("bob", None)):
+        path = course.notebook("submitted", student, "week_1")
+        read = read_submission(course, problem_set, Student(student), path, {}, "").content
+        assert read == content if content is not None else "link" in str(read)
 
 
 def test_submissions_are_found_even_when_renamed(course: Course):

@@ -46,7 +46,8 @@ def read_submission(
 ) -> Submission:
     """The submission in a file, read as a stranger's file is; never raises for what is in it."""
     late = lateness(course, problem_set, student.id)
-    return Submission(student, bytes_of(path), assigned, late, fingerprint)
+    content = bytes_of(path, within=course.folder / "submitted")
+    return Submission(student, content, assigned, late, fingerprint)
 
 
 def fingerprint(
@@ -77,8 +78,10 @@ def handed_in(course: Course, set_name: str, student: str) -> datetime | None:
     the file, to the second; None when there is nothing."""
     place = course.place("submitted", student, set_name)
     try:
-        return moment((place / "timestamp.txt").read_text(encoding="utf-8", errors="replace"))
-    except (OSError, ValueError, ZoneInfoNotFoundError):
+        # A stranger's file like the notebook beside it: it may be a pipe, a link to a device, or forty gigabytes.
+        content = bytes_of(place / "timestamp.txt", 1 << 10)
+        return moment(content.decode("utf-8", "replace") if isinstance(content, bytes) else "")
+    except (OSError, ValueError, OverflowError, ZoneInfoNotFoundError):
         path = _handed_in_notebook(place, set_name) or place
         return datetime.fromtimestamp(int(path.stat().st_mtime), UTC) if path.exists() else None
 
