@@ -228,20 +228,29 @@ def speed(folder: Path, count: int, rounds: int, otter: Path | None) -> dict[str
     medians = {way: statistics.median(times) for way, times in found.items()}
     entire = {way: statistics.median(times) for way, times in whole.items()}
     return {
-        "notebooks": count, "rounds": rounds, "cores": cores(), **memory,
+        "notebooks": count,
+        "rounds": rounds,
+        "cores": cores(),
+        **memory,
         "ms per notebook, after the start": {way: round(value, 1) for way, value in medians.items()},
         "times faster than nbgrader, after the start": {
-            way: round(medians["nbgrader autograde"] / value, 1) for way, value in medians.items() if "runner" in way
+            way: round(medians["nbgrader autograde"] / value, 1)
+            for way, value in medians.items()
+            if "runner" in way
         },
         "seconds in all, with the start": {way: round(value, 1) for way, value in entire.items()},
         "times faster than nbgrader, with the start": {
-            way: round(entire["nbgrader autograde"] / value, 1) for way, value in entire.items() if "runner" in way
+            way: round(entire["nbgrader autograde"] / value, 1)
+            for way, value in entire.items()
+            if "runner" in way
         },
         "times the cells themselves": {
-            label: round(medians[f"cells behind the walls, {label}"] / medians[f"cells in a warm process, {label}"], 2)
+            label: round(
+                medians[f"cells behind the walls, {label}"] / medians[f"cells in a warm process, {label}"], 2
+            )
             for label in ("data", "PNG", "on the processor")
         },
-    }  # fmt: skip
+    }
 
 
 def _all(runners: list[Runner], papers: list[Path], place: Path, pictures: bool) -> float:

@@ -84,14 +84,19 @@ def killed(folder: Path, count: int, kills: int, seed: int) -> dict[str, Any]:
         said, _ = grading.communicate()
     entries = [entry["student"] for entry in history(open_course(torn), "small")]
     return {
-        "submissions": count, "seconds undisturbed": round(seconds, 1), "per second": round(count / seconds, 2),
-        "marked when killed": done_before, "last run": said.strip().splitlines()[-1],
-        "rows": len(_rows(calm)), "the same gradebook": _rows(calm) == _rows(torn),
-        "the same records": _files(calm, ".corollary/graded", "*.json") == _files(torn, ".corollary/graded", "*.json"),
+        "submissions": count,
+        "seconds undisturbed": round(seconds, 1),
+        "per second": round(count / seconds, 2),
+        "marked when killed": done_before,
+        "last run": said.strip().splitlines()[-1],
+        "rows": len(_rows(calm)),
+        "the same gradebook": _rows(calm) == _rows(torn),
+        "the same records": _files(calm, ".corollary/graded", "*.json")
+        == _files(torn, ".corollary/graded", "*.json"),
         "the same notebooks": _files(calm, "autograded", "*.ipynb") == _files(torn, "autograded", "*.ipynb"),
         "the same feedback": _files(calm, "feedback", "*.html") == _files(torn, "feedback", "*.html"),
         "nothing twice": len(entries) == len(set(entries)) == count,
-    }  # fmt: skip
+    }
 
 
 def _grading(file: Path, course: Path) -> subprocess.Popen[str]:

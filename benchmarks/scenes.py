@@ -97,11 +97,19 @@ def compared(case: Case, wanted: float) -> dict[str, Any]:
     ):
         own["compiled"] = found["seconds"]
     return {
-        "scene": case.name, "planned": planned, "milliseconds": 1e3 * base["seconds"], "error": base["error"], "own": own,
+        "scene": case.name,
+        "planned": planned,
+        "milliseconds": 1e3 * base["seconds"],
+        "error": base["error"],
+        "own": own,
         "methods": {name: found for name, found in times.items() if found},
-        "ratios": {name: found["seconds"] / base["seconds"] for name, found in times.items() if found and name != "planned"},
+        "ratios": {
+            name: found["seconds"] / base["seconds"]
+            for name, found in times.items()
+            if found and name != "planned"
+        },
         "heyoka": reason,
-    }  # fmt: skip
+    }
 
 
 def asked(case: Case, wanted: float) -> None:

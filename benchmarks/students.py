@@ -53,21 +53,25 @@ class Tallies:
     def record(self) -> dict[str, Any]:
         """Shares in per cent; `mistakes` counts verdicts on listed mistakes."""
         return {
-            "drawn": self.drawn, "dealt": self.dealt, "redrawn_percent": _percent(self.drawn - self.dealt, self.drawn),
+            "drawn": self.drawn,
+            "dealt": self.dealt,
+            "redrawn_percent": _percent(self.drawn - self.dealt, self.drawn),
             "honest": {
                 sort: {
                     "answers": self.answers[sort],
-                    "rejected_percent": _percent(self.rejected[sort], self.answers[sort]), "fixed": self._fixed(sort),
+                    "rejected_percent": _percent(self.rejected[sort], self.answers[sort]),
+                    "fixed": self._fixed(sort),
                 }
                 for sort in SORTS
             },
             "mistakes": {
                 "answers": self.answers["mistaken"],
                 "accepted_percent": _percent(self.mistaken["accepted"], self.answers["mistaken"]),
-                "named_percent": _percent(self.mistaken["named"], self.answers["mistaken"]), "fixed": self._fixed("mistaken"),
+                "named_percent": _percent(self.mistaken["named"], self.answers["mistaken"]),
+                "fixed": self._fixed("mistaken"),
             },
             "worst": [f"{what}: {count}" for what, count in self.worst.most_common(5)],
-        }  # fmt: skip
+        }
 
     def _fixed(self, sort: str) -> dict[str, float | None]:
         return {

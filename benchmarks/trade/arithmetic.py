@@ -156,6 +156,11 @@ def _record(way: Way, formulas: list[Formula]) -> dict[str, Any]:
             if off > worst:
                 worst, where = off, formula.label
     return {
-        "arithmetic": way.name, "formulas": count, "values": done, "values_per_second": done / max(spent, 1e-9),
-        "median_ulp": statistics.median(errors), "worst_ulp": worst, "worst": where,
-    }  # fmt: skip
+        "arithmetic": way.name,
+        "formulas": count,
+        "values": done,
+        "values_per_second": done / max(spent, 1e-9),
+        "median_ulp": statistics.median(errors),
+        "worst_ulp": worst,
+        "worst": where,
+    }

@@ -19,8 +19,11 @@ ENOUGH = 4e-16
 SHORT = 4e-3
 
 PLANNED = {
-    "conservation": "conservation", "quadrature": "quadrature", "piecewise exact": "exact_flow", "integration": "regularised",
-}  # fmt: skip
+    "conservation": "conservation",
+    "quadrature": "quadrature",
+    "piecewise exact": "exact_flow",
+    "integration": "regularised",
+}
 """The planner's models by the names their routes have here."""
 
 

@@ -49,5 +49,9 @@ def label(wanted: float) -> str:
 def timing_record(timing: Timing) -> dict[str, Any]:
     error = timing.error if math.isfinite(timing.error) else "inf"
     return {
-        "method": timing.method, timing.knob: timing.setting, "error": error, "evaluations": timing.evaluations, "seconds": timing.seconds,
-    }  # fmt: skip
+        "method": timing.method,
+        timing.knob: timing.setting,
+        "error": error,
+        "evaluations": timing.evaluations,
+        "seconds": timing.seconds,
+    }

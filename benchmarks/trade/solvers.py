@@ -66,8 +66,14 @@ def _from_event_to_event(program: Program, tolerance: float) -> Answer:
     for _ in range(MOST_EVENTS):
         watched = [_watched(switch, on[i]) for i, switch in enumerate(program.switches)]
         found = solve_ivp(
-            law, (time, program.until), state, "DOP853", rtol=max(tolerance, 3e-14), atol=sizes, events=watched
-        )  # fmt: skip
+            law,
+            (time, program.until),
+            state,
+            "DOP853",
+            rtol=max(tolerance, 3e-14),
+            atol=sizes,
+            events=watched,
+        )
         time, state, spent = float(found.t[-1]), found.y[:, -1].tolist(), spent + found.nfev
         if found.status != 1:
             break

@@ -86,8 +86,12 @@ def _spheres(hy: Any, eta: float) -> Callable[[], Answer]:
     r, drag = both.reach - w * w, eta / both.mass
     push = both.contact.k / both.mass * _power(w, 3) + drag * rate + spin**2 / r**3
     system = [
-        (w, rate), (rate, -2.0 * w * push), (spin, -2.0 * drag * w * spin), (time, 2.0 * w), (turn, 2.0 * w * spin / r**2),
-    ]  # fmt: skip
+        (w, rate),
+        (rate, -2.0 * w * push),
+        (spin, -2.0 * drag * w * spin),
+        (time, 2.0 * w),
+        (turn, 2.0 * w * spin / r**2),
+    ]
     start = [0.0, met.inward, met.spin, 0.0, 0.0]
     follow = hy.taylor_adaptive(
         system, state=start, t_events=[hy.t_event(w, direction=hy.event_direction.negative)]

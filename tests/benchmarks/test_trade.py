@@ -24,9 +24,12 @@ from corollary.scenes.models.pair import meet
 
 HERE = Path(__file__).parent
 TABLE = {
-    "ball_on_floor": references.BALL, "atom bound": references.ATOM_BOUND, "atom escaping": references.ATOM_ESCAPING,
-    "spheres eta=0": references.SPHERES, "spheres eta=1": references.SPHERES_DAMPED,
-}  # fmt: skip
+    "ball_on_floor": references.BALL,
+    "atom bound": references.ATOM_BOUND,
+    "atom escaping": references.ATOM_ESCAPING,
+    "spheres eta=0": references.SPHERES,
+    "spheres eta=1": references.SPHERES_DAMPED,
+}
 
 
 @pytest.fixture(scope="module")

@@ -57,9 +57,14 @@ def test_a_row_is_the_cradle():
 
 PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.3, (0.08, 0.018), (0.0, 0.1), 0.03))
 ALL_OF_A_PAIR = V | {
-    Observable.DURATION, Observable.PEAK_FORCE, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO, Observable.IMPULSE,
-    Observable.MOMENTUM, Observable.ENERGY,
-}  # fmt: skip
+    Observable.DURATION,
+    Observable.PEAK_FORCE,
+    Observable.LARGEST_OVERLAP,
+    Observable.ENERGY_RATIO,
+    Observable.IMPULSE,
+    Observable.MOMENTUM,
+    Observable.ENERGY,
+}
 SUN = Body(math.inf, (0.0, 0.0), (0.0, 0.0))
 ORBIT = {Observable.PERIOD, Observable.TURNING_POINTS}
 WELL = Well(100.0, 1.0, 0.4)

@@ -7,7 +7,7 @@ from typing import Any
 from corollary.cli.failure import FAILS, HOLDS, answer, refuse, say
 from corollary.grading.from_json import finite
 from corollary.scenes.catalogue import run as play
-from corollary.scenes.run import GuardFailed
+from corollary.scenes.run import GuardFailed, Observed
 
 
 def run(name: str, sets: list[str], tolerance: float, json: bool) -> int:
@@ -18,11 +18,19 @@ def run(name: str, sets: list[str], tolerance: float, json: bool) -> int:
         say(f"corollary: {error}")
         return FAILS
     if json:
-        answer({
-            "scene": found.scene, "set": {name: _plain(value) for name, value in found.settings.items()},
-            "observed": {name: _plain(value) for name, value in found.observed.items()}, "error": finite(found.error), "model": found.model,
-            "why": found.why, "evaluations": found.evaluations, "seconds": found.seconds, "outcome": found.outcome,
-        })  # fmt: skip
+        answer(
+            {
+                "scene": found.scene,
+                "set": {name: _number_or_row(value) for name, value in found.settings.items()},
+                "observed": {name: _number_or_row(value) for name, value in found.observed.items()},
+                "error": finite(found.error),
+                "model": found.model,
+                "why": found.why,
+                "evaluations": found.evaluations,
+                "seconds": found.seconds,
+                "outcome": found.outcome,
+            }
+        )
         return HOLDS
     print(f"{found.scene}: {found.outcome}, by {found.model}: {found.why}")
     for observed, value in found.observed.items():
@@ -45,11 +53,6 @@ def _setting(option: str) -> tuple[str, float | tuple[float, ...]]:
     return name.strip(), numbers if "," in text else numbers[0]
 
 
-def _plain(value: Any) -> Any:
-    return (
-        [finite(float(each)) for each in value]
-        if isinstance(value, tuple)
-        else finite(float(value))
-        if isinstance(value, (int, float))
-        else value
-    )
+def _number_or_row(value: Observed) -> Any:
+    """A value as JSON has it: a number, or a list of them; one that is not finite as text."""
+    return [finite(float(each)) for each in value] if isinstance(value, tuple) else finite(float(value))

@@ -40,16 +40,29 @@ def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes:
 
 def _problem(each: Pushed) -> dict[str, Any]:
     return {
-        "code": each.code, "ok": each.ok, "certified": each.proven, "unproven": each.unproven, "refused": dict(each.refused),
-        "lost": each.lost, "cancelled": each.cancelled, "worst_ulp": finite(each.worst), "where": each.where,
-    }  # fmt: skip
+        "code": each.code,
+        "ok": each.ok,
+        "certified": each.proven,
+        "unproven": each.unproven,
+        "refused": dict(each.refused),
+        "lost": each.lost,
+        "cancelled": each.cancelled,
+        "worst_ulp": finite(each.worst),
+        "where": each.where,
+    }
 
 
 def _scene(each: Met) -> dict[str, Any]:
     return {
-        "what": each.what, "scene": each.scene, "ok": each.ok, "outcome": each.outcome, "said": each.said,
-        "off": finite(each.off), "stated": each.stated, "seconds": each.seconds,
-    }  # fmt: skip
+        "what": each.what,
+        "scene": each.scene,
+        "ok": each.ok,
+        "outcome": each.outcome,
+        "said": each.said,
+        "off": finite(each.off),
+        "stated": each.stated,
+        "seconds": each.seconds,
+    }
 
 
 def _tables(pushed: list[Pushed], met: list[Met], broken: list[str], seconds: float) -> None:

@@ -18,9 +18,15 @@ from corollary.scenes.run import Observable, Observed, Run
 from corollary.scenes.scene import Scene, start_of
 
 OF_A_PAIR = {
-    Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.PEAK_FORCE, Observable.ENERGY_RATIO,
-    Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY,
-}  # fmt: skip
+    Observable.VELOCITIES,
+    Observable.DURATION,
+    Observable.LARGEST_OVERLAP,
+    Observable.PEAK_FORCE,
+    Observable.ENERGY_RATIO,
+    Observable.IMPULSE,
+    Observable.MOMENTUM,
+    Observable.ENERGY,
+}
 OF_AN_ORBIT = {Observable.PERIOD, Observable.TURNING_POINTS}
 # A period is seen when the distance has come back to its least value twice; until then "turning points" are those met so far.
 SEEN = 2.0
@@ -40,9 +46,17 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
         case _:
             return None
     settings: dict[str, Observed] = {
-        "mA": a.mass, "mB": b.mass, "R": 0.5 * reach, "k": contact.k, "q": contact.q, "eta": contact.eta,
-        "dx": b.place[0] - a.place[0], "dy": b.place[1] - a.place[1], "vA": a.velocity, "vB": b.velocity,
-    }  # fmt: skip
+        "mA": a.mass,
+        "mB": b.mass,
+        "R": 0.5 * reach,
+        "k": contact.k,
+        "q": contact.q,
+        "eta": contact.eta,
+        "dx": b.place[0] - a.place[0],
+        "dy": b.place[1] - a.place[1],
+        "vA": a.velocity,
+        "vB": b.velocity,
+    }
     played = spheres.play(settings, tolerance)
     velocities = played.observed["velocities"]
     assert isinstance(velocities, tuple)
@@ -72,9 +86,14 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
         case _:
             return None
     settings: dict[str, Observed] = {
-        "m": body.mass, "k": well.k, "b": well.b, "d": well.d, "dimension": float(scene.axes),
-        "r0": (*body.place, 0.0)[:2], "v0": (*body.velocity, 0.0)[:2],
-    }  # fmt: skip
+        "m": body.mass,
+        "k": well.k,
+        "b": well.b,
+        "d": well.d,
+        "dimension": float(scene.axes),
+        "r0": (*body.place, 0.0)[:2],
+        "v0": (*body.velocity, 0.0)[:2],
+    }
     played = atom.play(settings, tolerance)
     until = math.inf if scene.until is None else scene.until
     match played.outcome:

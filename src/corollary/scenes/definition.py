@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.run import BadSetting, Observed, Run
@@ -50,9 +50,10 @@ def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) ->
 
 def _checked(scene: str, setting: Setting, value: object) -> Observed:
     if isinstance(value, (list, tuple)):
+        several: Sequence[object] = value
         if not setting.many:
-            raise BadSetting(f"{scene}: {setting.name} is one number, not a row of {len(value)}.")
-        return tuple(_number(scene, setting, one) for one in value)
+            raise BadSetting(f"{scene}: {setting.name} is one number, not a row of {len(several)}.")
+        return tuple(_number(scene, setting, each) for each in several)
     return _number(scene, setting, value)
 
 

@@ -23,6 +23,7 @@ def measured(
     """Integrate twice, a finer run after a coarser; the difference is the error of the coarser. `times` (s) are a trajectory's."""
     allowed = max(tolerance / 30.0, 1e-14)
     coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, allowed)
+    observe = [o for o in Observable if o in observe]  # a set's order is another in every process
     rough = {o.value: _look(scene, coarse, o, times) for o in observe}
     observed = {o.value: _look(scene, fine, o, times) for o in observe}
     # Two runs that took nearly the same steps agree better than either is right: some steps' allowed error is the least that is stated.
@@ -159,7 +160,8 @@ def _turns(scene: Scene, path: Trajectory) -> list[tuple[float, float, bool]]:
     def along(y: Sequence[float]) -> float:
         return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
 
-    found, last = [], 0.0
+    found: list[tuple[float, float, bool]] = []
+    last = 0.0
     for step in path.steps:
         before, after = along(step.before), along(step.after)
         if last * before < 0.0:  # turned in no time, by a wall or the hard core

@@ -1,4 +1,4 @@
-"""The law of motion of a row and one step of its method, compiled, for `compiled_loop`; both as in `line_motion` and `written_out`.
+"""The law of motion of a row and one step of its method, compiled, for `compiled_loop`; both as in `written_out`.
 
 `y` holds (overlaps, velocities) on a variable, `inverse` the inverse masses, a row of `terms` stiffness, exponent and smoothing power.
 """

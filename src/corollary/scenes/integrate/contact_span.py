@@ -26,7 +26,7 @@ def contact_span(scene: Scene, path: Trajectory) -> Span | None:
     times taken from each other: a short contact after a long flight keeps its digits.
     """
     touched = [
-        i for i, step in enumerate(path.steps) if any(_depths(scene, path, i, a, b) for a, b in pairs(scene))
+        i for i in range(len(path.steps)) if any(_depths(scene, path, i, a, b) for a, b in pairs(scene))
     ]
     if not touched:
         return None

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def law_of_motion(line: Row, touching: Sequence[bool], variable: TimeVariable = TIME) -> Slope:
-    """The same as `line_motion.law_of_motion`."""
+    """The same as `written_out.law_of_motion`."""
     count, contact, power = len(line.contacts), variable.contact, variable.power
     on = np.array(touching)
     stiffness, exponents = np.array([c.k for c in line.contacts]) * on, np.array([c.q for c in line.contacts])

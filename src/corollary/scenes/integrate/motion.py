@@ -26,9 +26,9 @@ class Trajectory:
     (m) that one step was allowed to make in a place.
     """
 
-    steps: list[Step] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list[Step])
     time: float = 0.0
-    state: list[float] = field(default_factory=list)
+    state: list[float] = field(default_factory=list[float])
     evaluations: int = 0
     came_to_rest: bool = False
     dropped: float = 0.0
@@ -212,7 +212,7 @@ def _first_event(events: list[Event], step: Step, path: Trajectory) -> tuple[flo
 
 def _turn(scene: Scene, event: Event, path: Trajectory, fastest: float) -> bool:
     """Give the body its new velocity; true when that is too slow to be told from rest."""
-    new = event.turn(path.state) if event.turn else []
+    new: Sequence[float] = event.turn(path.state) if event.turn else ()
     start = scene.axes * (len(scene.bodies) + event.body)
     old = velocity(scene, path.state, event.body)
     changed = math.dist(new, old)

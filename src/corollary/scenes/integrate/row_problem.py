@@ -37,7 +37,9 @@ class RowProblem:
     powers: tuple[int, ...]
     step: StepFunction
     law_of_motion: Callable[[Row, Sequence[bool], TimeVariable], Slope]
-    laws: dict[tuple[int | None, int, tuple[bool, ...]], Slope] = field(default_factory=dict)
+    laws: dict[tuple[int | None, int, tuple[bool, ...]], Slope] = field(
+        default_factory=dict[tuple[int | None, int, tuple[bool, ...]], Slope]
+    )
 
     def law(self, touching: Sequence[bool], variable: TimeVariable) -> Slope:
         """The law of motion in a variable; made once for every set of contacts that touch."""

@@ -24,7 +24,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """
     h0, r, g = (one(settings, name) for name in ("h0", "r", "g"))
     speed = math.sqrt(2.0 * g * h0)
-    time, heights = speed / g, []
+    time = speed / g
+    heights: list[float] = []
     for bounce in range(round(one(settings, "n"))):
         time += 2.0 * speed / g if bounce else 0.0
         speed *= r

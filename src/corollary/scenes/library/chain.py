@@ -30,7 +30,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     if y > length:
         raise BadSetting(f"chain: y = {y:g} m is more than the chain is long ({length:g} m).")
     link, beat = m / count, length / count / v0
-    jerks, carried, lost = [], [], []
+    jerks: list[float] = []
+    carried: list[float] = []
+    lost: list[float] = []
     hanging = 0.0
     for _ in range(count):
         carried.append(hanging * g * 0.5 * beat)

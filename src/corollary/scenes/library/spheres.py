@@ -40,9 +40,13 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     met = meet(pair)
     if met is None:
         nothing: dict[str, Observed] = {
-            "velocities": (*va, *vb), "duration": 0.0, "largest_overlap": 0.0, "peak_force": 0.0, "impulse": (0.0, 0.0),
+            "velocities": (*va, *vb),
+            "duration": 0.0,
+            "largest_overlap": 0.0,
+            "peak_force": 0.0,
+            "impulse": (0.0, 0.0),
             "energy_ratio": 1.0,
-        }  # fmt: skip
+        }
         return Run(
             nothing, dict.fromkeys(nothing, 0.0), "conservation", "the spheres pass each other", 0, "missed"
         )

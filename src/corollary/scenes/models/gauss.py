@@ -10,7 +10,7 @@ from functools import cache
 @cache
 def nodes(n: int) -> tuple[tuple[float, float], ...]:
     """The n nodes and weights on [-1, 1]: roots of Legendre's polynomial by Newton's method."""
-    found = []
+    found: list[tuple[float, float]] = []
     for i in range(n):
         x = math.cos(math.pi * (i + 0.75) / (n + 0.5))
         for _ in range(

@@ -54,7 +54,7 @@ def never_faster(drag: float, spring: float, z: float) -> bool:
 
 def resting_overlaps(line: Row, touching: Sequence[bool]) -> list[float]:
     """How deep weight alone squeezes each contact that stays, in the end."""
-    rests = []
+    rests: list[float] = []
     for j, on in enumerate(touching):
         mass = reduced_mass(line.masses[j], line.masses[j + 1])
         rests.append(
