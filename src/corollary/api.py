@@ -74,7 +74,7 @@ def judge(
     blank. The source of a program is run in isolation. `reveal`: feedback may give the right values. Raises UnknownPart, and
     what `key` raises.
     """
-    from corollary.grading.from_json import plainly
+    from corollary.grading.from_json import from_json
     from corollary.grading.judge import judge as judge_parts
     from corollary.grading.points import grade
     from corollary.grading.run_programs import run_programs
@@ -86,7 +86,7 @@ def judge(
             f"{solution.problem.code} has no part {', '.join(strange)}; its parts are {', '.join(parts)}"
         )
     of = key(solution, **(given or {}))
-    values = {part: plainly(_as_a_process_holds_it(answer)) for part, answer in answers.items()}
+    values = {part: from_json(_as_a_process_holds_it(answer)) for part, answer in answers.items()}
     return grade(of, judge_parts(of, values, run_programs(of, values)), reveal=reveal)
 
 

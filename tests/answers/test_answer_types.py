@@ -225,10 +225,10 @@ def test_lists_in_lists_however_deep():
     ],
 )
 def test_samples_are_read_as_they_are_named(part, truth):
-    from corollary.grading.from_json import plainly
+    from corollary.grading.from_json import from_json
 
     samples = judging(part.kind).samples(truth, question_of(PROBLEM, part))
     assert {"unread"} < {sample.verdict for sample in samples}
     for sample in samples:
-        found = read(plainly(sample.answer), part)
+        found = read(from_json(sample.answer), part)
         assert isinstance(found, (Blank, Unclear)) == (sample.verdict == "unread"), sample

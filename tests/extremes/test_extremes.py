@@ -11,8 +11,10 @@ from corollary.formula.ball import Certified, RationalPi, Undefined, certified
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
+from corollary.verify.extreme_scenes import extremes
 from corollary.verify.extremes import Pushed, push, pushed, ulps
-from corollary.verify.scene_extremes import Extreme, Met, extremes, meets, play
+from corollary.verify.scene_extremes import Extreme, Met, play
+from corollary.verify.scene_laws import meets
 
 CODES = ("X12.2", "X12.5", "X12.7", "X12.12", "E12.7.2", "E12.7.1", "E12.3.1")
 
@@ -114,7 +116,7 @@ def test_a_scene_far_out_obeys_its_law_or_is_refused_in_a_sentence(played, extre
     assert met.ok, met
     assert met.seconds < 30.0
     if met.outcome == "refused":
-        assert met.said.endswith(".")
+        assert met.why.endswith(".")
 
 
 def test_few_extremes_are_refused(played):

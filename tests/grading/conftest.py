@@ -12,7 +12,7 @@ import pytest
 
 from corollary.answers.verdict import Verdict
 from corollary.derive.solution import Solution
-from corollary.grading.from_json import plainly
+from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.solutions import Solutions
@@ -140,7 +140,7 @@ def verdicts(key: Callable[..., Key]) -> Callable[..., dict[str, Verdict]]:
     def of(code: str, **answers: Any) -> dict[str, Verdict]:
         if code not in keys:
             keys[code] = key(code)
-        judged = judge(keys[code], {part: plainly(answer) for part, answer in answers.items()})
+        judged = judge(keys[code], {part: from_json(answer) for part, answer in answers.items()})
         return {part: judged[part][0][0] for part in answers}
 
     return of

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
-from corollary.grading.from_json import plainly
+from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 
 # the same right answer, 8.6 kg m/s in the positive direction, by many hands
@@ -141,6 +141,6 @@ def test_a_factor_of_nought_makes_no_law(key):
     """The claim times the mass is no law, though both hold when the mass is nought."""
     ((verdict,), _) = judge(
         key("S12.5nc"),
-        {"f": plainly(["mA*A_x*B_x + mA*A_y*B_y = 0", "v0 = A_x + B_x", "A_x*B_x + A_y*B_y = 0"])},
+        {"f": from_json(["mA*A_x*B_x + mA*A_y*B_y = 0", "v0 = A_x + B_x", "A_x*B_x + A_y*B_y = 0"])},
     )["f"]
     assert isinstance(verdict, Wrong)

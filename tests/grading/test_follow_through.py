@@ -9,7 +9,7 @@ import pytest
 
 from corollary.answers.verdict import Follows, Right
 from corollary.grading.follow_through import consequences
-from corollary.grading.from_json import plainly
+from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.problem.variant import chosen
@@ -41,7 +41,7 @@ def push(tmp_path_factory: pytest.TempPathFactory) -> Key:
 
 
 def verdicts(key: Key, **answers: float) -> dict[str, object]:
-    judged = judge(key, {part: plainly(value) for part, value in answers.items()})
+    judged = judge(key, {part: from_json(value) for part, value in answers.items()})
     return {part: judged[part][0][0] for part in answers}
 
 

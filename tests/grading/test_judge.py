@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
-from corollary.grading.from_json import plainly
+from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 
 SINGLE = [
@@ -136,7 +136,7 @@ def test_an_answer_alone(verdicts, code, part, answer, wanted, told):
 
 def test_an_ambiguous_number_waits_for_a_person_where_one_reading_is_right(key):
     own = key("X12.5", m="0.0617", v="20")  # 1.234 kg m/s
-    ((verdict,), _) = judge(own, {"a": plainly("1,234 kg m/s")})["a"]
+    ((verdict,), _) = judge(own, {"a": from_json("1,234 kg m/s")})["a"]
     assert isinstance(verdict, Unmarked)
 
 
@@ -243,7 +243,7 @@ def test_the_sign_of_a_small_component_counts(key):
         own = key("X12.8", theta=theta, v="20")
         x, y = own.truths["a"].values
         assert 0 < x < 0.01 * y
-        ((right,), _), ((turned,), _) = (judge(own, {"a": plainly([sign * x, y])})["a"] for sign in (1, -1))
+        ((right,), _), ((turned,), _) = (judge(own, {"a": from_json([sign * x, y])})["a"] for sign in (1, -1))
         assert isinstance(right, Right)
         assert not isinstance(turned, Right)
 
@@ -264,7 +264,7 @@ def test_the_sign_of_a_small_component_counts(key):
 )
 def test_an_angle_s_own_figures_bound_the_direction(key, theta, answer, wanted):
     own = key("X12.8", theta=theta)
-    ((verdict,), _) = judge(own, {"a": plainly(answer)})["a"]
+    ((verdict,), _) = judge(own, {"a": from_json(answer)})["a"]
     assert ("coarse" if "coarse" in str(verdict) else word(verdict)) == wanted, verdict
 
 
@@ -276,7 +276,7 @@ def test_a_length_s_own_figures_bound_the_length(key):
         ("48 kg m/s at 30.45 deg", "wrong"),
         ("50 kg m/s at 30 deg", "wrong"),
     ):
-        ((verdict,), _) = judge(own, {"a": plainly(answer)})["a"]
+        ((verdict,), _) = judge(own, {"a": from_json(answer)})["a"]
         assert ("coarse" if "coarse" in str(verdict) else word(verdict)) == wanted, (answer, verdict)
 
 

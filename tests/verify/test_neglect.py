@@ -120,7 +120,7 @@ def test_each_is_told_with_its_size(code):
     problem = find(BANK, code)
     for variant in (chapter(problem), next(iter(sample(problem, 1)))):
         key = KNOWN.key(variant)
-        told = KNOWN.told(key)
+        told = KNOWN.worked_solution_of(key)
         assert told.count("*Neglected:* ") == len(key.solution.neglected) > 0
         assert told.count("it may be neglected") + told.count(
             "left out since the question asks for it"

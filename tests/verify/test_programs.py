@@ -117,5 +117,5 @@ def test_a_machine_that_runs_nothing_is_a_complaint(checked, runner, monkeypatch
     def refuse(self, job):
         raise CannotStart("no room")
 
-    monkeypatch.setattr(Runner, "take", refuse)
+    monkeypatch.setattr(Runner, "execute", refuse)
     assert checked().complaints == ["cart.py: its programs could not be run: no room"]

@@ -32,7 +32,7 @@ def run(
         refuse("--course holds many students' numbers; name one with --student")
     place, problem = home(bank, code)
     chosen = _variant(place, problem, student, course, variant)
-    worked = Solutions(place).story(chosen) if solution else ""
+    worked = Solutions(place).worked_solution(chosen) if solution else ""
     text = write(exercise(chosen), Student(student or "you"), worked)
     if output is not None:
         output.write_text(text, encoding="utf-8")

@@ -13,8 +13,9 @@ from corollary.derive.solve import solve
 from corollary.grading.from_json import finite
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
+from corollary.verify.extreme_scenes import extremes
 from corollary.verify.extremes import Pushed, push
-from corollary.verify.scene_extremes import Met, extremes, play
+from corollary.verify.scene_extremes import Met, play
 
 
 def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, json: bool) -> int:
@@ -58,7 +59,7 @@ def _scene(each: Met) -> dict[str, Any]:
         "scene": each.scene,
         "ok": each.ok,
         "outcome": each.outcome,
-        "said": each.said,
+        "said": each.why,
         "off": finite(each.off),
         "stated": each.stated,
         "seconds": each.seconds,

@@ -68,7 +68,7 @@ def sheet_files(
 
 
 def _worked(solutions: Solutions, sheet: Worksheet) -> dict[str, str]:
-    return {each.problem.code: solutions.story(each.variant) for each in sheet.exercises}
+    return {each.problem.code: solutions.worked_solution(each.variant) for each in sheet.exercises}
 
 
 def write_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:

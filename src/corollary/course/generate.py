@@ -61,7 +61,7 @@ def generate(
                 found = solutions.assign_variant(problem, course.key, student.id, used)
                 assert found.variant.index is not None
                 row[problem.code] = found.variant.index
-                redrawn[problem.code] = redrawn.get(problem.code, 0) + found.passed_over
+                redrawn[problem.code] = redrawn.get(problem.code, 0) + found.redrawn
                 used.add(found.variant.index)
     write_origin(course, problem_set.name, solutions.bank, file)
     write_assigned(course, problem_set.name, assigned)

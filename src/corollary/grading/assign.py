@@ -16,7 +16,8 @@ from corollary.problem.problem import Problem
 from corollary.problem.sampling import draws
 from corollary.problem.variant import Variant, chapter
 
-APART = 0.005
+APART = 0.005  # of the length: as much again as the least tolerance, so that a mistake rounded is not right either
+ENOUGH = 300  # draws, when one was found that another student has: a grid so nearly used up is shared
 
 
 class NoVariant(LookupError):
@@ -25,31 +26,31 @@ class NoVariant(LookupError):
 
 @dataclass(frozen=True, slots=True)
 class Assigned:
-    """A student's variant of one problem, and how many draws were passed over before it."""
+    """A student's variant of one problem, and how many draws were refused before it."""
 
     key: Key
-    passed_over: int
+    redrawn: int
 
     @property
     def variant(self) -> Variant:
         return self.key.variant
 
 
-def assign_variant(solution: Solution, secret: bytes, student: str, taken: Iterable[int] = ()) -> Assigned:
-    """The student's own variant; `taken` are the indices other students have. Raises NoVariant."""
-    problem, occupied, reasons = solution.problem, set(taken), []
+def assign_variant(solution: Solution, secret: bytes, student: str, in_use: Iterable[int] = ()) -> Assigned:
+    """The student's own variant; `in_use` are the indices of other students' variants. Raises NoVariant."""
+    problem, occupied, reasons = solution.problem, set(in_use), list[str]()
     if all(given.grid.count == 1 for given in problem.givens):
         return Assigned(make_key(solution, chapter(problem)), 0)
     fallback: Assigned | None = None
-    for passed, variant in enumerate(draws(problem, secret, student)):
+    for redrawn, variant in enumerate(draws(problem, secret, student)):
         key, reason = admitted(solution, variant)
         if key is None:
             reasons.append(reason)
         elif variant.index in occupied:
-            fallback = fallback or Assigned(key, passed)  # every variant may be taken: then students share
+            fallback = fallback or Assigned(key, redrawn)  # every variant may be in use: then students share
         else:
-            return Assigned(key, passed)
-        if passed >= 300 and fallback is not None:
+            return Assigned(key, redrawn)
+        if redrawn >= ENOUGH and fallback is not None:
             return fallback
     if fallback is not None:
         return fallback
@@ -59,7 +60,7 @@ def assign_variant(solution: Solution, secret: bytes, student: str, taken: Itera
 
 
 def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
-    """The key of a variant that may be dealt, or None and why it may not."""
+    """The key of a variant that may be assigned, or None and why it may not."""
     try:
         key = make_key(solution, variant)
     except Undefined as error:
@@ -85,19 +86,19 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
     """
     solution, givens = key.solution, key.variant.exact
     for place, find in enumerate(solution.finds):
-        for wrong in find.mistakes:
+        for mistake in find.mistakes:
             for part in first_asked(solution, place):
                 truth = key.truths[part]
-                if not differs(solution, place, wrong.rule, truth.place):
+                if not differs(solution, place, mistake.rule, truth.place):
                     continue
                 try:
-                    values = replay(solution, givens, WhatIf(rules={place: wrong.rule}), truth.place)[
+                    values = replay(solution, givens, WhatIf(rules={place: mistake.rule}), truth.place)[
                         truth.place
                     ]
                 except Undefined:
                     continue
                 if within(values, truth.values, truth.tolerance + APART, truth.scale):
-                    yield part, wrong.text
+                    yield part, mistake.text
 
 
 def first_asked(solution: Solution, place: int) -> list[str]:
@@ -105,11 +106,11 @@ def first_asked(solution: Solution, place: int) -> list[str]:
     find = solution.finds[place]
     if find.part:
         return [find.part]
-    shown = []
+    parts: list[str] = []
     for later, other in enumerate(solution.finds[place + 1 :], place + 1):
         if other.part and place in ancestors(solution, later) and _unasked_way(solution, place, later):
-            shown.append(other.part)
-    return shown
+            parts.append(other.part)
+    return parts
 
 
 def differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:

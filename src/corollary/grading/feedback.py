@@ -7,30 +7,38 @@ from typing import assert_never
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
+from corollary.messages import catalogue
 from corollary.problem.part import Part
 from corollary.units.unit import show
+
+_ = catalogue(__name__)
 
 
 def sentence(verdict: Verdict) -> str:
     """The verdict in the student's words, as Markdown."""
     match verdict:
         case Right(note):
-            return note or "Right."
+            return note or _("Right.")
         case Follows(earlier):
-            return f"This follows correctly from your answer in {_parts(earlier)}, though that answer is not right."
+            return _(
+                "This follows correctly from your answer in {parts}, though that answer is not right.",
+                parts=_parts(earlier),
+            )
         case Mistaken(mistake, earlier):
-            return mistake + (
-                f" (Your answer in {_parts(earlier)} was carried along and costs nothing here.)"
-                if earlier
-                else ""
+            if not earlier:
+                return mistake
+            return _(
+                "{mistake} (Your answer in {parts} was carried along and costs nothing here.)",
+                mistake=mistake,
+                parts=_parts(earlier),
             )
         case Slip(slip):
-            return f"Nearly. {slip}"
+            return _("Nearly. {slip}", slip=slip)
         case Wrong(why):
-            return f"Not right. {why}".strip()
-        case Unread(why, _):
+            return _("Not right. {why}", why=why).strip()
+        case Unread(why):
             return why
-        case Unmarked(why, _):
+        case Unmarked(why):
             return why
         case _:
             assert_never(verdict)
@@ -39,7 +47,7 @@ def sentence(verdict: Verdict) -> str:
 def revealed(key: Key, part: Part) -> str:
     """The answer in words, for feedback that may show it; empty where a part has none."""
     if part.id in key.choices:
-        return f"The answer is ({key.choices[part.id]})."
+        return _("The answer is ({letter}).", letter=key.choices[part.id])
     truth = key.truths.get(part.id)
     if truth is None:
         return ""
@@ -47,8 +55,8 @@ def revealed(key: Key, part: Part) -> str:
     numbers = [decimal_text(value / size, 4) for value in truth.values]
     unit = show(part.unit)
     body = numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
-    return f"The answer is {body}{' ' if unit else ''}{unit}."
+    return _("The answer is {answer}.", answer=f"{body} {unit}" if unit else body)
 
 
 def _parts(earlier: tuple[str, ...]) -> str:
-    return " and ".join(f"({part})" for part in earlier)
+    return _(" and ").join(f"({part})" for part in earlier)

@@ -9,7 +9,7 @@ from typing import Any
 from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
 
 
-def plainly(answer: Any) -> Value:
+def from_json(answer: Any) -> Value:
     """A JSON value (or None, number, text, list of these) as inert data."""
     match answer:
         case None:
@@ -25,7 +25,7 @@ def plainly(answer: Any) -> Value:
         case str():
             return Text(answer)
         case list() | tuple():
-            items = tuple(map(plainly, answer))
+            items = tuple(map(from_json, answer))
             shapes = {item.shape for item in items if isinstance(item, Items)}
             inner = (
                 shapes.pop() if len(shapes) == 1 and all(isinstance(item, Items) for item in items) else ()

@@ -25,7 +25,7 @@ NOTHING_RAN = ProgramRun()
 def judge(
     key: Key,
     answers: Mapping[str, Value],
-    shown: Mapping[str, ProgramRun] | None = None,
+    programs: Mapping[str, ProgramRun] | None = None,
     *,
     secret: bytes = b"",
     student: str = "",
@@ -35,7 +35,7 @@ def judge(
     slips: set[str] = set()
     result: dict[str, tuple[tuple[Verdict, ...], str]] = {}
     for part in key.variant.problem.parts:
-        run = (shown or {}).get(part.id, NOTHING_RAN)
+        run = (programs or {}).get(part.id, NOTHING_RAN)
         runs = verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
         expected = expected_of(key, part, earlier, runs)
         answer = read(part, answers.get(part.id, Nothing()), expected)

@@ -13,7 +13,8 @@ from corollary.grading.replay import compute, simulated
 from corollary.grading.rounding import LEAST, MOST, noise_of
 from corollary.problem.variant import Variant
 
-MARGIN, TINY = 1.25, 1e-9
+MARGIN = 1.25  # beyond the largest of a few dozen random roundings there are rarer ones
+TINY = 1e-9  # of the length: a component so small is a remainder of the arithmetic
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from corollary.grading.key import Key
 from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
+from corollary.messages import catalogue
 from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, plot_cells, written_text
 from corollary.notebook.notebook import notebook as handed_out
 from corollary.notebook.worksheet import Prompt, Worksheet
@@ -22,6 +23,8 @@ from corollary.sandbox.job import Cell, Job
 from corollary.sandbox.notebook import Notebook
 from corollary.sandbox.result import CellRun, ExecutionResult
 from corollary.sandbox.runner import Runner
+
+_ = catalogue(__name__)
 
 Keys = Mapping[str, Key]
 
@@ -32,16 +35,16 @@ def mark(
     """The marks of one submission; `late` in seconds. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
-    taken = runner.execute(_job(sheet, keys, notebook, secret))
-    if taken.machine_failed:
-        return replace(not_marked(sheet, taken.trouble, late), machine_failed=True)
+    executed = runner.execute(_job(sheet, keys, notebook, secret))
+    if executed.machine_failed:
+        return replace(not_marked(sheet, executed.trouble, late), machine_failed=True)
     grades = tuple(
-        _grade(sheet, keys, exercise.problem.code, notebook, taken, secret) for exercise in sheet.exercises
+        _grade(sheet, keys, exercise.problem.code, notebook, executed, secret) for exercise in sheet.exercises
     )
     share = sheet.problem_set.scheme.late if late > 0 else 1.0
-    trouble = taken.trouble
+    trouble = executed.trouble
     return Marked(
-        sheet.student, grades, taken.cells, taken.figures, taken.isolation.line, trouble, late, share
+        sheet.student, grades, executed.cells, executed.figures, executed.isolation.line, trouble, late, share
     )
 
 
@@ -59,7 +62,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
             sheet.student.id,
         )
     ]
-    cells = tuple(Cell(id, source) for id, source in code_to_run(notebook.node, handed_out(sheet)))
+    cells = tuple(Cell(name, source) for name, source in code_to_run(notebook.node, handed_out(sheet)))
     names = tuple(
         prompt.name for prompt in sheet.prompts if answer_type(prompt.part.kind).found_in == "variable"
     )
@@ -67,21 +70,21 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
 
 
 def _grade(
-    sheet: Worksheet, keys: Keys, code: str, notebook: Notebook, taken: ExecutionResult, secret: bytes
+    sheet: Worksheet, keys: Keys, code: str, notebook: Notebook, executed: ExecutionResult, secret: bytes
 ) -> Grade:
     prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
     plots = plot_cells(notebook.node, sheet)
-    answers = {prompt.part.id: _answer(prompt, notebook, taken) for prompt in prompts}
-    shown = {
+    answers = {prompt.part.id: _answer(prompt, notebook, executed) for prompt in prompts}
+    runs = {
         prompt.part.id: ProgramRun(
-            taken.calls,
-            tuple(figure for figure in taken.figures if figure.cell == plots.get(prompt.key)),
+            executed.calls,
+            tuple(figure for figure in executed.figures if figure.cell == plots.get(prompt.key)),
             True,
         )
         for prompt in prompts
     }
     problem_set = sheet.problem_set
-    judged = judge(keys[code], answers, shown, secret=secret, student=sheet.student.id)
+    judged = judge(keys[code], answers, runs, secret=secret, student=sheet.student.id)
     graded = grade(
         keys[code],
         judged,
@@ -89,7 +92,7 @@ def _grade(
         problem_set.weight(keys[code].variant.problem),
         reveal=problem_set.reveal,
     )
-    ran = _runs(notebook, taken)
+    ran = _runs(notebook, executed)
     return replace(
         graded,
         parts=tuple(
@@ -98,16 +101,16 @@ def _grade(
     )
 
 
-def _answer(prompt: Prompt, notebook: Notebook, taken: ExecutionResult) -> Value:
+def _answer(prompt: Prompt, notebook: Notebook, executed: ExecutionResult) -> Value:
     if answer_type(prompt.part.kind).found_in == "cell":
         text = written_text(notebook.node, prompt)
         return Text(text) if text else Nothing()
-    return taken.values.get(prompt.name, Nothing())
+    return executed.values.get(prompt.name, Nothing())
 
 
-def _runs(notebook: Notebook, taken: ExecutionResult) -> dict[str, CellRun]:
+def _runs(notebook: Notebook, executed: ExecutionResult) -> dict[str, CellRun]:
     """How the cell of each answer fared, by the name it was handed out with."""
-    by_id = {run.id: run for run in taken.cells}
+    by_id = {run.id: run for run in executed.cells}
     return {
         name: by_id[cell.id] for name, cell in cells_by_id(notebook.node).items() if cell.get("id") in by_id
     }
@@ -118,13 +121,12 @@ def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> 
     run = runs.get(answer_id(prompt.key, prompt.part))
     if not (isinstance(part.verdict, Unread) and part.verdict.blank) or run is None or run.status == "ok":
         return part
-    why = {
-        "error": f"its cell stopped with {run.error}",
-        "timeout": "its cell ran out of time",
-        "not run": "its cell was not reached any more",
+    sentence = {
+        "error": _("No answer came out of this part: its cell stopped with {error}.", error=run.error),
+        "timeout": _("No answer came out of this part: its cell ran out of time."),
+        "not run": _("No answer came out of this part: its cell was not reached any more."),
     }[run.status]
-    said = f"No answer came out of this part: {why}."
-    return replace(part, verdict=Unread(said, blank=True), feedback=said)
+    return replace(part, verdict=Unread(sentence, blank=True), feedback=sentence)
 
 
 def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
@@ -146,15 +148,15 @@ def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
 
 def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:
     """A file that is no notebook: nothing can be read, every part says so, and the report asks a person to look."""
-    said = f"The notebook could not be opened. {why}"
+    sentence = _("The notebook could not be opened. {why}", why=why)
     grades = tuple(
         Grade(
             keys[exercise.problem.code].variant,
             tuple(
-                PartGrade(prompt.part, Unread(said), 0.0, prompt.out_of, "", said)
+                PartGrade(prompt.part, Unread(sentence), 0.0, prompt.out_of, "", sentence)
                 for prompt in exercise.prompts
             ),
         )
         for exercise in sheet.exercises
     )
-    return Marked(sheet.student, grades, (), (), "", said, late, 1.0)
+    return Marked(sheet.student, grades, (), (), "", sentence, late, 1.0)

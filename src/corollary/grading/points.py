@@ -12,7 +12,7 @@ from corollary.grading.grade import Grade, PartGrade
 from corollary.grading.key import Key
 from corollary.problem.problem_set import Scheme
 
-PLAIN = Scheme()
+USUAL = Scheme()
 
 
 def share(verdict: Verdict, scheme: Scheme) -> float:
@@ -35,26 +35,26 @@ def share(verdict: Verdict, scheme: Scheme) -> float:
 def grade(
     key: Key,
     judged: Mapping[str, tuple[tuple[Verdict, ...], str]],
-    scheme: Scheme = PLAIN,
+    scheme: Scheme = USUAL,
     weight: float = 1.0,
     *,
     reveal: bool = False,
 ) -> Grade:
     """Points and feedback for each part. Of two kinds each is worth half; the verdict shown is the first that is not right."""
-    parts = []
+    parts: list[PartGrade] = []
     for part in key.variant.problem.parts:
-        verdicts, shown = judged[part.id]
+        verdicts, answer = judged[part.id]
         out_of = part.points * weight
         points = out_of * sum(share(verdict, scheme) for verdict in verdicts) / len(verdicts)
         decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
-        said = _said(part.kinds, verdicts)
-        if reveal and not isinstance(decisive, Right) and (told := revealed(key, part)):
-            said = f"{said} {told}"
-        parts.append(PartGrade(part, decisive, round(points, 6), out_of, shown, said))
+        feedback = _feedback(part.kinds, verdicts)
+        if reveal and not isinstance(decisive, Right) and (solution := revealed(key, part)):
+            feedback = f"{feedback} {solution}"
+        parts.append(PartGrade(part, decisive, round(points, 6), out_of, answer, feedback))
     return Grade(key.variant, tuple(parts))
 
 
-def _said(kinds: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
+def _feedback(kinds: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
     if len(verdicts) == 1:
         return sentence(verdicts[0])
     return " ".join(

@@ -12,8 +12,12 @@ from corollary.grading.grade import Grade, Marked, PartGrade
 def part_record(part: PartGrade) -> dict[str, Any]:
     """One part, as `judge --json` and `grade --json` show it."""
     entry: dict[str, Any] = {
-        "verdict": word(part.verdict), "points": part.points, "out_of": part.out_of, "answer": part.answer, "feedback": part.feedback,
-    }  # fmt: skip
+        "verdict": word(part.verdict),
+        "points": part.points,
+        "out_of": part.out_of,
+        "answer": part.answer,
+        "feedback": part.feedback,
+    }
     match part.verdict:
         case Mistaken(mistake, _):
             entry["mistake"] = mistake

@@ -29,18 +29,18 @@ BY_THE_RULES = WhatIf()
 def replay(
     solution: Solution,
     givens: Mapping[str, RationalPi],
-    deviation: WhatIf = BY_THE_RULES,
+    what_if: WhatIf = BY_THE_RULES,
     until: int | None = None,
 ) -> list[Values]:
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
     values: dict[str, RationalPi] = dict(givens)
     found: list[Values] = []
     for place, find in enumerate(solution.finds):
-        numbers = deviation.held.get(place)
+        numbers = what_if.held.get(place)
         if numbers is None:
-            numbers = compute(deviation.rules.get(place, find.local), values)
-            if deviation.rounding is not None and isinstance(find.local, ClosedForms):
-                numbers = tuple(map(deviation.rounding, numbers))
+            numbers = compute(what_if.rules.get(place, find.local), values)
+            if what_if.rounding is not None and isinstance(find.local, ClosedForms):
+                numbers = tuple(map(what_if.rounding, numbers))
         for name, value in zip(find.names, numbers, strict=True):
             values[name] = as_exact(value)
         found.append(numbers)
@@ -79,8 +79,8 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
         raise Undefined(
             f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}"
         )
-    seen = outcome.observed[observe]
-    return (seen if isinstance(seen, tuple) else (seen,)), outcome.error
+    value = outcome.observed[observe]
+    return (value if isinstance(value, tuple) else (value,)), outcome.error
 
 
 _ANCESTORS: dict[
@@ -90,10 +90,10 @@ _ANCESTORS: dict[
 
 def ancestors(solution: Solution, place: int) -> frozenset[int]:
     """The places of all finds that a find is made of, by any of its routes."""
-    kept = _ANCESTORS.get((id(solution), place))
-    if kept is None or kept[0] is not solution:
-        kept = _ANCESTORS[id(solution), place] = solution, _ancestors(solution, place)
-    return kept[1]
+    known = _ANCESTORS.get((id(solution), place))
+    if known is None or known[0] is not solution:
+        known = _ANCESTORS[id(solution), place] = solution, _ancestors(solution, place)
+    return known[1]
 
 
 def _ancestors(solution: Solution, place: int) -> frozenset[int]:

@@ -35,5 +35,5 @@ def ran(runner: Runner, key: Key, part: str, source: str) -> ProgramRun:
     problem = key.variant.problem
     cells = (Cell("usual", USUAL), Cell(part, source))
     calls = tuple(asks(key.solution, key.variant, problem.part(part), b"", ""))
-    taken = runner.execute(Job(cells, (), calls, pictures=False))
-    return ProgramRun(taken.calls, taken.figures, True)
+    executed = runner.execute(Job(cells, (), calls, pictures=False))
+    return ProgramRun(executed.calls, executed.figures, True)

@@ -19,8 +19,10 @@ from corollary.problem.variant import Variant
 
 @dataclass(slots=True)
 class Solutions:
+    """Solutions by the code of their problem; solved when first asked for."""
+
     bank: Bank
-    known: dict[str, Solution] = field(default_factory=dict)
+    known: dict[str, Solution] = field(default_factory=dict[str, Solution])
 
     def of(self, problem: Problem) -> Solution:
         """Solved at the first call, or recalled from an earlier command. Raises NotDerivable."""
@@ -36,15 +38,17 @@ class Solutions:
         """Raises NotDerivable, and Undefined where an answer does not exist."""
         return make_key(self.of(variant.problem), variant)
 
-    def assign_variant(self, problem: Problem, secret: bytes, student: str, taken: Iterable[int]) -> Assigned:
-        """Raises NotDerivable and NoVariant."""
-        return assign_variant(self.of(problem), secret, student, taken)
+    def assign_variant(
+        self, problem: Problem, secret: bytes, student: str, in_use: Iterable[int]
+    ) -> Assigned:
+        """`in_use` are the indices of other students' variants. Raises NotDerivable and NoVariant."""
+        return assign_variant(self.of(problem), secret, student, in_use)
 
-    def story(self, variant: Variant) -> str:
+    def worked_solution(self, variant: Variant) -> str:
         """The worked solution with these numbers, as Markdown."""
-        return self.told(self.key(variant))
+        return self.worked_solution_of(self.key(variant))
 
-    def told(self, key: Key) -> str:
+    def worked_solution_of(self, key: Key) -> str:
         """The same, where the key is at hand."""
         left_out = [(each.most, each.share) for each in neglects(key)]
         return worked_solution(key.solution, key.variant, key.values, key.choices, left_out)

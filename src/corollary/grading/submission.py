@@ -83,7 +83,7 @@ def mark_submission(context: GradingContext, runner: Runner, submission: Submiss
         marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
         revealed = keys if context.problem_set.reveal else {}
         return MarkedSubmission(
-            marked, node, {code: context.solutions.told(key) for code, key in revealed.items()}
+            marked, node, {code: context.solutions.worked_solution_of(key) for code, key in revealed.items()}
         )
     except (CannotStart, WeakIsolation):
         raise

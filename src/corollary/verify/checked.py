@@ -2,34 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
+
+MOST = 20  # complaints told of a problem: an author mends the first and verifies again
 
 
 @dataclass(slots=True)
 class Tally:
     """Grows while a problem is verified."""
 
-    counts: dict[str, int] = field(default_factory=dict)
-    complaints: list[str] = field(default_factory=list)
+    counts: dict[str, int] = field(default_factory=dict[str, int])
+    complaints: list[str] = field(default_factory=list[str])
 
     def count(self, what: str, number: int = 1) -> None:
         self.counts[what] = self.counts.get(what, 0) + number
 
     def complain(self, sentence: str) -> None:
-        if len(self.complaints) < 20:
+        if len(self.complaints) < MOST:
             self.complaints.append(sentence)
 
-    def expect(self, holds: bool, what: str, sentence: Callable[[], str]) -> None:
-        """Counts a check, and complains when it does not hold."""
+    def check(self, holds: bool, what: str) -> bool:
+        """Counts a check and hands its outcome on: what does not hold is complained of by who knows why."""
         self.count(what)
-        if not holds:
-            self.complain(sentence())
+        return holds
 
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """One problem, verified. `redrawn` is the share of draws that may not be dealt, `why` their most common reasons."""
+    """One problem, verified. `redrawn` is the share of draws that may not be assigned, `why` their most common reasons."""
 
     code: str
     variants: int

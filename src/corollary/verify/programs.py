@@ -52,14 +52,19 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
                 for kind, verdict in zip(
                     part.kinds, _verdicts(runner, key, part, example(key, part)), strict=True
                 ):
-                    tally.expect(isinstance(verdict, Right), "programs run", lambda where=where, kind=kind, verdict=verdict: (
-                        f"{where}: the example's {kind} should be right and is {_said(verdict)}"))  # fmt: skip
+                    if not tally.check(isinstance(verdict, Right), "programs run"):
+                        tally.complain(
+                            f"{where}: the example's {kind} should be right and is {_described(verdict)}"
+                        )
                 for kind, verdict in zip(
                     part.kinds, _verdicts(runner, key, part, bent(key, part)), strict=True
                 ):
-                    tally.expect(isinstance(verdict, Wrong | Mistaken), "programs run", lambda where=where, kind=kind, verdict=verdict: (
-                        f"{where}: {'the example with its numbers bent' if answer_type(kind).found_in == 'function' else 'a figure with nothing in it'} "
-                        f"should be wrong and is {_said(verdict)}"))  # fmt: skip
+                    if not tally.check(isinstance(verdict, Wrong | Mistaken), "programs run"):
+                        function = answer_type(kind).found_in == "function"
+                        what = (
+                            "the example with its numbers bent" if function else "a figure with nothing in it"
+                        )
+                        tally.complain(f"{where}: {what} should be wrong and is {_described(verdict)}")
     except CannotStart as error:
         tally.complain(f"{path.name}: its programs could not be run: {error}")
 
@@ -92,7 +97,7 @@ def _verdicts(runner: Runner, key: Key, part: Part, source: str) -> tuple[Verdic
     return judge(key, {}, {part.id: ran(runner, key, part.id, source)})[part.id][0]
 
 
-def _said(verdict: Verdict) -> str:
+def _described(verdict: Verdict) -> str:
     match verdict:
         case Wrong(why) | Mistaken(why) | Unread(why):
             return f"{word(verdict)} ({why})"

@@ -1,4 +1,4 @@
-"""Each kind's own samples judged as they are named, and the chapter's printed values reproduced."""
+"""Each answer type's own samples judged as they are named, and the chapter's printed values reproduced."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.tolerance import coarse
-from corollary.answers.verdict import Right, Unmarked, Unread, word
+from corollary.answers.verdict import word
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
 from corollary.formula.text import text
-from corollary.grading.from_json import plainly
+from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key, named
 from corollary.problem.bank import Bank
@@ -23,23 +23,25 @@ from corollary.problem.part import Part
 from corollary.problem.variant import chapter
 from corollary.verify.checked import Tally
 
+NOT_RIGHT = ("wrong", "slip", "mistaken")
+
 
 def check_samples(key: Key, tally: Tally) -> None:
     """Right samples are right, unreadable ones unread, and wrong ones neither."""
     for part in key.variant.problem.parts:
         for sample in samples(key, part):
-            ((verdict,), _) = judge(key, {part.id: plainly(sample.answer)})[part.id]
+            ((verdict,), _) = judge(key, {part.id: from_json(sample.answer)})[part.id]
             got = word(verdict)
-            as_named = {
-                "right": isinstance(verdict, Right), "unread": isinstance(verdict, Unread), "unmarked": isinstance(verdict, Unmarked),
-                "wrong": got in {"wrong", "slip", "mistaken"},
-            }[sample.verdict]  # fmt: skip
-            tally.expect(as_named, "kind samples", lambda part=part, sample=sample, got=got: (
-                f"{key.variant.problem.path.name}:{part.line}: part {part.id}: the sample {sample.answer!r} should be {sample.verdict} and is {got}"))  # fmt: skip
+            as_named = got in NOT_RIGHT if sample.verdict == "wrong" else got == sample.verdict
+            if not tally.check(as_named, "kind samples"):
+                tally.complain(
+                    f"{key.variant.problem.path.name}:{part.line}: part {part.id}: "
+                    f"the sample {sample.answer!r} should be {sample.verdict} and is {got}"
+                )
 
 
 def samples(key: Key, part: Part) -> tuple[Sample, ...]:
-    """What the part's kind makes of its truth; programs and figures have theirs run elsewhere."""
+    """What the part's answer type makes of its truth; programs and figures have theirs run elsewhere."""
     truth = _truth(key, part)
     question = question_of(key.variant.problem, part)
     return () if truth is None else tuple(judging(part.kind).samples(truth, question))
@@ -84,5 +86,8 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
             met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,), (0.0,)) or (
                 ratio == 0 and value == 0
             )
-            tally.expect(bool(met), "printed values", lambda where=where, printed=printed, value=value, entry=entry: (
-                f"{where}: {entry.where} prints {printed.strip()} for part {entry.statement.part}; the derivation gives {value:.6g} in SI"))  # fmt: skip
+            if not tally.check(bool(met), "printed values"):
+                tally.complain(
+                    f"{where}: {entry.where} prints {printed.strip()} for part {entry.statement.part}; "
+                    f"the derivation gives {value:.6g} in SI"
+                )

@@ -22,13 +22,15 @@ from corollary.scenes.catalogue import run
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.verify.checked import Tally
 
-LEAST, SIMULATED, TOO_MANY = 100, 8, 0.8
-AGREE = 1e-9
+LEAST = 100  # variants
+SIMULATED = 8  # of them: a simulation takes a second where algebra takes a millisecond
+TOO_MANY = 0.8  # of the draws refused: then few numbers are left, and much alike
+AGREE = 1e-9  # relative
 
 
 def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tuple[float, Counter[str]]:
-    """Draws until `count` variants are admitted (or all are seen); the share passed over and why."""
-    problem, reasons, met = solution.problem, Counter(), 0
+    """Draws until `count` variants are admitted (or all are seen); the share refused and why."""
+    problem, reasons, met = solution.problem, Counter[str](), 0
     drawn = 0
     for variant in sample(problem, 20 * count):
         drawn += 1
@@ -44,13 +46,13 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
             check_scenes(bank, key, tally)
         if met == count:
             break
-    passed = sum(reasons.values())
-    share = passed / drawn if drawn else 0.0
+    refused = sum(reasons.values())
+    share = refused / drawn if drawn else 0.0
     ranges = f"{problem.path.name}:{problem.givens[0].line if problem.givens else 1}"
     if drawn and share > TOO_MANY:
         why = reasons.most_common(1)[0][0]
         tally.complain(
-            f"{ranges}: {share:.0%} of the draws may not be dealt ({why}); change the ranges, or ask for the formula"
+            f"{ranges}: {share:.0%} of the draws may not be assigned ({why}); change the ranges, or ask for the formula"
         )
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
@@ -70,9 +72,11 @@ def check_right(key: Key, tally: Tally) -> None:
     judged = judge(key, answers)
     for part in key.truths:
         (verdict,), _ = judged[part]
-        tally.expect(isinstance(verdict, Right), "right answers", lambda part=part, verdict=verdict: (
-            f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}: the key's own answer "
-            f"is judged {word(verdict)}"))  # fmt: skip
+        if not tally.check(isinstance(verdict, Right), "right answers"):
+            tally.complain(
+                f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}: "
+                f"the key's own answer is judged {word(verdict)}"
+            )
     tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.finds))
     for part, slip in collisions(key):
         where = f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}"
@@ -84,9 +88,12 @@ def check_neglected(bank: Bank, key: Key, tally: Tally) -> None:
     path = bank.solution(key.variant.problem)
     for each in neglects(key):
         allowed = key.truths[each.part].tolerance
-        tally.expect(each.left.asked or each.share <= allowed, "neglected effects", lambda each=each, allowed=allowed: (
-            f"{path.name}:{each.left.statement.line}: part {each.part} of {key.variant.label} neglects {each.left.what}, "
-            f"which may change the answer by {each.share:.2%}, more than the {allowed:.2%} it may be off; narrow the ranges, or count it in"))  # fmt: skip
+        if not tally.check(each.left.asked or each.share <= allowed, "neglected effects"):
+            tally.complain(
+                f"{path.name}:{each.left.statement.line}: part {each.part} of {key.variant.label} "
+                f"neglects {each.left.what}, which may change the answer by {each.share:.2%}, "
+                f"more than the {allowed:.2%} it may be off; narrow the ranges, or count it in"
+            )
 
 
 def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
@@ -111,11 +118,9 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
             allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(
                 map(abs, (*mine, *theirs))
             )
-            tally.expect(
-                len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed, "simulations met",
-                lambda about=about, name=name, mine=mine, theirs=theirs: (
-                    f"{about}: {name} is {theirs} where the algebra says {mine}"),
-            )  # fmt: skip
+            agree = len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed
+            if not tally.check(agree, "simulations met"):
+                tally.complain(f"{about}: {name} is {theirs} where the algebra says {mine}")
 
 
 def own_answer(key: Key, part: str) -> Value:
@@ -125,17 +130,13 @@ def own_answer(key: Key, part: str) -> Value:
     if answer_type(asked.kind).in_symbols and closed is not None:
         texts = tuple(Text(text(tree)) for tree in closed)
         return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
-    return plain(tuple(value / _size(asked.unit) for value in truth.values))
+    return machine_numbers(tuple(value / asked.unit.si for value in truth.values))
 
 
-def plain(values: tuple[float, ...]) -> Value:
+def machine_numbers(values: tuple[float, ...]) -> Value:
     """Numbers as a student's process would hand them out."""
     return Real(values[0]) if len(values) == 1 else Items(tuple(map(Real, values)), (len(values),))
 
 
 def _list(seen: Seen) -> tuple[float, ...]:
     return seen if isinstance(seen, tuple) else (seen,)
-
-
-def _size(unit) -> float:
-    return unit.si
