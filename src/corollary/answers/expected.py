@@ -43,7 +43,7 @@ class Quantity:
     scale: float
     tolerance: float
     uncertain: Values
-    givens: Point
+    givens: Callable[[], Point]
     formulas: tuple[Expr, ...] | None
     domain: Callable[[], Mapping[str, tuple[float, float]]]
     wrong_formulas: Callable[[], Iterable[tuple[tuple[Expr, ...], str]]]

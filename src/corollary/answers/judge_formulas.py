@@ -70,7 +70,7 @@ def _by_value(
     """Right where only some letters were put in as numbers, or where it follows from earlier answers; else None."""
     if all(names(mine) <= names(right) | {"pi"} for mine, right in zip(answer.trees, formulas, strict=True)):
         return _numbers_put_in(answer, wanted, formulas, question)
-    values = values_of(answer.trees, wanted.givens)
+    values = values_of(answer.trees, wanted.givens())
     verdict = judge_numbers(_as_numbers(values, answer), wanted, question) if values is not None else None
     return verdict if isinstance(verdict, Follows) else None
 
@@ -85,7 +85,7 @@ def _numbers_put_in(
     decimals = any(isinstance(node, Number) and node.figures for tree in answer.trees for node in walk(tree))
     alone = replace(wanted, follow_through=wanted.routes)
     for trees in (answer.trees, tuple(map(in_degrees, answer.trees))):
-        values = values_of(trees, wanted.givens)
+        values = values_of(trees, wanted.givens())
         if values is None or not (decimals or within(values, wanted.values, EXACTLY, wanted.scale)):
             continue
         if isinstance(judge_numbers(_as_numbers(values, answer), alone, question), Right):

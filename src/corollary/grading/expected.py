@@ -49,7 +49,7 @@ def expected_of(
         None if letter is None else Option(letter, key.solution.choices[part.id].mistakes),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
-        _rubric(key, part.id),
+        _rubric(key, part.id) if truth is None else (),
         runs or {},
     )
 
@@ -60,7 +60,7 @@ def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity
         truth.scale,
         truth.tolerance,
         truth.uncertain,
-        key.variant.exact,
+        lambda: key.variant.exact,
         key.find(truth).closed,
         partial(domain, key.variant.problem),
         partial(wrong_formulas, key, truth.place),

@@ -83,7 +83,7 @@ def values_in(answer: Answer, expected: Expected) -> Values | None:
         case Numbers(values):
             return values
         case Formulas(trees):
-            return values_of(trees, expected.quantity.givens)
+            return values_of(trees, expected.quantity.givens())
         case _:
             return None
 
