@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import shutil
+import sys
 import tempfile
 
+import pytest
 from hypothesis import settings
 
 # The same examples in every run; `HYPOTHESIS_PROFILE=searching make test` draws others, and more of them.
@@ -23,3 +25,25 @@ def pytest_configure(config) -> None:
 def pytest_unconfigure(config) -> None:
     if "PYTEST_XDIST_WORKER" not in os.environ:
         shutil.rmtree(config.stash_folder, ignore_errors=True)
+
+
+@pytest.fixture
+def calls_of():
+    """How many functions something calls, those of C included: work that does not depend on the machine."""
+
+    def count_of(run) -> int:
+        count = 0
+
+        def counted(frame, event, argument):
+            nonlocal count
+            count += event in ("call", "c_call")
+
+        before = sys.getprofile()
+        sys.setprofile(counted)
+        try:
+            run()
+        finally:
+            sys.setprofile(before)
+        return count
+
+    return count_of

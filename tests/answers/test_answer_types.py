@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -195,10 +194,9 @@ def test_formulas_letters_chains_and_words():
         Text(", x to the left" * 20_000),
     ],
 )
-def test_long_texts_are_turned_away_at_once(part, given):
-    start = time.perf_counter()
+def test_long_texts_are_turned_away_with_little_work(part, given, calls_of):
     found = read(given, part)
-    assert time.perf_counter() - start < 1
+    assert calls_of(lambda: read(given, part)) < 2_000
     assert isinstance(found, Unclear)
     assert len(found.shown) <= 80
 

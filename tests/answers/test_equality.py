@@ -1,9 +1,8 @@
-"""Two formulas compared: never a false verdict, always soon."""
+"""Two formulas compared: never a false verdict, always with little work."""
 
 from __future__ import annotations
 
 import runpy
-import time
 from fractions import Fraction
 from pathlib import Path
 
@@ -115,11 +114,7 @@ def test_a_difference_in_the_sixtieth_digit_is_found():
         "ln(sin(m)^2 + cos(m)^2 - 1)",
     ],
 )
-def test_hostile_formulas_are_decided_or_given_to_a_person_soon(text):
+def test_hostile_formulas_are_decided_or_given_to_a_person_with_little_work(text, calls_of):
     student, truth = author_formula(text), author_formula("m*v")
-    spent = []
-    for _ in range(3):
-        start = time.perf_counter()
-        assert isinstance(compare(student, truth, {}), Different | Undecided)
-        spent.append(time.perf_counter() - start)
-    assert min(spent) < 0.1
+    assert isinstance(compare(student, truth, {}), Different | Undecided)
+    assert calls_of(lambda: compare(student, truth, {})) < 60_000

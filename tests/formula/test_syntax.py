@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 import tracemalloc
 from fractions import Fraction
 
@@ -300,6 +299,8 @@ def test_any_text_is_read_or_answered(written):
         assert parse(text(found), LETTERS) == found
 
 
+MOST_CALLS = 100000
+
 HOSTILE = [
     "9**9**9",
     "(" * 3000,
@@ -342,13 +343,8 @@ HOSTILE = [
 
 
 @pytest.mark.parametrize("written", HOSTILE, ids=[repr(written[:20]) for written in HOSTILE])
-def test_hostile_text_is_read_or_refused_soon_and_small(written):
-    spent = []
-    for _ in range(3):
-        start = time.perf_counter()
-        parse(written, [*LETTERS, "a", "aa", "aaa"])
-        spent.append(time.perf_counter() - start)
-    assert min(spent) < 0.1
+def test_hostile_text_is_read_or_refused_with_little_work_and_memory(written, calls_of):
+    assert calls_of(lambda: parse(written, [*LETTERS, "a", "aa", "aaa"])) < MOST_CALLS
     tracemalloc.start()
     parse(written, [*LETTERS, "a", "aa", "aaa"])
     peak = tracemalloc.get_traced_memory()[1]

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 
 from corollary.answers.preamble import answer_in
 from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 DIRECTIONS = {
     "i": 0,
@@ -46,7 +49,7 @@ def length_and_angle(plain: str) -> tuple[str, str] | ParseError | None:
     if len(pieces) == 1:
         return None
     if len(pieces) != 2:
-        return refused("a length and one angle are expected", None, "write for example 5 m/s at 30 deg")
+        return refused(_("a length and one angle are expected"), None, _("write for example 5 m/s at 30 deg"))
     length, angle = pieces
     if (unit := re.match(rf"(\s*{TURN})\s+([A-Za-z].*)$", angle)) and not (
         ABOVE.search(angle) or BELOW.search(angle)
@@ -122,10 +125,10 @@ def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     pieces = next((pieces for pieces in splits if len(pieces) == count), None)
     if pieces is None and ";" not in inside and any(len(each) == 2 * count for each in splits):
         return ambiguous(
-            "the commas can part the components or be decimal commas", 0, "(1.5; 2.5)", "(1,5; 2,5)"
+            _("the commas can part the components or be decimal commas"), 0, "(1.5; 2.5)", "(1,5; 2,5)"
         )
     if pieces is None:
-        return refused(f"{count} components are expected", 0, "write them as (3; 4) m/s")
+        return refused(_("{count} components are expected", count=count), 0, _("write them as (3; 4) m/s"))
     behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
     if not unit and behind and not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", "")):
         pieces[-1], unit = (
@@ -143,7 +146,7 @@ def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError
         if place is None:
             return pieces
         if place in placed:
-            return refused(f"{names[place]} is given twice")
+            return refused(_("{component} is given twice", component=names[place]))
         placed[place] = (
             NAMED.sub("", piece, count=1).strip() if NAMED.match(piece) else piece[: piece.rindex(" ")]
         )
@@ -180,9 +183,9 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
         axis = _axis(found)
         if axis in components or axis >= count:
             return refused(
-                f"{found[0].strip()} does not belong here",
+                _("{direction} does not belong here", direction=found[0].strip()),
                 None,
-                "write one term for each direction, such as 3 i + 4 j",
+                _("write one term for each direction, such as 3 i + 4 j"),
             )
         components[axis] = piece + "1" if piece in ("", "+", "-") else piece
         at = found.end()

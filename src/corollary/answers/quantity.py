@@ -14,10 +14,10 @@ from corollary.answers.components import length_and_angle, pieces_of, plain_answ
 from corollary.answers.preamble import SIDES, answer_in
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.numerals import LONGEST, PLAIN, Written, decimal_text, scan_number
-from corollary.formula.tex import moved, without_tex
+from corollary.formula.tex import without_tex
 from corollary.messages import catalogue
 from corollary.units.table import UNSUGGESTED
-from corollary.units.unit import PURE, Unit, called, read_unit, show
+from corollary.units.unit import ONE, PURE, Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
@@ -54,7 +54,7 @@ class Reading:
 def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
     """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits."""
     if len(text) > LONGEST:
-        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+        return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = without_tex(text)
     plain, skipped = answer_in(typed.translate(PLAIN))
     found = _number_and_unit(text, plain, expected)
@@ -64,7 +64,9 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
         and (other := _otherwise(typed.translate(PLAIN)[:skipped], found, expected))
     ):
         return refused(
-            f"{other.shown} and {found.shown} are not the same", None, "write one number and a unit"
+            _("{one} and {other} are not the same", one=other.shown, other=found.shown),
+            None,
+            _("write one number and a unit"),
         )
     if (
         isinstance(found, ParseError)
@@ -72,9 +74,9 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
         and not isinstance(worked := _worked(text, plain, expected), ParseError)
     ):
         return worked
-    if isinstance(found, ParseError) and (twice := _said_twice(plain, expected)) is not None:
+    if isinstance(found, ParseError) and (twice := _same_twice(plain, expected)) is not None:
         return twice
-    return moved(_moved(found, skipped), text, typed) if isinstance(found, ParseError) else found
+    return _placed(found, skipped, rewritten=text != typed) if isinstance(found, ParseError) else found
 
 
 def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | None:
@@ -95,7 +97,7 @@ def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | N
     )
 
 
-def _said_twice(plain: str, expected: Unit | None) -> Reading | None:
+def _same_twice(plain: str, expected: Unit | None) -> Reading | None:
     """`0.4 (40 %)`, `20 m/s (72 km/h)`: the first of the two, when both say the same."""
     both = TWICE.fullmatch(plain)
     if both is None:
@@ -121,9 +123,9 @@ def _number_and_unit(text: str, plain: str, expected: Unit | None) -> Reading | 
         return _reading(text, number, None, expected)
     at = end + plain[end:].index(rest[0])
     if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
-        return refused("one number is enough here", at, "work it out and write a number and a unit")
+        return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
     unit = _meant(rest.lstrip("*").strip(), expected)
-    return _moved(unit, at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
+    return unit.moved(at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
 
 
 def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
@@ -175,11 +177,16 @@ def in_si(reading: Reading) -> float:
     return float(ratio) * math.pi**pi
 
 
+def _placed(error: ParseError, skipped: int, *, rewritten: bool) -> ParseError:
+    """The error at its place in what was typed, before which `skipped` characters were left out; at none in TeX rewritten."""
+    return error.without_place() if rewritten else error.moved(skipped)
+
+
 def describe(reading: Reading | ParseError) -> str:
     """One line for the student: `read as 8.6 N s`, or what to do."""
     if isinstance(reading, ParseError):
-        return f"not read: {sentence(reading)}"
-    return f"read as {reading.shown}" + (f": {reading.why}" if reading.why else "")
+        return _("not read: {why}", why=sentence(reading))
+    return _("read as {reading}", reading=reading.shown) + (f": {reading.why}" if reading.why else "")
 
 
 def read_quantities(
@@ -201,11 +208,7 @@ def read_quantities(
                 reading = read_quantity(piece, expected)
                 if isinstance(reading, ParseError):
                     start = text.find(piece)
-                    return (
-                        _moved(reading, start)
-                        if start >= 0
-                        else ParseError(reading.status, reading.why, None, reading.suggestion)
-                    )
+                    return reading.moved(start) if start >= 0 else reading.without_place()
                 found.append(reading)
             return tuple(found)
 
@@ -215,14 +218,14 @@ def components_in(
 ) -> list[str] | tuple[str, str] | ParseError:
     """The texts of the components, or those of a length and an angle."""
     if len(text) > LONGEST:
-        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+        return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = without_tex(text)
     plain, skipped = plain_answer(typed.translate(PLAIN))
     polar = length_and_angle(plain)
     if isinstance(polar, tuple) and count != 2:
-        return refused("a length and an angle give a vector in a plane only")
+        return refused(_("a length and an angle give a vector in a plane only"))
     pieces = pieces_of(plain, count, names) if polar is None else polar
-    return moved(_moved(pieces, skipped), text, typed) if isinstance(pieces, ParseError) else pieces
+    return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces
 
 
 def _reading(
@@ -231,33 +234,39 @@ def _reading(
     size = unit or expected or PURE
     ratio = number.value * size.factor
     if ratio and not Fraction(10) ** -305 < abs(ratio) < Fraction(10) ** 305:
-        return refused("this quantity is too large or too small to be meant")
+        return refused(_("this quantity is too large or too small to be meant"))
     shown = (
         f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
     )
     fit, why = "fits", ""
-    plain = expected is None or (expected.dimension, expected.factor, expected.pi) == (
-        PURE.dimension,
+    pure = expected is None or (expected.dimension, expected.factor, expected.pi) == (
+        ONE,
         1,
         0,
-    )  # as 1 and rad are
-    if expected is not None and unit is None and number.value and not plain:  # 0 is 0 in every unit
-        fit, why = "unit missing", f"the unit is missing; write for example {shown} {show(expected)}"
+    )  # 1 and rad are
+    if expected is not None and unit is None and number.value and not pure:  # 0 is 0 in every unit
+        fit = "unit missing"
+        why = _("the unit is missing; write for example {example}", example=f"{shown} {show(expected)}")
     elif expected is not None and size.dimension != expected.dimension:
-        sort = f"{called(expected.dimension)} is expected" + (
-            f", for example in {show(expected)}" if show(expected) else ""
-        )
-        fit, why = "wrong dimension", f"{sort}; {shown} is {called(size.dimension)}"
+        fit, why = "wrong dimension", _misfit(shown, size, expected)
     return Reading(text, number.value, number.figures, number.least, unit, (ratio, size.pi), fit, why, shown)
+
+
+def _misfit(shown: str, size: Unit, expected: Unit) -> str:
+    wanted, found, example = called(expected.dimension), called(size.dimension), show(expected)
+    if not example:
+        return _("{wanted} is expected; {shown} is {found}", wanted=wanted, shown=shown, found=found)
+    return _(
+        "{wanted} is expected, for example in {example}; {shown} is {found}",
+        wanted=wanted,
+        example=example,
+        shown=shown,
+        found=found,
+    )
 
 
 def _space(unit: Unit | None) -> str:
     return "" if unit is None or unit.text == "deg" else " "
-
-
-def _moved(trouble: ParseError, by: int) -> ParseError:
-    position = None if trouble.position is None else trouble.position + by
-    return ParseError(trouble.status, trouble.why, position, trouble.suggestion, trouble.choices)
 
 
 def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Reading, ...] | ParseError:
@@ -266,9 +275,9 @@ def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Read
     if isinstance(length, ParseError):
         return length
     if isinstance(angle, ParseError):
-        return refused(f"the angle: {angle.why}", None, angle.suggestion)
+        return refused(_("the angle: {why}", why=angle.why), None, angle.suggestion)
     if angle.unit is None or angle.unit.text not in ("deg", "rad", "mrad"):
-        return refused("the angle needs its unit", None, "write for example 5 m/s at 30 deg")
+        return refused(_("the angle needs its unit"), None, _("write for example 5 m/s at 30 deg"))
     ratio, pi = angle.si
     right = (
         {0: (1, 0), Fraction(1, 2): (0, 1), 1: (-1, 0), Fraction(3, 2): (0, -1)}.get(ratio % 2)

@@ -11,6 +11,9 @@ from typing import Literal
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import PLAIN, RAISED, VULGAR
 from corollary.formula.symbols import RUN, Piece
+from corollary.messages import N_, catalogue
+
+_ = catalogue(__name__)
 
 LONGEST = 400
 MOST_TOKENS = 200
@@ -40,8 +43,8 @@ LONE: dict[str, tuple[Kind, str]] = {
     "°": ("degree", "°"), "º": ("degree", "°"), "√": ("function", "sqrt"), "|": ("bar", "|"), ",": ("comma", ","),
 }  # fmt: skip
 HINTS = {
-    "\\": "write it without TeX, such as m*v/dt", "{": "use round brackets", "}": "use round brackets",
-    ";": "write one formula",
+    "\\": N_("write it without TeX, such as m*v/dt"), "{": N_("use round brackets"), "}": N_("use round brackets"),
+    ";": N_("write one formula"),
 }  # fmt: skip
 COMPARED = {"==": "=", "≤": "<=", "≥": ">=", "≠": "!="}
 
@@ -76,7 +79,7 @@ def tokens(
     `read_first` is asked before all else at each place, with the signs before it: it may find a sign of its own, or refuse.
     """
     if len(text) > longest:
-        return refused(f"this is longer than {longest} characters", longest)
+        return refused(_("this is longer than {most} characters", most=longest), longest)
     plain = text.translate(PLAIN)
     found: list[Token] = []
     at, tight = 0, True
@@ -92,7 +95,7 @@ def tokens(
         found += more
         tight = True
         if len(found) > most:
-            return refused(f"this formula has more than {most} signs", at)
+            return refused(_("this formula has more than {most} signs", most=most), at)
     return [*found, Token("end", "", len(text), False)]
 
 
@@ -125,15 +128,19 @@ def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> Found | ParseE
     if letter in LONE:
         kind, text = LONE[letter]
         return [Token(kind, text, at, tight)], at + 1
-    return refused(f"{letter!r} does not belong in a formula", at, HINTS.get(letter, ""))
+    return refused(
+        _("{sign} does not belong in a formula", sign=repr(letter)),
+        at,
+        _(HINTS[letter]) if letter in HINTS else "",
+    )
 
 
 def _number(found: re.Match[str], tight: bool) -> Token | ParseError:
     mantissa = re.split("[eE]", found[0])[0]
     if len(mantissa) > MOST_DIGITS:
-        return refused(f"this number has more than {MOST_DIGITS} digits", found.start())
+        return refused(_("this number has more than {most} digits", most=MOST_DIGITS), found.start())
     if found["power"] and (len(found["power"]) > 6 or abs(int(found["power"])) > LARGEST_EXPONENT):
-        return refused(f"powers of ten go up to {LARGEST_EXPONENT}", found.start())
+        return refused(_("powers of ten go up to {largest}", largest=LARGEST_EXPONENT), found.start())
     whole = "." not in mantissa and not found["power"]
     value = Fraction(mantissa.rstrip(".")) if mantissa[0] != "." else Fraction("0" + mantissa)
     value *= Fraction(10) ** int(found["power"] or 0)
@@ -157,7 +164,7 @@ def _raised(found: re.Match[str], tight: bool) -> Found | ParseError:
     plain, at = found[0].translate(RAISED), found.start()
     digits = plain.lstrip("+-")
     if len(digits) > 4:
-        return refused("this exponent is too large", at)
+        return refused(_("this exponent is too large"), at)
     minus = [Token("sign", "-", at, True)] if plain[0] == "-" else []
     return [
         Token("sign", "^", at, tight),

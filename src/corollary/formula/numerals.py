@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 LONGEST = 200
 MOST_DIGITS = 40
@@ -56,7 +59,7 @@ class Written:
 def read_number(text: str) -> Written | ParseError:
     """The number a whole text stands for; refuses anything beside it but a percent sign."""
     if len(text) > LONGEST:
-        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+        return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     found = scan_number(text.translate(PLAIN))
     if isinstance(found, ParseError):
         return found
@@ -66,7 +69,9 @@ def read_number(text: str) -> Written | ParseError:
         return Written(number.value / 100, number.figures, number.least, percent=True)
     if rest:
         return refused(
-            f"{rest!r} is left over after the number", end + text[end:].index(rest[0]), "write one number"
+            _("{rest} is left over after the number", rest=repr(rest)),
+            end + text[end:].index(rest[0]),
+            _("write one number"),
         )
     return number
 
@@ -87,13 +92,13 @@ def scan_number(text: str) -> tuple[Written, int] | ParseError:
             return bottom
         divisor, end = bottom
         if divisor.value == 0:
-            return refused("a fraction cannot have 0 below its line", below.end())
+            return refused(_("a fraction cannot have 0 below its line"), below.end())
         number = Written(number.value / divisor.value, 0, 0)
     if (
         number.value
         and not Fraction(10) ** -LARGEST_EXPONENT <= number.value <= Fraction(10) ** LARGEST_EXPONENT
     ):
-        return refused("this number is too large or too small to be meant", at)
+        return refused(_("this number is too large or too small to be meant"), at)
     return Written(sign * number.value, number.figures, number.least), end
 
 
@@ -109,9 +114,9 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
         whole = int(body[0]) if body and len(body[0]) <= MOST_DIGITS else 0
         return Written(whole + VULGAR[text[end]], 0, 0), end + 1
     if not body:
-        return refused("a number is missing here", at, "begin with digits, such as 8.6")
+        return refused(_("a number is missing here"), at, _("begin with digits, such as 8.6"))
     if sum(letter in "0123456789" for letter in body[0]) > MOST_DIGITS:
-        return refused(f"this number has more than {MOST_DIGITS} digits", at)
+        return refused(_("this number has more than {most} digits", most=MOST_DIGITS), at)
     ten = TEN.match(text, end)
     digits = _plain_digits(body[0], at, scientific=ten is not None)
     if isinstance(digits, ParseError):
@@ -119,7 +124,7 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
     power = _exponent(ten) if ten else 0
     if isinstance(power, ParseError):
         return power
-    whole, _, decimals = digits.partition(".")
+    whole, _point, decimals = digits.partition(".")
     shown = (whole + decimals).lstrip("0")
     least = len(shown) if decimals or digits.endswith(".") else len(shown.rstrip("0"))
     value = Fraction(int(whole + decimals or "0"), 10 ** len(decimals)) * Fraction(10) ** power
@@ -129,7 +134,7 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
 def _exponent(found: re.Match[str]) -> int | ParseError:
     written = next(filter(None, found.groups())).translate(RAISED)
     if len(written) > 5 or abs(int(written)) > LARGEST_EXPONENT:
-        return refused(f"powers of ten go up to {LARGEST_EXPONENT}", found.start())
+        return refused(_("powers of ten go up to {largest}", largest=LARGEST_EXPONENT), found.start())
     return int(written)
 
 
@@ -144,7 +149,7 @@ def _plain_digits(body: str, at: int, *, scientific: bool) -> str | ParseError:
         before, after = groups
         if len(after) == 3 and 1 <= len(before) <= 3 and before.strip("0") and not scientific:
             return ambiguous(
-                f"{body} can be {before}.{after} or {before}{after}",
+                _("{body} can be {before}.{after} or {before}{after}", body=body, before=before, after=after),
                 at,
                 f"{before}.{after}",
                 f"{before}{after}",
@@ -155,7 +160,9 @@ def _plain_digits(body: str, at: int, *, scientific: bool) -> str | ParseError:
         return "".join(groups)
     if thousands and len(set(marks[:-1])) == 1 and marks[-1] != marks[0]:
         return "".join(groups[:-1]) + "." + groups[-1]
-    return refused(f"{body} has too many commas or points", at, "write one decimal point, such as 1234.5")
+    return refused(
+        _("{body} has too many commas or points", body=body), at, _("write one decimal point, such as 1234.5")
+    )
 
 
 def decimal_text(number: Fraction | float, figures: int) -> str:

@@ -13,6 +13,9 @@ from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.text import text
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 Lean = Literal[
     "ask", "near", "far"
@@ -87,23 +90,27 @@ def _unexpected(line: _Line) -> NoReturn:
     token = line.next
     match token.kind:
         case "end":
-            _refuse("the formula stops too early", token.at)
+            _refuse(_("the formula stops too early"), token.at)
         case "comma":
-            _refuse("a comma has no place here", token.at, "write decimals with a point, such as 1.5")
+            _refuse(_("a comma has no place here"), token.at, _("write decimals with a point, such as 1.5"))
         case "compare" if line.student:
-            _refuse(f"{token.text} has no place here", token.at, "write only the right side, one formula")
+            _refuse(
+                _("{text} has no place here", text=token.text),
+                token.at,
+                _("write only the right side, one formula"),
+            )
         case "compare":
-            _refuse("only two sides are compared at a time", token.at, "write two conditions")
+            _refuse(_("only two sides are compared at a time"), token.at, _("write two conditions"))
         case "close":
-            _refuse("this bracket closes nothing", token.at)
+            _refuse(_("this bracket closes nothing"), token.at)
         case _:
-            _refuse(f"{token.text} has no place here", token.at)
+            _refuse(_("{text} has no place here", text=token.text), token.at)
 
 
 def _formula(line: _Line, least: int) -> Expr:
     line.depth += 1
     if line.depth > DEEPEST:
-        _refuse(f"this formula is nested more than {DEEPEST} deep", line.next.at)
+        _refuse(_("this formula is nested more than {most} deep", most=DEEPEST), line.next.at)
     tree = _first(line, least)
     grows: type | None = None  # the sum or product this loop is building, to which terms are added
     while True:
@@ -169,10 +176,10 @@ def _brackets(line: _Line) -> int:
 def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
     token, before = line.next, line.tokens[line.at - 1]
     if not line.student:
-        _refuse("a product sign is missing here", token.at, "write * for every product")
+        _refuse(_("a product sign is missing here"), token.at, _("write * for every product"))
     if token.kind == "number":
         shown = f"{before.text}^{token.text}", f"{before.text}*{token.text}"
-        raise _Stop(ambiguous("a number behind a factor can be a power or a product", token.at, *shown))
+        raise _Stop(ambiguous(_("a number behind a factor can be a power or a product"), token.at, *shown))
     half = (
         isinstance(tree, Quotient)
         and (isinstance(tree.top, Number) or line.numbers)
@@ -187,7 +194,7 @@ def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
         if line.lean == "far":
             return below, Quotient
         if line.lean == "ask":
-            _ask("it is not clear what stands below the slash", token.at, below, Product((tree, factor)))
+            _ask(_("it is not clear what stands below the slash"), token.at, below, Product((tree, factor)))
     return _times(tree, factor, grows), Product
 
 
@@ -195,11 +202,11 @@ def _power(base: Expr, exponent: Expr, token: Token) -> Expr:
     power, below = constant(exponent), constant(base)
     largest = LARGEST_EXPONENT if below == 10 else LARGEST_POWER
     if power is not None and abs(power) > largest:
-        _refuse(f"exponents go up to {largest}", token.at)
+        _refuse(_("exponents go up to {largest}", largest=largest), token.at)
     if power is not None and below is not None:
         bits = max(below.numerator.bit_length(), below.denominator.bit_length())
         if bits * abs(power) > MOST_BITS:
-            _refuse("this power is too large a number", token.at)
+            _refuse(_("this power is too large a number"), token.at)
     return Power(base, exponent)
 
 
@@ -222,7 +229,7 @@ def _first(line: _Line, least: int) -> Expr:
             line.take()
             inner = _formula(line, 0)
             if line.next.kind == "end":
-                _refuse("this bracket is never closed", token.at)
+                _refuse(_("this bracket is never closed"), token.at)
             if line.next.kind != "close" or "([".index(token.text) != ")]".index(line.next.text):
                 _unexpected(line)
             line.take()
@@ -232,7 +239,7 @@ def _first(line: _Line, least: int) -> Expr:
             line.bars.append(_brackets(line))
             inner = _formula(line, 0)
             if line.next.kind != "bar":
-                _refuse("this bar | is never closed", token.at, "write abs(…)")
+                _refuse(_("this bar | is never closed"), token.at, _("write abs(…)"))
             line.bars.pop()
             line.take()
             return Call("abs", (inner,))
@@ -243,7 +250,7 @@ def _first(line: _Line, least: int) -> Expr:
             line.take()
             return _formula(line, max(least, ADD))
         case "sign":
-            _refuse(f"something is missing before {token.text}", token.at)
+            _refuse(_("something is missing before {text}", text=token.text), token.at)
         case _:
             _unexpected(line)
 
@@ -266,7 +273,11 @@ def _call(line: _Line, token: Token) -> Expr:
     elif line.student:
         call = Call(function, (_bare_argument(line, function),))
     else:
-        _refuse(f"{function} needs brackets", line.next.at, f"write {function}(…)")
+        _refuse(
+            _("{function} needs brackets", function=function),
+            line.next.at,
+            _("write {function}(…)", function=function),
+        )
     return call if power is None else Power(call, power)
 
 
@@ -279,10 +290,14 @@ def _power_of_function(line: _Line, function: str) -> Expr:
             if FUNCTIONS[function].angle
             else (f"1/{function}(…)", f"{function}(…)")
         )
-        raise _Stop(ambiguous(f"{function}^-1 can be read in two ways", sign.at, *choices))
+        raise _Stop(
+            ambiguous(_("{function}^-1 can be read in two ways", function=function), sign.at, *choices)
+        )
     if line.next.kind != "number" or line.next.figures or not 0 < line.next.value <= LARGEST_POWER:
         _refuse(
-            f"a whole number is expected as the power of {function}", line.next.at, f"write ({function}(…))^n"
+            _("a whole number is expected as the power of {function}", function=function),
+            line.next.at,
+            _("write ({function}(…))^n", function=function),
         )
     return Number(line.take().value)
 
@@ -295,12 +310,20 @@ def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
         line.take()
         found.append(_formula(line, 0))
     if line.next.kind == "end":
-        _refuse("this bracket is never closed", opened.at)
+        _refuse(_("this bracket is never closed"), opened.at)
     if line.next.kind != "close":
         _unexpected(line)
     line.take()
     if len(found) != wanted:
-        _refuse(f"{function} takes {wanted} numbers, not {len(found)}", opened.at)
+        _refuse(
+            _(
+                "{function} takes {wanted} numbers, not {given}",
+                function=function,
+                wanted=wanted,
+                given=len(found),
+            ),
+            opened.at,
+        )
     return tuple(found)
 
 
@@ -308,7 +331,11 @@ def _bare_argument(line: _Line, function: str) -> Expr:
     """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
     token, start = line.next, line.at
     if token.kind not in ("number", "name", "e") or FUNCTIONS[function].arity != 1:
-        _refuse(f"{function} needs brackets", token.at, f"write {function}(…)")
+        _refuse(
+            _("{function} needs brackets", function=function),
+            token.at,
+            _("write {function}(…)", function=function),
+        )
     argument = _first(line, FACTOR)
     if line.next.kind == "degree":
         line.take()
@@ -325,5 +352,7 @@ def _bare_argument(line: _Line, function: str) -> Expr:
         shown = text(argument)
         more = {"/": "/…", "^": "^…"}.get(behind.text, "*…")
         choices = f"{function}({shown}{more})", f"{function}({shown}){more}"
-        raise _Stop(ambiguous(f"it is not clear where {function} ends", behind.at, *choices))
+        raise _Stop(
+            ambiguous(_("it is not clear where {function} ends", function=function), behind.at, *choices)
+        )
     return argument

@@ -10,6 +10,9 @@ from typing import Literal
 
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.functions import SPELLINGS
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "ϵ": "epsilon", "ζ": "zeta", "η": "eta", "θ": "theta",
@@ -74,7 +77,7 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
     if run in known.names:
         return [Piece("name", run, at)]
     if len(run) > LONGEST_RUN:
-        return refused("this word is too long", at)
+        return refused(_("this word is too long"), at)
     if run in ("deg", "degree", "degrees"):
         return [Piece("degree", run, at)]
     plain, places, joints = _plain(run)
@@ -88,13 +91,16 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
         kind, name = known.loose[_loosened(plain)]
         if exact_cuts:
             return ambiguous(
-                f"{run} can be read in two ways", at, name, "*".join(word[1] for _, word in exact_cuts[0])
+                _("{run} can be read in two ways", run=run),
+                at,
+                name,
+                "*".join(word[1] for _, word in exact_cuts[0]),
             )
         return [Piece(kind, name, at)]
     cuts = exact_cuts or _cuts(plain, joints, known, loosely=True)
     if len(cuts) > 1:
         return ambiguous(
-            f"{run} can be read in several ways",
+            _("{run} can be read in several ways", run=run),
             at,
             *("*".join(word[1] for _, word in cut) for cut in cuts[:2]),
         )
@@ -107,16 +113,18 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
             or pieces
         )
     if plain.startswith("log"):
-        return ambiguous("log can be the natural or the decimal logarithm", at, "ln(…)", "log10(…)")
+        return ambiguous(_("log can be the natural or the decimal logarithm"), at, "ln(…)", "log10(…)")
     return refused(
-        f"{run} is not among the letters here ({', '.join(sorted(known.names))})", at, _near(plain, known)
+        _("{run} is not among the letters here ({letters})", run=run, letters=", ".join(sorted(known.names))),
+        at,
+        _near(plain, known),
     )
 
 
 def _two_meanings(name: str, at: int, known: Letters) -> ParseError | None:
     if name in ("asin", "acos", "atan") and "a" in known.names:
         return ambiguous(
-            f"{name} can be an inverse function, or a times {name[1:]}",
+            _("{name} can be an inverse function, or a times {function}", name=name, function=name[1:]),
             at,
             f"arc{name[1:]}(…)",
             f"a*{name[1:]}(…)",
@@ -194,15 +202,19 @@ def _near(plain: str, known: Letters) -> str:
     """A letter that differs by its case, by the order of its index, or by one sign."""
     parted = re.fullmatch(r"([A-Za-z]+)([0-9]+)", plain)
     if parted and parted[1] in known.exact:
-        return f"write {parted[1]}^{parted[2]} for a power, {parted[2]}*{parted[1]} for a multiple"
+        return _(
+            "write {letter}^{number} for a power, {number}*{letter} for a multiple",
+            letter=parted[1],
+            number=parted[2],
+        )
     for key, (kind, name) in sorted(known.exact.items()):
         if kind == "name" and sorted(key.lower()) == sorted(plain.lower()):  # V for v, v0A for vA0
-            return f"did you mean {name}?"
+            return _("did you mean {near}?", near=name)
     near = sorted(key for key in known.exact if abs(len(key) - len(plain)) <= 1 and _one_apart(key, plain))
     near = [key for key in near if key[0] == plain[0]] or [key for key in near if len(key) > 2]
     if near:
-        return f"did you mean {known.exact[near[0]][1]}?"
-    return "use only the letters of the exercise"
+        return _("did you mean {near}?", near=known.exact[near[0]][1])
+    return _("use only the letters of the exercise")
 
 
 def _one_apart(left: str, right: str) -> bool:

@@ -14,7 +14,10 @@ from corollary.formula.lexer import LONGEST, MOST_TOKENS, tokens
 from corollary.formula.numerals import PLAIN
 from corollary.formula.parser import Lean, formula
 from corollary.formula.symbols import APART, RUN, Piece, letters, read_run
-from corollary.formula.tex import moved, without_tex
+from corollary.formula.tex import without_tex
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 LEFT = re.compile(rf"\s*({RUN.pattern})\s*(?:\(\s*t\s*\)\s*)?=(?!=)")
 
@@ -28,19 +31,19 @@ def parse(
     inside sin, cos or tan is in degrees; letters stand for angles themselves.
     """
     if len(text) > LONGEST:
-        return refused(f"this is longer than {LONGEST} characters", LONGEST)
+        return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     if (plain := without_tex(text)) != text:
         tree = parse(plain, names, degrees=degrees, left=left, lean=lean)
-        return moved(tree, text, plain) if isinstance(tree, ParseError) else tree
+        return tree.without_place() if isinstance(tree, ParseError) else tree
     found = LEFT.match(text.translate(PLAIN))
     start = 0
     if found:
         start = found.end()
         if left is not None and isinstance(read_run(found[1], 0, letters(frozenset({left}))), ParseError):
             return refused(
-                f"{found[1]} stands on the left, but {left} is asked for",
+                _("{found} stands on the left, but {left} is asked for", found=found[1], left=left),
                 found.start(1),
-                f"begin with {left} =",
+                _("begin with {left} =", left=left),
             )
     known = letters(frozenset(names))
     # Blanks stand for what was skipped, so that a place found is a place in what was typed.
@@ -71,7 +74,9 @@ def _author_run(run: str, at: int, declared: frozenset[str] | None) -> list[Piec
     if run in SPELLINGS:
         return [Piece("function", SPELLINGS[run], at)]
     if run == "log":
-        return refused("log can be the natural or the decimal logarithm", at, "write ln or log10")
+        return refused(_("log can be the natural or the decimal logarithm"), at, _("write ln or log10"))
     if declared is None or run == "pi":
         return [Piece("name", run, at)]
-    return refused(f"{run} is not among the letters here ({', '.join(sorted(declared))})", at)
+    return refused(
+        _("{run} is not among the letters here ({letters})", run=run, letters=", ".join(sorted(declared))), at
+    )

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from corollary.formula.errors import ParseError
-
 SAID = {
     "cdot": "*", "times": "*", "ast": "*", "div": "/", "pm": "±", "approx": "≈", "simeq": "≈", "sim": "≈", "circ": "°", "degree": "°",
     "langle": "(", "rangle": ")", "lvert": "|", "rvert": "|", "vert": "|", "quad": " ", "qquad": " ", "left": "", "right": "", "big": "",
@@ -31,15 +29,6 @@ def without_tex(text: str) -> str:
     plain = text.replace("{,}", ",").replace("\\\\", ";")
     plain = _plain(SPACES.sub(lambda found: _bracket(found[0]), plain), 0)
     return re.sub(r"\^\s*°", "°", re.sub(r"\s+", " ", plain)).strip()
-
-
-def moved(trouble: ParseError, typed: str, plain: str) -> ParseError:
-    """What is amiss, without its place when the text was rewritten before it was read."""
-    return (
-        trouble
-        if typed == plain
-        else ParseError(trouble.status, trouble.why, None, trouble.suggestion, trouble.choices)
-    )
 
 
 def _bracket(found: str) -> str:

@@ -10,7 +10,15 @@ from corollary.formula.errors import ParseError, refused
 from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.text import text
+from corollary.messages import N_, catalogue
 from corollary.units.unit import ONE, Dimension, called, show, si_unit
+
+_ = catalogue(__name__)
+
+ADDED = N_("{one} and {other} cannot be added")
+COMPARED = N_("{one} and {other} cannot be compared")
+EXPONENT = N_("{part} cannot be an exponent")
+INSIDE = N_("{part} cannot be inside {function}")
 
 Found = Dimension | None  # None is the dimension of 0: it may be added to whatever it stands beside
 
@@ -28,7 +36,7 @@ def dimension_of(tree: Expr, dimensions: Mapping[str, Dimension]) -> Dimension |
     try:
         return _dimension(tree, dimensions) or ONE
     except _Mismatch as mismatch:
-        return refused(mismatch.why, None, "look at the units of each term")
+        return refused(mismatch.why, None, _("look at the units of each term"))
 
 
 def wrong_dimension(
@@ -38,13 +46,13 @@ def wrong_dimension(
     try:
         found = _dimension(tree, dimensions)
     except _Mismatch as mismatch:
-        return refused(mismatch.why, None, "look at the units of each term")
+        return refused(mismatch.why, None, _("look at the units of each term"))
     if found is None or found == expected:
         return None
     return refused(
-        f"{called(expected)} is expected, but this is {called(found)}",
+        _("{expected} is expected, but this is {found}", expected=called(expected), found=called(found)),
         None,
-        "look at the units of each factor",
+        _("look at the units of each factor"),
     )
 
 
@@ -57,7 +65,7 @@ def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:
         case Negative(term):
             return _dimension(term, of)
         case Sum(terms):
-            return _same(terms, of, "added")
+            return _same(terms, of, ADDED)
         case Product(factors):
             found = [_dimension(factor, of) for factor in factors]
             product = ONE
@@ -72,12 +80,12 @@ def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:
         case Call(function, arguments):
             return _call(function, arguments, of)
         case Relation(_, left, right):
-            return _same((left, right), of, "compared")
+            return _same((left, right), of, COMPARED)
         case _:
             assert_never(tree)
 
 
-def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], how: str) -> Found:
+def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], unlike: str) -> Found:
     common: Found = None
     first = terms[0]
     for term in terms:
@@ -85,28 +93,28 @@ def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], how: str) -> Fou
         if common is None:
             common, first = found, term
         elif found is not None and found != common:
-            raise _Mismatch(f"{_shown(first, common)} and {_shown(term, found)} cannot be {how}")
+            raise _Mismatch(_(unlike, one=_shown(first, common), other=_shown(term, found)))
     return common
 
 
 def _shown(tree: Expr, dimension: Dimension) -> str:
     bare = tree.term if isinstance(tree, Negative) else tree
-    return f"{text(bare)} ({show(si_unit(dimension)) or 'a plain number'})"
+    return f"{text(bare)} ({show(si_unit(dimension)) or _('a plain number')})"
 
 
-def _plain(tree: Expr, of: Mapping[str, Dimension], where: str) -> None:
+def _plain(tree: Expr, of: Mapping[str, Dimension], misplaced: str, function: str = "") -> None:
     found = _dimension(tree, of)
     if found is not None and found != ONE:
-        raise _Mismatch(f"{_shown(tree, found)} cannot be {where}")
+        raise _Mismatch(_(misplaced, part=_shown(tree, found), function=function))
 
 
 def _power(base: Expr, exponent: Expr, of: Mapping[str, Dimension]) -> Found:
-    _plain(exponent, of, "an exponent")
+    _plain(exponent, of, EXPONENT)
     below, power = _dimension(base, of), constant(exponent)
     if below is None or below == ONE:
         return None if below is None and power != 0 else ONE
     if power is None:
-        raise _Mismatch(f"{_shown(base, below)} can only have a number as its exponent")
+        raise _Mismatch(_("{part} can only have a number as its exponent", part=_shown(base, below)))
     return below**power
 
 
@@ -114,7 +122,7 @@ def _call(function: str, arguments: tuple[Expr, ...], of: Mapping[str, Dimension
     power = FUNCTIONS[function].dimension
     if power is None:
         for argument in arguments:
-            _plain(argument, of, f"inside {function}")
+            _plain(argument, of, INSIDE, function)
         return ONE
-    common = _same(arguments, of, "compared")
+    common = _same(arguments, of, COMPARED)
     return ONE if power == 0 else None if common is None else common**power
