@@ -19,7 +19,6 @@ from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.single_contact import follow
-from corollary.scenes.models.bounce import contact_time, suggested_step
 from corollary.scenes.models.pair import meet
 
 HERE = Path(__file__).parent
@@ -104,7 +103,6 @@ def test_a_step_that_lies(raced):
 
 
 def test_the_step_suggested_to_students_is_a_hundredth_of_the_contact_and_good(raced):
-    assert suggested_step(0.05, 1e4, 1.5, 1.0) == contact_time(0.05, 1e4, 1.5, 1.0) / 100.0
     for name in ("cradle N=3 q=1.5", "cradle N=3 q=3"):
         each = raced[name]
         near = [

@@ -13,7 +13,6 @@ from corollary.scenes.models.bounce import (
     contact_time,
     duration_factor,
     largest_overlap,
-    suggested_step,
 )
 
 sizes = st.floats(1e-6, 1e6)
@@ -43,7 +42,6 @@ def test_dimensions(m, k, q, v):
         k * largest_overlap(m, k, q, v) ** (q + 1.0) / (q + 1.0), rel=1e-12
     )
     assert contact_time(2.0 * m, 2.0 * k, q, v) == pytest.approx(contact_time(m, k, q, v), rel=1e-12)
-    assert suggested_step(m, k, q, v) == contact_time(m, k, q, v) / 100.0
 
 
 @given(sizes, sizes, st.floats(1e-3, 1e3), st.floats(1e-3, 1e3))

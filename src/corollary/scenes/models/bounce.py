@@ -28,11 +28,6 @@ def contact_time(m: float, k: float, q: float, v: float) -> float:
     return duration_factor(q) * largest_overlap(m, k, q, v) / v
 
 
-def suggested_step(m: float, k: float, q: float, v: float) -> float:
-    """A time step (s) for a fixed-step program: a hundredth of the contact time, good to about 1e-4."""
-    return contact_time(m, k, q, v) / 100.0
-
-
 @dataclass(frozen=True, slots=True)
 class Bounce:
     """`overlap` (m) is the largest, `force` (N) the floor's largest push, `duration` (s) that of the contact."""
