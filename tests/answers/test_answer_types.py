@@ -155,7 +155,7 @@ def test_axes_of_bodies_on_one_line_turn_all_of_them():
     found = read(Text("(-1; 2; 3) kg m/s, positive to the left"), LINE)
     assert isinstance(found, Numbers)
     assert found.values == (1, -2, -3)
-    assert found.shown.endswith("positive to the left")
+    assert found.as_read.endswith("positive to the left")
     assert isinstance(read(Text("(1; 2) kg m/s, z down"), PLANE), Unclear)
 
 
@@ -198,7 +198,7 @@ def test_long_texts_are_turned_away_with_little_work(part, given, calls_of):
     found = read(given, part)
     assert calls_of(lambda: read(given, part)) < 2_000
     assert isinstance(found, Unclear)
-    assert len(found.shown) <= 80
+    assert len(found.as_read) <= 80
 
 
 def test_lists_in_lists_however_deep():

@@ -118,13 +118,13 @@ def in_words(answer: Answer) -> str:
             return "no answer yet"
         case Unclear(why):
             return f"cannot be read: {why}"
-        case Numbers(figures=figures, shown=shown):
+        case Numbers(figures=figures, as_read=as_read):
             remark = answer.misfit or answer.missing
             same = figures[0] if len(set(figures)) == 1 else 0
             count = f" ({same} figure{'s' if same > 1 else ''})" if same else ""
-            return f"read as {shown}: {remark}" if remark else f"read as {shown}{count}"
-        case Formulas(shown=shown) | Letter(shown=shown):
-            return f"read as {shown}"
+            return f"read as {as_read}: {remark}" if remark else f"read as {as_read}{count}"
+        case Formulas(as_read=as_read) | Letter(as_read=as_read):
+            return f"read as {as_read}"
         case Chain(lines):
             return f"read as {len(lines)} equation{'s' if len(lines) > 1 else ''}: "
         case Prose():

@@ -19,7 +19,7 @@ class Numbers:
 
     values: tuple[float, ...]
     figures: tuple[int, ...]
-    shown: str
+    as_read: str
     missing: str = ""
     misfit: str = ""
     in_words: bool = False
@@ -32,7 +32,7 @@ class Formulas:
     """One formula for each component, in the symbols of the problem."""
 
     trees: tuple[Expr, ...]
-    shown: str
+    as_read: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Letter:
     """The option chosen."""
 
     letter: str
-    shown: str
+    as_read: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +48,7 @@ class Chain:
     """Equations, one a line."""
 
     lines: tuple[Relation, ...]
-    shown: str
+    as_read: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class Prose:
     text: str
 
     @property
-    def shown(self) -> str:
+    def as_read(self) -> str:
         return self.text
 
 
@@ -66,7 +66,7 @@ class Prose:
 class Blank:
     """Nothing was handed in."""
 
-    shown: str = ""
+    as_read: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ class Unclear:
     """
 
     why: str
-    shown: str
+    as_read: str
     readings: tuple[Numbers | Formulas, ...] = ()
 
 

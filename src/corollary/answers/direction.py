@@ -136,12 +136,12 @@ def _turned(answer: Answer, axes: Axes) -> Answer:
     match answer:
         case Numbers() if len(answer.values) == len(axes.signs):
             values = tuple(sign * value + 0.0 for sign, value in zip(axes.signs, answer.values, strict=True))
-            return replace(answer, values=values, shown=f"{answer.shown}, {axes.words}")
-        case Formulas(trees, shown) if len(trees) == len(axes.signs):
+            return replace(answer, values=values, as_read=f"{answer.as_read}, {axes.words}")
+        case Formulas(trees, as_read) if len(trees) == len(axes.signs):
             there = (
                 tree if sign > 0 else Negative(tree) for sign, tree in zip(axes.signs, trees, strict=True)
             )
-            return Formulas(tuple(there), f"{shown}, {axes.words}")
+            return Formulas(tuple(there), f"{as_read}, {axes.words}")
         case Unclear(readings=readings):
             found = (_turned(each, axes) for each in readings)
             return replace(answer, readings=tuple(each for each in found if isinstance(each, Numbers)))
@@ -155,10 +155,10 @@ def _signed(answer: Answer, sign: int, words: str) -> Answer:
             return _either(answer, words)
         case Numbers((value,)):
             return replace(
-                answer, values=(sign * abs(value),), shown=f"{answer.shown} {words}", in_words=True
+                answer, values=(sign * abs(value),), as_read=f"{answer.as_read} {words}", in_words=True
             )
-        case Formulas((tree,), shown) if sign < 0:
-            return Formulas((Negative(tree),), f"{shown} {words}")
+        case Formulas((tree,), as_read) if sign < 0:
+            return Formulas((Negative(tree),), f"{as_read} {words}")
         case _:
             return answer
 
@@ -170,6 +170,6 @@ def _either(answer: Answer, words: str) -> Answer:
                 "it is not clear which sign \u201c{words}\u201d gives; write the number with its sign",
                 words=words,
             )
-            return Unclear(why, f"{answer.shown} {words}", (answer, replace(answer, values=(-value,))))
+            return Unclear(why, f"{answer.as_read} {words}", (answer, replace(answer, values=(-value,))))
         case _:
             return answer

@@ -94,4 +94,4 @@ def _numbers_put_in(
 
 
 def _as_numbers(values: Values, answer: Formulas) -> Numbers:
-    return Numbers(values, (0,) * len(values), answer.shown)
+    return Numbers(values, (0,) * len(values), answer.as_read)

@@ -63,7 +63,10 @@ def _in_words(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
     if not isinstance(judge_numbers(turned, wanted, question), (Right, Follows)):
         return verdict
     return Unmarked(
-        _("The size is right; a person will read your words on the direction: {answer}.", answer=answer.shown)
+        _(
+            "The size is right; a person will read your words on the direction: {answer}.",
+            answer=answer.as_read,
+        )
     )
 
 

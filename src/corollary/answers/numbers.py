@@ -1,4 +1,4 @@
-"""Numbers out of what a student handed in: a machine number, or text with a unit."""
+"""Numbers out of what a student handed in: one, or one for each component, each a machine number or a text with a unit."""
 
 from __future__ import annotations
 
@@ -11,21 +11,22 @@ from itertools import product
 from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
 from corollary.answers.components import place_named
 from corollary.answers.formula import as_typed, dimension_in, fitting, formula, formulas, other_dimension
+from corollary.answers.machine_number import exact, machine, sure
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
 from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
-from corollary.formula.numerals import decimal_text
 from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
 from corollary.messages import catalogue
-from corollary.units.unit import ONE, Unit, show
+from corollary.units.unit import ONE, Unit
 
 _ = catalogue(__name__)
 
+# What stands for no answer: the blank itself, and what people leave where they mean to come back.
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
+# A text with an operator that does not begin with digits was meant as a formula; then the formula's trouble is told.
 FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
-COARSE = 4  # a machine number whose shortest form has more digits than this was calculated, not typed
 
 
 def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
@@ -37,12 +38,12 @@ def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unc
         case Nothing():
             return Blank()
         case Real(number):
-            return machine((number,), unit)
+            return machine(number, unit)
         case Exact(number):
             return exact(number, unit)
         case Complex(real, imaginary):
             if abs(imaginary) <= 1e-12 * abs(real) or imaginary == 0:
-                return machine((real,), unit)
+                return machine(real, unit)
             return Unclear(
                 _("this is a complex number; a measured quantity is real"), f"{real:g} + {imaginary:g}i"
             )
@@ -149,50 +150,6 @@ def _in_order(items: tuple[Value, ...], names: tuple[str, ...]) -> tuple[Value, 
     return tuple(item for _, item in sorted(zip(places, items, strict=True), key=lambda pair: pair[0] or 0))
 
 
-def machine(values: tuple[float, ...], unit: Unit) -> Numbers | Unclear:
-    """Machine numbers, in the part's own unit."""
-    for value in values:
-        if math.isnan(value) or math.isinf(value):
-            return Unclear(
-                _("the result is not a number") if math.isnan(value) else _("the result is infinite"),
-                str(value),
-            )
-    size = unit.si
-    digits = [
-        len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0")) for value in values
-    ]
-    digits = [
-        sure(count, len(f"{abs(value):.0f}")) if value and value == int(value) else count
-        for count, value in zip(digits, values, strict=True)
-    ]
-    figures = tuple(count if count <= COARSE else 0 for count in digits)
-    shown = ", ".join(f"{value:.6g}" for value in values)
-    return Numbers(tuple(value * size for value in values), figures, _with_unit(shown, unit))
-
-
-def exact(value: Fraction, unit: Unit) -> Numbers | Unclear:
-    """An exact number in the part's own unit; one beyond all doubles is a number all the same, and wrong."""
-    size = unit.factor
-    try:
-        number = float(value * size) * math.pi**unit.pi
-    except OverflowError:
-        number = math.inf if value > 0 else -math.inf
-        return Numbers((number,), (0,), _("a number too large to show"))
-    whole = str(abs(value.numerator)) if value.denominator == 1 and abs(value) < 10**9 else ""
-    digits = sure(len(whole.rstrip("0")), len(whole)) if value else 0
-    shown = (
-        decimal_text(value, 6)
-        if value.denominator > 1
-        else (str(value) if abs(value) < 10**12 else f"{float(value):.6g}")
-    )
-    return Numbers((number,), (digits if digits <= COARSE else 0,), _with_unit(shown, unit))
-
-
-def sure(least: int, most: int) -> int:
-    """How many figures a number shows: 170 has two that are sure; 20, with one, was hardly rounded to tens."""
-    return least if least > 1 else most
-
-
 def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear:
     """A text: a number with a unit; else a formula of the givens, if its dimension is what is asked for."""
     if text.strip() in PLACEHOLDERS:
@@ -273,8 +230,8 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
         if isinstance(each, Unclear):
             return replace(each, readings=_combined(found))
     if any(isinstance(each, Blank) for each in found):
-        return Unclear(_("a component is missing"), ", ".join(each.shown or "—" for each in found))
-    shown = f"({', '.join(each.shown for each in found)})"
+        return Unclear(_("a component is missing"), ", ".join(each.as_read or "—" for each in found))
+    as_read = f"({', '.join(each.as_read for each in found)})"
     numbers = [each for each in found if isinstance(each, Numbers)]
     if len(numbers) == len(found):
         values, figures = (
@@ -285,9 +242,9 @@ def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Fo
         sizes = tuple(size for each in numbers for size in each.sizes)
         misfit = next((each.misfit for each in numbers if each.misfit), "")
         sizes = sizes if len(sizes) == len(values) else ()
-        return Numbers(values, figures, shown, missing, misfit, sizes=sizes, polar=numbers[0].polar)
+        return Numbers(values, figures, as_read, missing, misfit, sizes=sizes, polar=numbers[0].polar)
     trees = [_tree(each) for each in found]
-    return Formulas(tuple(trees), shown)
+    return Formulas(tuple(trees), as_read)
 
 
 def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Numbers, ...]:
@@ -310,8 +267,3 @@ def _tree(each: Numbers | Formulas | Blank | Unclear) -> Expr:
             return Number(Fraction(values[0]))
         case _:
             raise AssertionError("blank and unclear components were turned away before")
-
-
-def _with_unit(shown: str, unit: Unit) -> str:
-    name = show(unit)
-    return f"{shown} {name}" if name not in {"", "1"} else shown

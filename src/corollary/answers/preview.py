@@ -27,18 +27,21 @@ def preview_of(answer: Answer) -> Preview:
             return Preview(False, _("no answer yet"))
         case Unclear(why):
             return Preview(False, _("cannot be read: {why}", why=why))
-        case Numbers(shown=shown) if remark := answer.misfit or answer.missing:
-            return Preview(False, _("read as {answer}: {remark}", answer=shown, remark=remark))
-        case Numbers(figures=figures, shown=shown):
+        case Numbers(as_read=as_read) if remark := answer.misfit or answer.missing:
+            return Preview(False, _("read as {answer}: {remark}", answer=as_read, remark=remark))
+        case Numbers(figures=figures, as_read=as_read):
             count = figures[0] if len(set(figures)) == 1 else 0
             if not count:
-                return Preview(True, _("read as {answer}", answer=shown))
+                return Preview(True, _("read as {answer}", answer=as_read))
             read = _.plural(
-                "read as {answer} ({count} figure)", "read as {answer} ({count} figures)", count, answer=shown
+                "read as {answer} ({count} figure)",
+                "read as {answer} ({count} figures)",
+                count,
+                answer=as_read,
             )
             return Preview(True, read)
-        case Formulas(_trees, shown) | Letter(_trees, shown):
-            return Preview(True, _("read as {answer}", answer=shown))
+        case Formulas(_trees, as_read) | Letter(_trees, as_read):
+            return Preview(True, _("read as {answer}", answer=as_read))
         case Chain(lines):
             equations = "; ".join(map(text, lines))
             read = _.plural(

@@ -30,15 +30,15 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
             return
     ids = {part.id for part in problem.parts}
     for entry in derivation.entries:
-        if (id := entry.statement.part) and id not in ids:
-            yield f"answers part {id}, which {problem.path.name} does not have", entry.statement.line
-        elif isinstance(entry, Simulated) and not id:
+        if (part := entry.statement.part) and part not in ids:
+            yield f"answers part {part}, which {problem.path.name} does not have", entry.statement.line
+        elif isinstance(entry, Simulated) and not part:
             yield (
                 "a simulated find must answer a part, whose unit it takes; add answers=",
                 entry.statement.line,
             )
-        elif id:
-            yield from ((sentence, entry.statement.line) for sentence in _unfit(problem, entry, id))
+        elif part:
+            yield from ((sentence, entry.statement.line) for sentence in _unfit(problem, entry, part))
     given = Counter(
         (entry.statement.part, words_of_kind(entry))
         for entry in derivation.entries
@@ -56,18 +56,18 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
     yield from _misprinted(problem, derivation)
 
 
-def _unfit(problem: Problem, entry: Entry, id: str) -> Iterator[str]:
-    part = problem.part(id)
+def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
+    part = problem.part(name)
     wanted = _stated_by(part)
     if isinstance(entry, Neglected) and wanted != ["step"]:
-        yield f"part {id} is .{part.kind}; only of a number can be said what is neglected in it"
+        yield f"part {name} is .{part.kind}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
-        yield f"part {id} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
+        yield f"part {name} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
     elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (
         len(part.components) or 1
     ):
         asked = f"components {', '.join(part.components)}" if part.components else "one number"
-        yield f"part {id} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
+        yield f"part {name} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
 
 
 def _stated_by(part: Part) -> list[str]:

@@ -40,7 +40,7 @@ def judge(
         expected = expected_of(key, part, earlier, runs)
         answer = read(part, answers.get(part.id, Nothing()), expected)
         verdicts = tuple(verdict_on(name, answer, expected) for name in part.kinds)
-        result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.shown
+        result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.as_read
         values = values_in(answer, expected)
         if values is not None:
             earlier[part.id] = values

@@ -1,4 +1,4 @@
-"""The cells of a sheet: what is read, what is filled in, what is graded; with the metadata nbgrader knows them by."""
+"""The cells of a worksheet: what is read, what is filled in, what is graded; with the metadata nbgrader knows them by."""
 
 from __future__ import annotations
 
@@ -9,38 +9,38 @@ from typing import Literal
 from nbformat import NotebookNode
 
 
-def reading_cell(id: str, source: str) -> NotebookNode:
+def reading_cell(grade_id: str, source: str) -> NotebookNode:
     """Markdown to be read, and locked."""
-    return _cell("markdown", id, source, locked=True)
+    return _cell("markdown", grade_id, source, locked=True)
 
 
-def program_cell(id: str, source: str, *, folded: bool = False) -> NotebookNode:
-    """Code that belongs to the sheet, and is locked; `folded` away unless somebody wants to see it."""
-    cell = _cell("code", id, source, locked=True)
+def program_cell(grade_id: str, source: str, *, folded: bool = False) -> NotebookNode:
+    """Code that belongs to the worksheet, and is locked; `folded` away unless somebody wants to see it."""
+    cell = _cell("code", grade_id, source, locked=True)
     if folded:
         cell.metadata["jupyter"] = NotebookNode(source_hidden=True)
         cell.metadata["tags"] = ["hide-input"]  # the same, for Jupyter Book
     return cell
 
 
-def answer_cell(id: str, source: str) -> NotebookNode:
+def answer_cell(grade_id: str, source: str) -> NotebookNode:
     """Code that a student writes; its points stand on the check cell below it."""
-    return _cell("code", id, source, solution=True)
+    return _cell("code", grade_id, source, solution=True)
 
 
-def graded_cell(id: str, source: str, points: float) -> NotebookNode:
+def graded_cell(grade_id: str, source: str, points: float) -> NotebookNode:
     """The locked cell that carries the points of the answer above it."""
-    return _cell("code", id, source, locked=True, points=points)
+    return _cell("code", grade_id, source, locked=True, points=points)
 
 
-def written_cell(id: str, source: str, points: float) -> NotebookNode:
+def written_cell(grade_id: str, source: str, points: float) -> NotebookNode:
     """Markdown that a student writes and a person marks."""
-    return _cell("markdown", id, source, solution=True, points=points)
+    return _cell("markdown", grade_id, source, solution=True, points=points)
 
 
 def _cell(
     kind: Literal["code", "markdown"],
-    id: str,
+    grade_id: str,
     source: str,
     *,
     locked: bool = False,
@@ -49,13 +49,18 @@ def _cell(
 ) -> NotebookNode:
     """Put together by hand: nbformat's own makers check every cell against the schema, and so does the file's writer."""
     mark = NotebookNode(
-        schema_version=3, grade_id=id, grade=points is not None, solution=solution, locked=locked, task=False
+        schema_version=3,
+        grade_id=grade_id,
+        grade=points is not None,
+        solution=solution,
+        locked=locked,
+        task=False,
     )
     if points is not None:
         mark["points"] = points
     mark["cell_type"] = kind
     cell = NotebookNode(
-        cell_type=kind, id=id, metadata=NotebookNode(nbgrader=mark, deletable=False), source=source
+        cell_type=kind, id=grade_id, metadata=NotebookNode(nbgrader=mark, deletable=False), source=source
     )
     if locked:
         cell.metadata["editable"] = False
@@ -66,7 +71,7 @@ def _cell(
 
 
 def as_handed_out(theirs: NotebookNode, ours: NotebookNode) -> bool:
-    """Whether a cell that came back still has the checksum of its own text, as every cell of every sheet has."""
+    """Whether a cell that came back still has the checksum of its own text, as every cell of every worksheet has."""
     mark = theirs.get("metadata", {}).get("nbgrader")
     if not isinstance(mark, Mapping) or theirs.cell_type != ours.cell_type:
         return False

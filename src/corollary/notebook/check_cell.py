@@ -33,7 +33,7 @@ check = corollary()"""
 
 
 def check_source(sheet: Worksheet) -> str:
-    """The cell for one sheet: it holds what is asked, and nothing of what is right. Raises NotCarried."""
+    """The cell for one worksheet: it holds what is asked, and nothing of what is right. Raises NotCarried."""
     asked = [prompt for prompt in sheet.prompts if prompt.answer_types[0].found_in != "cell"]
     return CELL.format(
         first=_(

@@ -22,9 +22,9 @@ def cells_by_id(nb: NotebookNode) -> dict[str, NotebookNode]:
     """
     named: dict[str, NotebookNode] = {}
     for cell in nb.cells:
-        id = grade_id(cell)
-        if id and (id not in named or (cell.get("id") == id and named[id].get("id") != id)):
-            named[id] = cell
+        name = grade_id(cell)
+        if name and (name not in named or (cell.get("id") == name and named[name].get("id") != name)):
+            named[name] = cell
     for cell in nb.cells:
         if not grade_id(cell) and cell.get("id"):
             named.setdefault(cell["id"], cell)
@@ -34,8 +34,8 @@ def cells_by_id(nb: NotebookNode) -> dict[str, NotebookNode]:
 def grade_id(cell: NotebookNode) -> str:
     """The nbgrader name of a cell; empty when it has none, or something that is no name."""
     mark = cell.get("metadata", {}).get("nbgrader")
-    id = mark.get("grade_id") if isinstance(mark, Mapping) else None
-    return id if isinstance(id, str) else ""
+    name = mark.get("grade_id") if isinstance(mark, Mapping) else None
+    return name if isinstance(name, str) else ""
 
 
 def cell_id(key: str, its_type: AnswerType) -> str:
@@ -73,9 +73,9 @@ def code_to_run(nb: NotebookNode, handed_out: NotebookNode) -> tuple[tuple[str, 
     for cell in nb.cells:
         if cell.cell_type != "code":
             continue
-        id = grade_id(cell) or cell.get("id", "")
-        if id != "setup" and str(cell.source).strip() not in ours:
-            run.append((cell.get("id", id), cell.source))
+        name = grade_id(cell) or cell.get("id", "")
+        if name != "setup" and str(cell.source).strip() not in ours:
+            run.append((cell.get("id", name), cell.source))
     return tuple(run)
 
 
@@ -83,7 +83,7 @@ def plot_cells(nb: NotebookNode, sheet: Worksheet) -> dict[str, str]:
     """For each part with a plot, by key: the id that the drawing cell has in the notebook that came back."""
     named = cells_by_id(nb)
     return {
-        prompt.key: named[id].get("id", id)
+        prompt.key: named[name].get("id", name)
         for prompt in sheet.prompts
-        if (id := plot_id(prompt.key, prompt.part)) is not None and id in named
+        if (name := plot_id(prompt.key, prompt.part)) is not None and name in named
     }

@@ -1,4 +1,4 @@
-"""A sheet as a notebook: one file for one student and a whole set, which opens and runs wherever Jupyter and numpy do."""
+"""A worksheet as a notebook: one file for one student and a whole set, which opens and runs wherever Jupyter and numpy do."""
 
 from __future__ import annotations
 
@@ -10,10 +10,13 @@ from collections.abc import Iterator, Mapping
 import nbformat
 from nbformat import NotebookNode
 
+from corollary.messages import N_, catalogue
 from corollary.notebook.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
 from corollary.notebook.check_cell import check_source
 from corollary.notebook.locate import cell_id
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
+
+_ = catalogue(__name__)
 
 METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
@@ -28,23 +31,27 @@ SIZELESS = re.compile(
     r"""<svg(?![^>]*\s(?:width|height)=)[^>]*?\sviewBox=["'][\d.-]+[\s,]+[\d.-]+[\s,]+"""
     r"""(?P<width>[\d.]+)[\s,]+(?P<height>[\d.]+)["']"""
 )
-HOW_TO_ANSWER = """\
+HOW_TO_ANSWER = N_(
+    """\
 **How to answer**
 
 1. Run everything once: *Run ▸ Run All Cells*. The folded cell below defines `check`.
 2. Put your answer in place of `None`: a number in the unit asked for, or text with a unit of your own, such as `"3,2 km/h"`.
 3. Run the cell below your answer: it says how your answer is **read**, not whether it is right.
 4. Where *Your answer here.* stands, double-click and write. Then save, and hand in this one file."""
-CLOSING = """\
+)
+CLOSING = N_(
+    """\
 ---
 
 **Before you hand in:** *Kernel ▸ Restart Kernel and Run All Cells*. The last cell then says how every answer is read. Save."""
+)
 
 
 def notebook(sheet: Worksheet) -> NotebookNode:
     """The notebook of one student. Raises ValueError when two parts of the set would share a name."""
     cells = list(_cells(sheet))
-    if twice := [id for id, count in Counter(cell.id for cell in cells).items() if count > 1]:
+    if twice := [name for name, count in Counter(cell.id for cell in cells).items() if count > 1]:
         raise ValueError(
             f"two cells of {sheet.problem_set.name} would be called {twice[0]}; rename one of the parts"
         )
@@ -69,11 +76,11 @@ def file_text(nb: NotebookNode) -> str:
 
 def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:
     yield reading_cell("title", _title(sheet))
-    yield reading_cell("how_to_answer", HOW_TO_ANSWER)
+    yield reading_cell("how_to_answer", _(HOW_TO_ANSWER))
     yield program_cell("setup", check_source(sheet), folded=True)
     for exercise in sheet.exercises:
         yield from _exercise_cells(exercise)
-    yield reading_cell("closing", CLOSING)
+    yield reading_cell("closing", _(CLOSING))
     yield program_cell("check_all", "check()")
 
 
@@ -105,14 +112,16 @@ def picture(svg: str, alt: str) -> str:
 
 
 def points(number: float) -> str:
-    return f"{number:g} point{'' if number == 1 else 's'}"
+    """`1.5 points`."""
+    return _.plural("{number} point", "{number} points", 1 if number == 1 else 2, number=f"{number:g}")
 
 
 def _title(sheet: Worksheet) -> str:
     about = sheet.problem_set
     facts = [f"**{sheet.student.name}**"] if sheet.student.id else []
     if about.due is not None:
-        facts.append(f"due {about.due:%A} {about.due.day} {about.due:%B %Y, %H:%M %Z}")
+        moment = f"{about.due:%A} {about.due.day} {about.due:%B %Y, %H:%M %Z}"
+        facts.append(_("due {moment}", moment=moment))
     facts.append(points(sum(prompt.out_of for prompt in sheet.prompts)))
     return f"# {about.title}\n\n{' · '.join(facts)}" + (
         f"\n\n{about.introduction}" if about.introduction else ""

@@ -1,4 +1,4 @@
-"""A sheet: what one student gets, before any file format; it holds questions and numbers, and no truth."""
+"""A worksheet: what one student gets, before any file format; it holds questions and numbers, and no truth."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def _text(problem: Problem, part: Part, variant: Variant) -> str:
 
 
 def worksheet(problem_set: ProblemSet, student: Student, variants: Iterable[Variant]) -> Worksheet:
-    """One student's sheet; the variants in the order of the set's problems."""
+    """One student's worksheet; the variants in the order of the set's problems."""
     return Worksheet(
         problem_set,
         student,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 from corollary.problem.diagnostic import Diagnostic
@@ -15,6 +16,7 @@ ATTRIBUTE = re.compile(
 )
 OPTION = re.compile(r"-\s+\((?P<letter>[a-z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
+Complain = Callable[[str], None]
 KNOWN = {"unit", "points", "components", "function"}
 
 
@@ -44,14 +46,16 @@ def read_parts(
 
 
 def _part(path: Path, line: int, heading: str, lines: list[str], complaints: list[Diagnostic]) -> Part | None:
-    def complain(sentence: str, at: int = line) -> None:
-        complaints.append(Diagnostic(path, at, sentence))
+    def complain(sentence: str) -> None:
+        complaints.append(Diagnostic(path, line, sentence))
 
     match = HEADING.match(heading)
     if match is None or match["attributes"] is None:
         complain('a part needs attributes: ## Title {#a .value unit="kg m/s" points=1}')
         return None
-    ids, kinds, settings = [], [], {}
+    ids: list[str] = []
+    kinds: list[str] = []
+    settings: dict[str, str] = {}
     for attribute in ATTRIBUTE.finditer(match["attributes"]):
         if attribute["id"]:
             ids.append(attribute["id"])
@@ -88,7 +92,8 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
 
 
 def _options(lines: list[str]) -> tuple[tuple[Option, ...], str]:
-    options, rest = [], []
+    options: list[Option] = []
+    rest: list[str] = []
     for line in lines:
         if match := OPTION.match(line.strip()):
             options.append(Option(match["letter"], match["text"]))
@@ -97,7 +102,7 @@ def _options(lines: list[str]) -> tuple[tuple[Option, ...], str]:
     return tuple(options), "\n".join(rest).strip()
 
 
-def _unit(text: str, part: str, complain) -> Unit:
+def _unit(text: str, part: str, complain: Complain) -> Unit:
     try:
         return unit(text)
     except ValueError as error:
@@ -105,7 +110,7 @@ def _unit(text: str, part: str, complain) -> Unit:
         return unit("1")
 
 
-def _points(text: str, part: str, complain) -> float:
+def _points(text: str, part: str, complain: Complain) -> float:
     try:
         points = float(text)
     except ValueError:

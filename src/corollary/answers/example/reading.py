@@ -27,11 +27,11 @@ class ExampleType(AnswerType):
     def read(self, value: Value, question: Question) -> Answer:
         found = vector(value, question) if question.components else scalar(value, question)
         if isinstance(found, Formulas):
-            return Unclear(_("give numbers for an example, not formulas"), found.shown)
+            return Unclear(_("give numbers for an example, not formulas"), found.as_read)
         if isinstance(found, Numbers) and found.misfit:
             # Components of several kinds (a mass and a velocity) are asked for as plain numbers in SI: their own units will do.
             own_units = question.unit.text == "1"
-            return replace(found, misfit="") if own_units else Unclear(found.misfit, found.shown)
+            return replace(found, misfit="") if own_units else Unclear(found.misfit, found.as_read)
         return found
 
 

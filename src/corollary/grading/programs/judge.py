@@ -137,4 +137,4 @@ def _numbers(value: Value) -> tuple[float, ...] | str:
     found = vector(value, Question("", "", ("vector",), unit("1"), components=components))
     if isinstance(found, Numbers):
         return found.misfit or found.values
-    return found.why if isinstance(found, Unclear) else found.shown
+    return found.why if isinstance(found, Unclear) else found.as_read
