@@ -44,6 +44,9 @@ def _size(tree: Expr, values: Mapping[str, RationalPi]) -> float:
         case Product(factors):
             return math.prod(_size(factor, values) for factor in factors)
         case Quotient(top, bottom):
-            return _size(top, values) / abs(number(bottom, values))
+            divisor = abs(number(bottom, values))
+            if divisor == 0.0:  # not zero itself, which cannot be evaluated, but below the least double
+                raise Undefined("a divisor is smaller than the numbers of this machine")
+            return _finite(_size(top, values) / divisor)
         case _:
             return abs(number(tree, values))
