@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import sys
+from importlib.metadata import EntryPoint
+from pathlib import Path
+
 import pytest
 
+from corollary.problem import bank as banks
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank, find, home, load, open_bank
 from corollary.problem.diagnostic import Malformed
+from corollary.problem.problem_set import find_set
 
 FRONT = "code: {code}\ntitle: A cart\ngiven:\n  m: {{is: mass, value: 1, unit: kg}}"
 
@@ -93,3 +100,63 @@ def test_every_code_of_the_chapter_leads_back_to_its_problem():
     assert len(problems) >= 5
     for problem in problems:
         assert find(bank, problem.code) == find(bank, problem.name) == problem
+
+
+@pytest.fixture
+def other(tmp_path) -> Path:
+    """Another bank, in a package that could be installed: X9.1, and a set."""
+    folder = tmp_path / "site" / "heat_problems"
+    (folder / "problems" / "heat").mkdir(parents=True)
+    (folder / "problems" / "sets").mkdir()
+    text = "---\n" + FRONT.format(code="X9.1") + "\n---\n## M {#a .value}\n"
+    (folder / "problems" / "heat" / "kettle.md").write_text(text, encoding="utf-8")
+    text = "---\ntitle: Warm\nproblems:\n  - X9.1\n  - X1.2\n---\n"
+    (folder / "problems" / "sets" / "warm.md").write_text(text, encoding="utf-8")
+    (folder / "__init__.py").write_text("", encoding="utf-8")
+    return folder
+
+
+def test_several_banks_are_one(bank, other):
+    both = open_bank(Path(os.pathsep.join((str(bank.folder), str(other)))))
+    assert [problem.code for problem in load(both)] == ["X1.2", "X1.10", "X9.1"]
+    assert both.solution(find(both, "kettle")) == other / "solutions" / "heat" / "kettle.py"
+    assert both.solution(find(both, "cart")) == bank.folder / "solutions" / "carts" / "cart.py"
+    assert find(both, str(other / "problems" / "heat" / "kettle.md")).code == "X9.1"
+    assert [problem.code for problem in find_set(both, "warm").problems] == ["X9.1", "X1.2"]
+    assert open_bank(Path(both.place)) == both
+    assert open_bank(Path(os.pathsep.join([str(other)] * 2))) == open_bank(other)
+
+
+def test_a_code_that_two_banks_have(bank, other):
+    path = other / "problems" / "heat" / "kettle.md"
+    path.write_text(path.read_text().replace("X9.1", "X1.2"), encoding="utf-8")
+    with pytest.raises(Malformed, match=r"kettle\.md:2: cart\.md has the code X1\.2 already"):
+        load(open_bank(Path(os.pathsep.join((str(bank.folder), str(other))))))
+
+
+def test_the_bank_of_an_installed_package(other, monkeypatch, tmp_path):
+    installed = [
+        EntryPoint("heat", "heat_problems", "corollary.banks"),
+        EntryPoint("empty", "json", "corollary.banks"),
+    ]
+    monkeypatch.setattr(
+        banks, "entry_points", lambda *, group: installed if group == "corollary.banks" else []
+    )
+    monkeypatch.syspath_prepend(other.parent)
+    monkeypatch.chdir(tmp_path)
+    assert open_bank(Path("heat")).folder == other
+    assert "heat_problems" not in sys.modules  # found, not run
+    assert open_bank(Path(f"chapter{os.pathsep}heat")).more == (other,)
+    with pytest.raises(UnknownCode, match="the bank empty is installed, but json has no folder problems/"):
+        open_bank(Path("empty"))
+    with pytest.raises(UnknownCode, match="the banks installed are chapter, empty, heat"):
+        open_bank(Path("optics"))
+
+
+def test_the_bank_that_the_environment_names(bank, other, monkeypatch):
+    monkeypatch.setenv("COROLLARY_BANK", os.pathsep.join((str(bank.folder), str(other))))
+    assert open_bank(None).more == (other,)
+    assert home(None, "kettle")[1].code == "X9.1"
+    assert open_bank(bank.folder) == bank
+    monkeypatch.setenv("COROLLARY_BANK", "")
+    assert open_bank(None) == chapter_bank()

@@ -201,6 +201,11 @@ def version(
 
 def _run(module: str, **options: object) -> None:
     """The command of that module, imported only now; statuses 0, 1 and 2, one sentence on a failing, no traceback."""
+    match options.get("bank"):
+        case [*places]:  # several banks are one, parted as in PATH
+            options["bank"] = Path(os.pathsep.join(map(str, places))) if places else None
+        case _:
+            pass
     try:
         status = importlib.import_module(f"corollary.cli.{module}").run(**options)
         sys.stdout.flush()

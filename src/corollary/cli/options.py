@@ -8,13 +8,17 @@ from typing import Annotated
 from typer import Argument, Option
 
 Bank = Annotated[
-    Path | None, Option(help="A folder with problems/ and solutions/; the chapter's bank when left out.")
+    list[Path] | None,
+    Option(
+        help="A folder with problems/ and solutions/, or an installed bank; may be repeated. When left out, "
+        "COROLLARY_BANK, or the chapter's bank."
+    ),
 ]
 GeneratedBank = Annotated[
-    Path | None,
+    list[Path] | None,
     Option(
         "--bank",
-        help="A folder with problems/ and solutions/; the bank the set was dealt from when left out.",
+        help="A folder with problems/ and solutions/, or an installed bank; the bank the set was dealt from when left out.",
     ),
 ]
 AsJson = Annotated[bool, Option("--json", help="One JSON document on standard output.")]

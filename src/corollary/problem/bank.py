@@ -1,16 +1,20 @@
-"""A bank: a folder with `problems/` and `solutions/`, and how a problem is found in it."""
+"""A bank: one or several folders with `problems/` and `solutions/`, and how a problem is found in it."""
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib.metadata import entry_points
+from importlib.util import find_spec
 from pathlib import Path
 
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.reader import read_problem
 
+GROUP, VARIABLE, CHAPTER = "corollary.banks", "COROLLARY_BANK", "chapter"
 CODE_LINE = re.compile(r"""^code:[ \t]*["']?([\w.]+)["']?[ \t]*(?:#.*)?$""", re.MULTILINE)
 
 
@@ -20,15 +24,28 @@ class UnknownCode(LookupError):
 
 @dataclass(frozen=True, slots=True)
 class Bank:
+    """`folder` has the problems; where several banks are used as one, `more` are the folders of the others."""
+
     folder: Path
+    more: tuple[Path, ...] = ()
 
     @property
     def problems(self) -> Path:
         return self.folder / "problems"
 
     @property
+    def each(self) -> tuple[Bank, ...]:
+        """The banks it is made of, each with one folder."""
+        return tuple(Bank(folder) for folder in (self.folder, *self.more))
+
+    @property
     def sets(self) -> Path:
         return self.problems / "sets"
+
+    @property
+    def place(self) -> str:
+        """What `open_bank` opens it by."""
+        return os.pathsep.join(str(bank.folder.resolve()) for bank in self.each)
 
     def __getitem__(self, code: str) -> Problem:
         """The problem with this code, or this file name. Raises UnknownCode or Malformed."""
@@ -43,7 +60,8 @@ class Bank:
 
     def solution(self, problem: Problem) -> Path:
         """Where the solution of a problem must lie: the same path, the same name, under solutions/."""
-        return (self.folder / "solutions" / problem.path.relative_to(self.problems)).with_suffix(".py")
+        home = next((bank for bank in self.each if bank.problems in problem.path.parents), self)
+        return (home.folder / "solutions" / problem.path.relative_to(home.problems)).with_suffix(".py")
 
 
 def chapter_bank() -> Bank:
@@ -57,18 +75,48 @@ def chapter_bank() -> Bank:
     )
 
 
-def open_bank(folder: Path | None) -> Bank:
-    """The bank in a folder, or the chapter's. Raises Unknown when the folder is no bank."""
-    if folder is None:
-        return chapter_bank()
-    if not (folder / "problems").is_dir():
+def open_bank(place: Path | None) -> Bank:
+    """The bank in a folder, or that of an installed package; several, parted as in PATH, are one bank.
+
+    When nothing is named, what COROLLARY_BANK names, or the chapter's. Raises UnknownCode for what is no bank.
+    """
+    names = str(place or os.environ.get(VARIABLE, "")).split(os.pathsep)
+    folders = [_folder(name) for name in names if name] or [chapter_bank().folder]
+    first, *more = dict.fromkeys(folders)
+    return Bank(first, tuple(more))
+
+
+def _folder(name: str) -> Path:
+    """A folder, `chapter`, or the folder of a package that is installed: its entry point in `corollary.banks` has this name."""
+    folder = Path(name)
+    if (folder / "problems").is_dir():
+        return folder.resolve()
+    if name == CHAPTER:
+        return chapter_bank().folder
+    installed = {entry.name: entry for entry in entry_points(group=GROUP)}
+    if name in installed:
+        spec = find_spec(installed[name].module)
+        places = [Path(each) for each in (spec.submodule_search_locations or ())] if spec is not None else []
+        for package in places:
+            if (package / "problems").is_dir():
+                return package.resolve()
+        raise UnknownCode(
+            f"the bank {name} is installed, but {installed[name].value} has no folder problems/"
+        )
+    if folder.is_dir():
         raise UnknownCode(f"{folder} is no bank: it has no folder problems/")
-    return Bank(folder.resolve())
+    have = ", ".join([CHAPTER, *sorted(installed)])
+    raise UnknownCode(f"{folder} is no bank: it has no folder problems/, and the banks installed are {have}")
 
 
 def files(bank: Bank) -> list[Path]:
-    """Every problem file, by topic and name."""
-    return sorted(path for path in bank.problems.rglob("*.md") if bank.sets not in path.parents)
+    """Every problem file, by bank, topic and name."""
+    return [
+        path
+        for each in bank.each
+        for path in sorted(each.problems.rglob("*.md"))
+        if each.sets not in path.parents
+    ]
 
 
 def load(bank: Bank) -> list[Problem]:
@@ -121,9 +169,10 @@ def find(bank: Bank, code: str) -> Problem:
         path = Path(code).resolve()
         if not path.is_file():
             raise UnknownCode(f"there is no file {code}")
-        if bank.problems.resolve() not in path.parents:
+        if not any(each.problems.resolve() in path.parents for each in bank.each):
+            places = ", ".join(str(each.problems) for each in bank.each)
             raise UnknownCode(
-                f"{code} does not lie in {bank.problems}; name its own bank with --bank, or leave --bank out"
+                f"{code} does not lie in {places}; name its own bank with --bank, or leave --bank out"
             )
         return read_problem(path)
     for path in files(bank):

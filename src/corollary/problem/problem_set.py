@@ -59,9 +59,10 @@ class ProblemSet:
 
 def find_set(bank: Bank, name: str) -> ProblemSet:
     """The set called so in the bank's problems/sets, or in the file of that path. Raises Unknown or Malformed."""
-    path = Path(name) if name.endswith(".md") else bank.sets / f"{name}.md"
-    if not path.is_file():
-        have = ", ".join(sorted(file.stem for file in bank.sets.glob("*.md"))) or "none"
+    places = [Path(name)] if name.endswith(".md") else [each.sets / f"{name}.md" for each in bank.each]
+    path = next((place for place in places if place.is_file()), None)
+    if path is None:
+        have = ", ".join(sorted(file.stem for each in bank.each for file in each.sets.glob("*.md"))) or "none"
         raise UnknownCode(f"there is no problem set {name}; the bank has: {have}")
     return read_set(bank, path)
 

@@ -53,7 +53,7 @@ def assigned_anywhere(course: Course, student: str) -> dict[str, int]:
 def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = None) -> None:
     """Records the bank, and the set's file when it lies outside the bank. The chapter's bank is recorded as such: it moves
     when the program is installed anew."""
-    place = None if _is_chapters(bank) else str(bank.folder.resolve())
+    place = None if _is_chapters(bank) else bank.place
     record = {"bank": place, "set": None if file is None else str(file.resolve())}
     write_whole(_origin(course, set_name), json.dumps(record) + "\n")
 
@@ -87,17 +87,20 @@ def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
         raise NotACourse(
             f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
         ) from None
-    if place is not None and not (Path(place) / "problems").is_dir():
+    if place is None:
+        return chapter_bank(), file
+    try:
+        return open_bank(Path(place)), file
+    except UnknownCode:
         raise UnknownCode(
             f"the bank that {set_name} was dealt from is no longer in {place}; say where it is with --bank, "
             f"or generate {set_name} again from there (everybody keeps their numbers)"
-        )
-    return open_bank(None if place is None else Path(place)), file
+        ) from None
 
 
 def _is_chapters(bank: Bank) -> bool:
     try:
-        return bank.folder.resolve() == chapter_bank().folder.resolve()
+        return bank.place == chapter_bank().place
     except UnknownCode:
         return False
 
