@@ -35,6 +35,7 @@ _ = catalogue(__name__)
 LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 LARGEST_POWER = 9
+MOST_KEPT = 1024
 SIGNS = {"deg": "°", "ohm": "Ω"}
 """How units are shown that files spell out."""
 IN_TEX = {"deg": r"{}^{\circ}", "ohm": r"\Omega", "%": r"\%"}
@@ -53,6 +54,23 @@ def read_unit(text: str) -> Unit | ParseError:
     """The unit a student wrote; asks about `J/kg m` and `ms^-1`, refuses what is not in the table."""
     if len(text) > LONGEST_UNIT:
         return refused(_("a unit is not longer than {most} characters", most=LONGEST_UNIT), LONGEST_UNIT)
+    known = _READ.get((text, len(UNITS)))
+    if known is not None:
+        return known
+    found = _read(text)
+    if isinstance(found, Unit):
+        if len(_READ) >= MOST_KEPT:
+            _READ.clear()
+        _READ[text, len(UNITS)] = found
+    return found
+
+
+# A class writes the same few units over and over, and in a calculation each is read twice. Refusals are not kept: they are
+# sentences in the language of one reader. A unit more in the table may change what a text means.
+_READ: dict[tuple[str, int], Unit] = {}
+
+
+def _read(text: str) -> Unit | ParseError:
     plain = in_signs(text.translate(PLAIN))
     if temperature := TEMPERATURE.search(plain):
         written = plain[temperature.start() : temperature.end()]
