@@ -16,7 +16,20 @@ from pathlib import Path
 import pytest
 
 COMMAND = Path(sys.executable).with_name("corollary")
-COMMANDS = ("list", "show", "key", "judge", "read", "scene", "verify", "generate", "grade", "report", "demo")
+COMMANDS = (
+    "list",
+    "show",
+    "key",
+    "judge",
+    "read",
+    "scene",
+    "verify",
+    "generate",
+    "grade",
+    "report",
+    "export",
+    "demo",
+)
 PROBLEM = """\
 ---
 code: X1.1

@@ -123,7 +123,9 @@ def test_who_is_on_no_roster_gets_no_marks_and_a_flag_and_stops_nobody(
     assert {(row[2], row[3]) for row in rows(theirs, GRADES) if row[0] == "zoe"} == {(None, 1)}
 
 
-def test_a_notebook_that_came_to_grief_has_no_marks_and_a_flag(courses: tuple[Course, Course, str]) -> None:
+def test_a_notebook_that_could_not_be_run_has_no_marks_and_a_flag(
+    courses: tuple[Course, Course, str],
+) -> None:
     for course in courses[:2]:
         assert {(row[2], row[3]) for row in rows(course, GRADES) if row[0] == "nils"} >= {(0.0, 1)}
         assert all(row[3] for row in rows(course, GRADES) if row[0] == "nils")

@@ -31,7 +31,7 @@ def expected() -> tuple[type[BaseException], ...]:
         "corollary.records.files": ["NotACourse", "BeingGraded"],
         "corollary.render.exports": ["UnknownTarget"],
         "corollary.course.cluster": ["NoCluster"],
-        "corollary.course.grade": ["NotDealt"],
+        "corollary.course.grade": ["NotGenerated"],
         "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
         "corollary.nbgrader.config": ["NotOurs"],
         "corollary.sandbox.isolation": ["WeakIsolation"],

@@ -95,7 +95,7 @@ def scene(
     as_json: option.AsJson = False,
 ) -> None:
     """Runs a ready-made scene with the least model that answers, and says which and why."""
-    _run("scene", name=name, sets=settings or [], tolerance=tolerance, json=as_json)
+    _run("scene", name=name, sets=settings or [], tolerance=tolerance, as_json=as_json)
 
 
 @app.command()
@@ -118,7 +118,7 @@ def trade(
     quick: option.Quick = False,
 ) -> None:
     """Measures speed against accuracy; writes the table and the picture."""
-    _run("trade", scenes=scenes or [], output=output, json=as_json, quick=quick)
+    _run("trade", scenes=scenes or [], output=output, as_json=as_json, quick=quick)
 
 
 @app.command()

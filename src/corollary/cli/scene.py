@@ -10,14 +10,14 @@ from corollary.scenes.catalogue import run as play
 from corollary.scenes.run import GuardFailed, Observed
 
 
-def run(name: str, sets: list[str], tolerance: float, json: bool) -> int:
+def run(name: str, sets: list[str], tolerance: float, as_json: bool) -> int:
     settings = dict(_setting(option) for option in sets)
     try:
         found = play(name, settings, tolerance)
     except GuardFailed as error:
         say(f"corollary: {error}")
         return FAILS
-    if json:
+    if as_json:
         answer(
             {
                 "scene": found.scene,

@@ -9,12 +9,12 @@ from pathlib import Path
 from corollary.cli.failure import refuse
 
 
-def run(scenes: list[str], output: Path | None, json: bool, quick: bool) -> int:
+def run(scenes: list[str], output: Path | None, as_json: bool, quick: bool) -> int:
     """The races live outside of the package, since no other command needs them."""
     folder = str(_folder())
     if folder not in sys.path:
         sys.path.insert(0, folder)
-    return import_module("trade.command").run(scenes, output, json, quick)
+    return import_module("trade.command").run(scenes, output, as_json, quick)
 
 
 def _folder() -> Path:

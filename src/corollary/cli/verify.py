@@ -25,7 +25,7 @@ def run(codes: list[str], bank: Path | None, variants: int, as_json: bool, extre
     if extremes:
         from corollary.cli.verify_extremes import run_extremes
 
-        return run_extremes(todo, broken, scenes=not codes, json=as_json)
+        return run_extremes(todo, broken, scenes=not codes, as_json=as_json)
     found: list[Checked] = []
     with unstarted() as runner:
         for place, problem in steps(todo, lambda each: each[1].code, "verifying"):

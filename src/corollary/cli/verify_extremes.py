@@ -18,7 +18,7 @@ from corollary.verify.extremes import Pushed, push
 from corollary.verify.scene_extremes import Met, play
 
 
-def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, json: bool) -> int:
+def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, as_json: bool) -> int:
     """Each problem's closed forms and, when asked for, the scenes."""
     start, pushed = time.perf_counter(), []
     for place, problem in steps(todo, lambda each: each[1].code, "pushing"):
@@ -31,7 +31,7 @@ def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes:
     )
     ok = not broken and all(each.ok for each in (*pushed, *met))
     seconds = time.perf_counter() - start
-    if json:
+    if as_json:
         found = {"problems": [_problem(each) for each in pushed], "scenes": [_scene(each) for each in met]}
         answer({"ok": ok, **found, "malformed": broken, "seconds": round(seconds, 2)})
     else:

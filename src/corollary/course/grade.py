@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from nbgrader.api import Gradebook
 
 
-class NotDealt(LookupError):
+class NotGenerated(LookupError):
     """The set was never generated for this course; one sentence says what to do."""
 
 
@@ -71,7 +71,7 @@ def grade_set(
     A regrade marks everything first and shows who changes before anything is written; a dry run writes nothing at all.
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
     `begin` is called before the first notebook is run.
-    `progress` gets each student as their marks are written, and how many are left. Raises NotDealt, NotDerivable, CannotStart,
+    `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
     WeakIsolation, and what the gradebook refuses (GradebookLocked, NotRegistered).
     """
     name = problem_set.name
@@ -79,7 +79,9 @@ def grade_set(
     if not dry_run:
         settle(course, problem_set)
     if not assigned:
-        raise NotDealt(f"{name} was never generated in {course.folder}; run corollary generate {name} first")
+        raise NotGenerated(
+            f"{name} was never generated in {course.folder}; run corollary generate {name} first"
+        )
     roster = {student.id: student for student in students(course)}
     files = submissions(course, name)
     strangers = tuple(student for student in files if student not in roster or student not in assigned)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from corollary.course.demo.player import Hand, Player, right_sources
@@ -184,8 +184,8 @@ def late(sheet: Worksheet, keys: Keys) -> Hand:
     return replace(all_right(sheet, keys), late=30.0)
 
 
-def _player(id: str, first: str, last: str, plays: str, hand) -> Player:
-    return Player(Student(id, first, last, f"{id}@example.org"), plays, hand)
+def _player(name: str, first: str, last: str, plays: str, hand: Callable[[Worksheet, Keys], Hand]) -> Player:
+    return Player(Student(name, first, last, f"{name}@example.org"), plays, hand)
 
 
 PLAYERS = (
