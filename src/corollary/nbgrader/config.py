@@ -36,6 +36,10 @@ c.GenerateFeedback.force = True
 """
 
 
+# Where versions up to 0.1 had the classes that a course's file imports; the file stays with the course, and they moved.
+FORMERLY = "from corollary.deliver.nbgrader_autograde import "
+
+
 class NotOurs(Exception):
     """A file stands in the way that somebody else wrote; one sentence says which, and what to do."""
 
@@ -46,6 +50,16 @@ def write_config(course: Course) -> None:
     path = course.folder / "nbgrader_config.py"
     if not path.exists():
         write_whole(path, TEXT.replace("__NAME__", repr(course.name)))
+    renew_config(course)
+
+
+def renew_config(course: Course) -> None:
+    """Lets a file from an older version find our classes where they are now; all else in it is left as it is."""
+    path = course.folder / "nbgrader_config.py"
+    text = path.read_text(encoding="utf-8", errors="surrogateescape") if path.exists() else ""
+    if FORMERLY in text:
+        renewed = text.replace(FORMERLY, "from corollary.nbgrader.autograde import ")
+        write_whole(path, renewed.encode("utf-8", "surrogateescape"))
 
 
 def check_config(folder: Path) -> None:

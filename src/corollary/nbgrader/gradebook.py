@@ -10,6 +10,7 @@ from errno import ENOSPC
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from corollary.nbgrader.config import renew_config
 from corollary.records.files import Course
 
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ def settings(course: Course) -> Config:
     """What the course's nbgrader_config.py sets."""
     from traitlets.config.loader import ConfigFileNotFound, PyFileConfigLoader
 
+    renew_config(course)
     try:
         found = PyFileConfigLoader("nbgrader_config.py", path=str(course.folder)).load_config()
     except ConfigFileNotFound:
