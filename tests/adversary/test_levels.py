@@ -6,6 +6,8 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +19,16 @@ FOUR = {"reads", "writes", "signals", "network"}
 HERE = Path(__file__).parent
 
 
+@pytest.fixture
+def everybodys() -> Iterator[Path]:
+    """A folder that any user may enter and write to; pytest's own are for one user, and each session makes them so again."""
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder).chmod(0o777)
+        yield Path(folder)
+
+
 def as_ordinary_user(script: str, *arguments: str, folder: Path) -> dict[str, Any]:
     """What the script prints; `folder` is its home and holds its temporary files."""
-    for each in (folder, *list(folder.parents)[:2]):  # pytest's own are for one user
-        each.chmod(0o777)
     environment = {**os.environ, "HOME": str(folder), "TMPDIR": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, str(HERE / "ordinary_user.py"), str(HERE / script), *arguments]
     done = subprocess.run(command, env=environment, cwd="/", capture_output=True, text=True, check=False)
@@ -42,8 +50,8 @@ def as_ordinary_user(script: str, *arguments: str, folder: Path) -> dict[str, An
     ],
     ids=" ".join,
 )
-def test_what_is_guaranteed_to_an_ordinary_user_is_so(without: tuple[str, ...], tmp_path: Path) -> None:
-    found = as_ordinary_user("bystanders.py", *without, folder=tmp_path)
+def test_what_is_guaranteed_to_an_ordinary_user_is_so(without: tuple[str, ...], everybodys: Path) -> None:
+    found = as_ordinary_user("bystanders.py", *without, folder=everybodys)
     assert found["ran"] == ["ok", "ok"]
     assert found["level"] == found["promised"], found
     for guarantee in found["guaranteed"]:

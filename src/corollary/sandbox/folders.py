@@ -120,7 +120,7 @@ def _remove_abandoned() -> None:
 
 def _remove(path: Path) -> None:
     """With everything in it; a notebook may have made folders that their owner may not enter. What resists is left."""
-    if path.is_symlink() or not path.is_dir():
+    if os.path.islink(path) or not os.path.isdir(path):
         with contextlib.suppress(OSError):
             path.unlink()
         return
