@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from importlib import metadata
 
 import pytest
 
+from corollary.notebook.check import Check
 from corollary.notebook.check_cell import check_source
 from corollary.notebook.worksheet import Worksheet
 
@@ -180,3 +182,22 @@ def test_its_code_can_be_printed(ada: Worksheet):
     exec(check_source(ada), space)
     assert "# corollary.answers.value.reading\n" in space["check"].source
     assert "def read_quantity(" in space["check"].source
+
+
+def test_the_code_that_is_installed_is_used_where_it_is_of_the_same_version(ada: Worksheet):
+    space: dict = {}
+    exec(check_source(ada), space)
+    assert type(space["check"]) is Check
+
+
+def test_code_of_another_version_is_carried_beside_what_is_installed(
+    ada: Worksheet, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    before = {name: module for name, module in sys.modules.items() if name.startswith("corollary")}
+    monkeypatch.setattr(metadata, "version", lambda package: "0.0.1")
+    space: dict = {"X12_5_a": "2mv"}
+    exec(check_source(ada), space)
+    assert type(space["check"]) is not Check
+    space["check"]("X12_5_a")
+    assert capsys.readouterr().out == "X12_5_a: read as 2*m*v\n"
+    assert {name: module for name, module in sys.modules.items() if name.startswith("corollary")} == before

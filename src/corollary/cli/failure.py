@@ -7,6 +7,27 @@ import sys
 from typing import Any, NoReturn
 
 HOLDS, FAILS, REFUSED = 0, 1, 2
+# What is raised when a request or an author's file is wrong, by the module that defines it.
+RAISED = {
+    "corollary.api": ["UnknownPart"],
+    "corollary.answers.registry": ["UnknownAnswerType"],
+    "corollary.notebook.packing": ["NotCarried"],
+    "corollary.problem.diagnostic": ["Malformed"],
+    "corollary.problem.bank": ["UnknownCode"],
+    "corollary.problem.variant": ["OutOfRange"],
+    "corollary.derive.load": ["NotDerivable"],
+    "corollary.grading.assign": ["NoVariant"],
+    "corollary.formula.errors": ["Undefined"],
+    "corollary.scenes.run": ["BadSetting"],
+    "corollary.records.files": ["NotACourse", "BeingGraded"],
+    "corollary.render.exports": ["UnknownTarget"],
+    "corollary.course.cluster": ["NoCluster"],
+    "corollary.course.grade": ["NotGenerated"],
+    "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
+    "corollary.nbgrader.config": ["NotOurs"],
+    "corollary.sandbox.isolation": ["WeakIsolation"],
+    "corollary.sandbox.zygote": ["CannotStart"],
+}
 
 
 class Refusal(Exception):
@@ -19,31 +40,13 @@ def refuse(sentence: str) -> NoReturn:
 
 def expected() -> tuple[type[BaseException], ...]:
     """What the lower floors raise when a request or an author's file is wrong; looked up only when something was raised."""
-    names = {
-        "corollary.api": ["UnknownPart"],
-        "corollary.problem.diagnostic": ["Malformed"],
-        "corollary.problem.bank": ["UnknownCode"],
-        "corollary.problem.variant": ["OutOfRange"],
-        "corollary.derive.errors": ["NotDerivable"],
-        "corollary.grading.assign": ["NoVariant"],
-        "corollary.formula.compiled": ["Undefined"],
-        "corollary.scenes.run": ["BadSetting"],
-        "corollary.records.files": ["NotACourse", "BeingGraded"],
-        "corollary.render.exports": ["UnknownTarget"],
-        "corollary.course.cluster": ["NoCluster"],
-        "corollary.course.grade": ["NotGenerated"],
-        "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
-        "corollary.nbgrader.config": ["NotOurs"],
-        "corollary.sandbox.isolation": ["WeakIsolation"],
-        "corollary.sandbox.zygote": ["CannotStart"],
-    }
     return (
         Refusal,
         *(
             getattr(sys.modules[module], name)
-            for module, kinds in names.items()
+            for module, names in RAISED.items()
             if module in sys.modules
-            for name in kinds
+            for name in names
         ),
     )
 
