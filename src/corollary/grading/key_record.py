@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.text import text
@@ -10,6 +11,8 @@ from corollary.grading.from_json import finite
 from corollary.grading.key import Key
 from corollary.problem.part import Part
 from corollary.units.unit import canonical, si_unit
+
+T = TypeVar("T")
 
 
 def key_record(key: Key) -> dict[str, Any]:
@@ -72,6 +75,6 @@ def si_name(part: Part) -> str:
     )
 
 
-def _one(values, show, part: Part):
+def _one(values: Sequence[T], show: Callable[[T], object], part: Part) -> object:
     """A list for what has components, else the one."""
     return [show(value) for value in values] if part.components else show(values[0])

@@ -24,7 +24,7 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
 
     Never raises for what an author did wrong; it is a complaint.
     """
-    tally, share, reasons = Tally(), 0.0, {}
+    tally, share, reasons = Tally(), 0.0, dict[str, int]()
     number, exact = variants(problem)
     check_figure(problem, tally)
     try:
