@@ -1,4 +1,4 @@
-"""The key as plain data, as `corollary key --json` shows it."""
+"""The key as data, as `corollary key --json` shows it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ T = TypeVar("T")
 
 
 def key_record(key: Key) -> dict[str, Any]:
-    """Every part of a variant: values in SI with their formulas, or what its kind has."""
+    """Every part of a variant: values in SI with their formulas, or what its answer type has."""
     problem = key.variant.problem
     return {
         "code": problem.code,

@@ -1,4 +1,4 @@
-"""What a part's judge may be handed beside plain values: what the student's functions returned, and the figures drawn."""
+"""What a part's judge may be handed beside values: what the student's functions returned, and the figures drawn."""
 
 from __future__ import annotations
 
