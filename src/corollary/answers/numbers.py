@@ -211,8 +211,6 @@ def _is_angle(text: str, unit: Unit) -> bool:
 
 def _reading(found: Reading, unit: Unit) -> Numbers:
     ratio, pi = found.si
-    if found.fit == "unit missing":
-        ratio, pi = ratio * unit.factor, pi + unit.pi
     try:
         value = float(ratio) * math.pi**pi
     except OverflowError:

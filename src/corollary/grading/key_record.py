@@ -1,9 +1,8 @@
-"""The key as data, as `corollary key --json` shows it."""
+"""The key as plain data, as `corollary key --json` shows it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.text import text
@@ -12,11 +11,9 @@ from corollary.grading.key import Key
 from corollary.problem.part import Part
 from corollary.units.unit import canonical, si_unit
 
-T = TypeVar("T")
-
 
 def key_record(key: Key) -> dict[str, Any]:
-    """Every part of a variant: values in SI with their formulas, or what its answer type has."""
+    """Every part of a variant: values in SI with their formulas, or what its kind has."""
     problem = key.variant.problem
     return {
         "code": problem.code,
@@ -75,6 +72,6 @@ def si_name(part: Part) -> str:
     )
 
 
-def _one(values: Sequence[T], show: Callable[[T], object], part: Part) -> object:
+def _one(values, show, part: Part):
     """A list for what has components, else the one."""
     return [show(value) for value in values] if part.components else show(values[0])

@@ -33,10 +33,16 @@ class Carried(MetaPathFinder, InspectLoader):
 
 def checker(carried: Mapping[str, Any], space: Mapping[str, Any]) -> object:
     """`check` for the answers in `space`, made of the code that is carried, or of the same code where it is installed."""
-    names = ["corollary.notebook.check", *(f"{folder}.reading" for folder in carried["folders"].values())]
+    names = [
+        "corollary.notebook.check",
+        "corollary.units.table",
+        *(f"{folder}.reading" for folder in carried["folders"].values()),
+    ]
     same = all(_installed(package) == its_version for package, its_version in carried["versions"].items())
     modules = _imported(carried["modules"], [] if same else names)
-    check, *readings = [import_module(name) for name in names] if same else modules
+    check, units, *readings = [import_module(name) for name in names] if same else modules
+    for row in carried["units"]:
+        units.register(*row)
     types = {name: module.TYPE for name, module in zip(carried["folders"], readings, strict=True)}
     return check.Check(types, carried["questions"], space, carried["modules"])
 

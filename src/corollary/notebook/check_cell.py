@@ -15,6 +15,7 @@ from corollary.answers.registry import folder
 from corollary.messages import catalogue
 from corollary.notebook.packing import modules
 from corollary.notebook.worksheet import Worksheet
+from corollary.units.table import rows_of_others
 
 _ = catalogue(__name__)
 
@@ -54,6 +55,7 @@ def _carried(questions: tuple[Question, ...]) -> str:
         "loader": files("corollary.notebook").joinpath("carried.py").read_text(encoding="utf-8"),
         "versions": _versions(types),
         "folders": {name: folder(name) for name in types},
+        "units": rows_of_others(),
         "questions": [question.as_data() for question in questions],
         "modules": dict(modules(types)),
     }

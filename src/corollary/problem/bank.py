@@ -89,17 +89,19 @@ def open_bank(place: Path | None) -> Bank:
 def _folder(name: str) -> Path:
     """A folder, `chapter`, or the folder of a package that is installed: its entry point in `corollary.banks` has this name."""
     folder = Path(name)
-    if (folder / "problems").is_dir():
-        return folder.resolve()
-    if name == CHAPTER:
+    if name == CHAPTER or folder == chapter_bank().folder:
         return chapter_bank().folder
     installed = {entry.name: entry for entry in entry_points(group=GROUP)}
+    if (folder / "problems").is_dir():
+        for entry in installed.values():
+            if folder.resolve() in _folders_of(entry.module):
+                entry.load()  # a bank may bring units, which its package registers: also when it is named by its folder
+        return folder.resolve()
     if name in installed:
-        spec = find_spec(installed[name].module)
-        places = [Path(each) for each in (spec.submodule_search_locations or ())] if spec is not None else []
-        for package in places:
+        for package in _folders_of(installed[name].module):
             if (package / "problems").is_dir():
-                return package.resolve()
+                installed[name].load()
+                return package
         raise UnknownCode(
             f"the bank {name} is installed, but {installed[name].value} has no folder problems/"
         )
@@ -107,6 +109,16 @@ def _folder(name: str) -> Path:
         raise UnknownCode(f"{folder} is no bank: it has no folder problems/")
     have = ", ".join([CHAPTER, *sorted(installed)])
     raise UnknownCode(f"{folder} is no bank: it has no folder problems/, and the banks installed are {have}")
+
+
+def _folders_of(module: str) -> list[Path]:
+    """Where a package lies; nowhere, when what an entry point names is not there."""
+    try:
+        spec = find_spec(module)
+    except ModuleNotFoundError:
+        return []
+    places = (spec.submodule_search_locations or ()) if spec is not None else ()
+    return [Path(place).resolve() for place in places]
 
 
 def files(bank: Bank) -> list[Path]:

@@ -70,21 +70,8 @@ def read_problem(path: Path) -> Problem:
         )
     if complaints:
         raise Malformed(complaints)
-    return Problem(
-        code,
-        path.stem,
-        title,
-        source,
-        path.parent.name,
-        statement,
-        givens,
-        tuple(conditions),
-        parts,
-        figure,
-        alt,
-        path,
-        figure_line,
-    )
+    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path,
+                   figure_line)  # fmt: skip
 
 
 def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Diagnostic]) -> Given | None:

@@ -11,6 +11,8 @@ PREFIXES = {"": 0, "p": -12, "n": -9, "u": -6, "m": -3, "c": -2, "d": -1, "h": 2
 TYPED = {"u": "uµμ", "k": "kK"}  # the two signs for micro, and Kg for kg, are both typed
 IN_WORDS = {"micro": "u", "milli": "m", "centi": "c", "kilo": "k", "mega": "M"}
 
+ROWS: list[tuple[str, ...]] = []
+"""Every unit as it was registered."""
 UNITS: dict[str, Unit] = {}
 """What may be typed for a single unit, with its prefix: `kN`, `µs`, `Newton`, `milliseconds`."""
 
@@ -36,8 +38,15 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
     for typed, unit in found.items():
         if UNITS.get(typed, unit) != unit:
             raise ValueError(f"the unit {name}: {typed} means {UNITS[typed].text} already")
+    if any(typed not in UNITS for typed in found):
+        ROWS.append((symbols, base_units, size, prefixes, words))
     UNITS.update(found)
     return found[name]
+
+
+def rows_of_others() -> list[tuple[str, ...]]:
+    """What other packages have registered: a notebook carries it, for students type those units, too."""
+    return ROWS[_OURS:]
 
 
 def _numbers(word: str) -> tuple[str, ...]:
@@ -89,6 +98,7 @@ UNSUGGESTED = frozenset(UNITS)
 """Not offered for what is mistyped: a letter of a formula (`2 m v`) is rather no unit at all than a volt."""
 for _row in MECHANICS.strip().splitlines():
     register(*(_cell.strip() for _cell in _row.split("|")))
+_OURS = len(ROWS)
 
 NAMED = ("N", "J", "W", "Pa", "C", "V", "F", "ohm", "Wb", "T", "H")
 """Units under whose own name a dimension is shown. Not Hz, Bq, Gy, lm …: 1/s is not always a frequency."""

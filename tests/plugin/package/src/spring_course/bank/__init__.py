@@ -1,0 +1,1 @@
+"""The bank of the course: `problems/` and `solutions/` lie beside this file."""

@@ -1,0 +1,1 @@
+"""An interval of numbers: from where to where."""
