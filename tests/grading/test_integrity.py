@@ -26,8 +26,8 @@ def paper(name: str, place: int) -> Worksheet:
 ADA, BEN = paper("ada", 1000), paper("ben", 2000)
 
 
-def cell(nb: NotebookNode, id: str) -> NotebookNode:
-    return next(each for each in nb.cells if each.id == id)
+def cell(nb: NotebookNode, cell_id: str) -> NotebookNode:
+    return next(each for each in nb.cells if each.id == cell_id)
 
 
 def test_an_honest_notebook_is_left_in_peace() -> None:
@@ -53,18 +53,18 @@ def test_somebody_elses_notebook_is_told_by_name_and_without_its_name() -> None:
 
 
 @pytest.mark.parametrize(
-    ("id", "what"),
+    ("cell_id", "what"),
     [
         ("X12_5_statement", "numbers that were handed out"),
         ("X12_5_a", "earns nothing"),
         ("setup", "earns nothing"),
     ],
 )
-def test_an_edited_cell_is_named(id: str, what: str) -> None:
+def test_an_edited_cell_is_named(cell_id: str, what: str) -> None:
     nb = notebook(ADA)
-    cell(nb, id).source += " and more"
+    cell(nb, cell_id).source += " and more"
     (said,) = notes(ADA, nb)
-    assert said.startswith(f"The cell {id} is edited")
+    assert said.startswith(f"The cell {cell_id} is edited")
     assert what in said
 
 

@@ -32,8 +32,8 @@ def played(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict]:
 def test_everybody_gets_what_they_deserve(played: tuple[Path, dict]) -> None:
     _, told = played
     assert len(told["students"]) >= 12
-    assert {id: row["points"] for id, row in told["students"].items()} == {
-        id: row["deserved"] for id, row in told["students"].items()
+    assert {student: row["points"] for student, row in told["students"].items()} == {
+        student: row["deserved"] for student, row in told["students"].items()
     }
     assert told["fair"]
 
@@ -45,9 +45,9 @@ def test_the_gradebook_holds_the_same_points(played: tuple[Path, dict]) -> None:
             "select s.student_id, sum(g.auto_score) from submitted_assignment s join submitted_notebook n on n.assignment_id = s.id "
             "join grade g on g.notebook_id = n.id group by s.student_id"
         ))  # fmt: skip
-    for id, row in told["students"].items():
-        share = 0.8 if id == "omar" else 1.0
-        assert (rows[id] or 0) * share == pytest.approx(row["points"]), id
+    for student, row in told["students"].items():
+        share = 0.8 if student == "omar" else 1.0
+        assert (rows[student] or 0) * share == pytest.approx(row["points"]), student
 
 
 def test_a_second_run_skips_everybody_and_changes_nothing(played: tuple[Path, dict]) -> None:

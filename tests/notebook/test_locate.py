@@ -18,8 +18,8 @@ def nb(ada: Worksheet):
     return notebook(ada)
 
 
-def cell(nb, id: str):
-    return next(cell for cell in nb.cells if cell.id == id)
+def cell(nb, cell_id: str):
+    return next(cell for cell in nb.cells if cell.id == cell_id)
 
 
 @pytest.fixture

@@ -23,8 +23,8 @@ def nb(ada: Worksheet):
     return notebook(ada)
 
 
-def cell(nb, id: str):
-    return next(cell for cell in nb.cells if cell.id == id)
+def cell(nb, cell_id: str):
+    return next(cell for cell in nb.cells if cell.id == cell_id)
 
 
 def test_it_is_a_valid_notebook_and_reads_back_the_same(nb):
@@ -54,14 +54,14 @@ def test_nbgrader_accepts_every_cell_and_its_checksum(nb):
 def test_each_part_has_its_cells_in_order(nb):
     ids = [cell.id for cell in nb.cells]
     assert ids[:5] == ["title", "how_to_answer", "setup", "X12_5_statement", "X12_5_figure"]
-    assert [id for id in ids if id.startswith("X12_5_f")][1:] == [
+    assert [each for each in ids if each.startswith("X12_5_f")][1:] == [
         "X12_5_f_text",
         "X12_5_f_answer",
         "X12_5_f_plot",
         "X12_5_f",
     ]
-    assert [id for id in ids if id.startswith("X12_5_g")] == ["X12_5_g_text", "X12_5_g_plot", "X12_5_g"]
-    assert [id for id in ids if id.startswith("X12_5_e")] == ["X12_5_e_text", "X12_5_e"]
+    assert [each for each in ids if each.startswith("X12_5_g")] == ["X12_5_g_text", "X12_5_g_plot", "X12_5_g"]
+    assert [each for each in ids if each.startswith("X12_5_e")] == ["X12_5_e_text", "X12_5_e"]
     assert ids[-2:] == ["closing", "check_all"]
 
 

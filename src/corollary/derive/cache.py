@@ -9,7 +9,7 @@ import sys
 from contextlib import suppress
 from dataclasses import fields
 from functools import cache
-from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -105,11 +105,13 @@ def _origin(bank: Bank, problem: Problem) -> str:
 
 @cache
 def _programs() -> bytes:
-    digest = hashlib.sha256(repr((corollary.__version__, sys.version, *map(version, ALGEBRA))).encode())
+    """By size and moment of change, not by text: reading them all takes longer than a key. A copy elsewhere is solved anew."""
     package = Path(corollary.__file__).parent
-    for path in sorted(path for room in ROOMS for path in _sources(package / room)):
-        text = path.read_bytes()
-        digest.update(f"{path.relative_to(package)} {len(text)}\n".encode() + text)
+    algebra = [Path(spec.origin) for name in ALGEBRA if (spec := find_spec(name)) and spec.origin]
+    digest = hashlib.sha256(repr((corollary.__version__, sys.version)).encode())
+    for path in sorted([path for room in ROOMS for path in _sources(package / room)] + algebra):
+        state = path.stat()
+        digest.update(f"{path} {state.st_size} {state.st_mtime_ns}\n".encode())
     return digest.digest()
 
 

@@ -39,8 +39,8 @@ class Problem:
     def given(self, symbol: str) -> Given:
         return next(given for given in self.givens if given.symbol == symbol)
 
-    def part(self, id: str) -> Part:
-        return next(part for part in self.parts if part.id == id)
+    def part(self, part_id: str) -> Part:
+        return next(part for part in self.parts if part.id == part_id)
 
     @property
     def prefix(self) -> str:
