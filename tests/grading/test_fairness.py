@@ -144,3 +144,10 @@ def test_a_factor_of_nought_makes_no_law(key):
         {"f": from_json(["mA*A_x*B_x + mA*A_y*B_y = 0", "v0 = A_x + B_x", "A_x*B_x + A_y*B_y = 0"])},
     )["f"]
     assert isinstance(verdict, Wrong)
+
+
+def test_a_letter_with_a_zero_behind_it_is_no_unit(verdicts):
+    """F0 is the force at the top of the pulse, and neither a farad nor a number beside one."""
+    found = verdicts("S12.3", a="2*F0")["a"]
+    assert isinstance(found, Unread)
+    assert "2*F0 is not in N s: it is a force" in found.why

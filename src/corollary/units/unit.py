@@ -148,7 +148,7 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
 
 def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
     power = _power(power_text)
-    if power is None or abs(power) > LARGEST_POWER:
+    if not power or abs(power) > LARGEST_POWER:  # F0 is a letter of the problem, not a farad to the power 0
         return refused(_("a unit to the power {power} does not occur here", power=power_text.strip("^*")), at)
     if symbol == "ms" and power < 0:
         return ambiguous(
