@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.failure import HOLDS, answer, refuse, say
+from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.progress import steps
 from corollary.scenes.integrate.fixed_step import METHODS
 

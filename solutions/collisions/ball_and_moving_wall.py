@@ -13,34 +13,74 @@ def derive(vA, vB):
     m, M = sympy.symbols("m M", positive=True)
     return derivation(
         step(
-            w_0, "A velocity measured from the ground is the wall's velocity plus the one measured from the wall.",
-            seen_from(w_0, vA, vB), answers="b",
+            w_0,
+            "A velocity measured from the ground is the wall's velocity plus the one measured from the wall.",
+            seen_from(w_0, vA, vB),
+            answers="b",
             mistakes=[
-                mistake("The wall's own velocity is taken off, with its sign: who rides towards the ball sees it come faster.", law("Relative motion", "w = v + u", w=w_0, v=vA, u=vB)),
-                mistake("That is the wall's velocity as seen from the ball; asked is the ball's, seen from the wall.", law("Relative motion", "w = u - v", w=w_0, v=vA, u=vB)),
-                mistake("That is the velocity measured from the ground; someone on the wall moves too.", law("Relative motion", "w = v", w=w_0, v=vA)),
+                mistake(
+                    "The wall's own velocity is taken off, with its sign: who rides towards the ball sees it come faster.",
+                    law("Relative motion", "w = v + u", w=w_0, v=vA, u=vB),
+                ),
+                mistake(
+                    "That is the wall's velocity as seen from the ball; asked is the ball's, seen from the wall.",
+                    law("Relative motion", "w = u - v", w=w_0, v=vA, u=vB),
+                ),
+                mistake(
+                    "That is the velocity measured from the ground; someone on the wall moves too.",
+                    law("Relative motion", "w = v", w=w_0, v=vA),
+                ),
             ],
             check="If the wall comes towards the ball, the ball seems faster from there.",
         ),
         step(
-            w_1, "For someone on the wall, a light ball hits a very heavy wall at rest: its velocity is just turned round.",
-            in_the_limit(w_1, after_elastic(A=(m, w_0), B=(M, 0))[0], M, sympy.oo, "the ball's mass is negligible beside the wall's"),
+            w_1,
+            "For someone on the wall, a light ball hits a very heavy wall at rest: its velocity is just turned round.",
+            in_the_limit(
+                w_1,
+                after_elastic(A=(m, w_0), B=(M, 0))[0],
+                M,
+                sympy.oo,
+                "the ball's mass is negligible beside the wall's",
+            ),
         ),
         step(
-            v_1, "Back on the ground the wall's velocity is added again.",
-            seen_from(w_1, v_1, vB), answers="a",
+            v_1,
+            "Back on the ground the wall's velocity is added again.",
+            seen_from(w_1, v_1, vB),
+            answers="a",
             mistakes=[
-                mistake("You treated the wall as if it stood still: turn the velocity *relative to the wall* round.", law("Relative motion", "v = -v_A", v=v_1, v_A=vA)),
-                mistake("That is the velocity seen from the wall; come back to the ground.", law("Relative motion", "v = w", v=v_1, w=w_1)),
-                mistake("The wall's velocity has a sign: you counted it the other way round.", law("Relative motion", "v = -v_A - 2*v_B", v=v_1, v_A=vA, v_B=vB)),
+                mistake(
+                    "You treated the wall as if it stood still: turn the velocity *relative to the wall* round.",
+                    law("Relative motion", "v = -v_A", v=v_1, v_A=vA),
+                ),
+                mistake(
+                    "That is the velocity seen from the wall; come back to the ground.",
+                    law("Relative motion", "v = w", v=v_1, w=w_1),
+                ),
+                mistake(
+                    "The wall's velocity has a sign: you counted it the other way round.",
+                    law("Relative motion", "v = -v_A - 2*v_B", v=v_1, v_A=vA, v_B=vB),
+                ),
             ],
             check="A wall at rest gives -v; a wall that comes towards the ball sends it back faster.",
         ),
         neglected(
-            "a", "that the wall, too, is pushed", eps, "The law of elastic collisions, for a wall n times as heavy as the ball, less the limit.",
-            law("Difference", "epsilon = v_n - v_1", source="(12.79)", epsilon=eps, v_n=after_elastic(A=(1, vA), B=(n, vB))[0], v_1=v_1), supposing=[heavy],
+            "a",
+            "that the wall, too, is pushed",
+            eps,
+            "The law of elastic collisions, for a wall n times as heavy as the ball, less the limit.",
+            law(
+                "Difference",
+                "epsilon = v_n - v_1",
+                source="(12.79)",
+                epsilon=eps,
+                v_n=after_elastic(A=(1, vA), B=(n, vB))[0],
+                v_1=v_1,
+            ),
+            supposing=[heavy],
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(vA, vB, answer, neglected):

@@ -7,45 +7,95 @@ from corollary.laws import change_of_kinetic_energy, law, level_floor, sliding_t
 def derive(m, M, mu, d, g):
     N, u, v, dK = unknowns("N u v dK")
     return derivation(
-        step(N, "On a level table the normal force carries the weight of block and bullet.", level_floor(N, m + M, g)),
         step(
-            u, "On the rough table friction does negative work until all kinetic energy is gone.",
-            sliding_to_rest(m=m + M, v=u, mu=mu, N=N, d=d), where=u >= 0,
+            N,
+            "On a level table the normal force carries the weight of block and bullet.",
+            level_floor(N, m + M, g),
+        ),
+        step(
+            u,
+            "On the rough table friction does negative work until all kinetic energy is gone.",
+            sliding_to_rest(m=m + M, v=u, mu=mu, N=N, d=d),
+            where=u >= 0,
             mistakes=[
-                mistake("You left out the factor 1/2 of the kinetic energy on the rough table.", law("Work and kinetic energy", "m*v^2 = mu*N*d", m=m + M, v=u, mu=mu, N=N, d=d)),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy on the rough table.",
+                    law("Work and kinetic energy", "m*v^2 = mu*N*d", m=m + M, v=u, mu=mu, N=N, d=d),
+                ),
             ],
         ),
         step(
-            v, "In the hit momentum is kept: no outside force acts along the smooth table. Bullet and block move on as one.",
-            sticking(before=[(m, v), (M, 0)], together=u), answers="a", where=v >= 0,
+            v,
+            "In the hit momentum is kept: no outside force acts along the smooth table. Bullet and block move on as one.",
+            sticking(before=[(m, v), (M, 0)], together=u),
+            answers="a",
+            where=v >= 0,
             mistakes=[
-                mistake("Kinetic energy is not kept when a bullet gets stuck; momentum is.",
-                        law("Conservation of momentum", "m*v^2/2 = (m + M)*u^2/2", m=m, v=v, M=M, u=u)),
-                mistake("That is the speed of block and bullet just after the hit. One step is left: momentum in the collision.",
-                        law("Conservation of momentum", "v = u", v=v, u=u)),
-                mistake("After the hit the bullet is in the block: both masses move together.", law("Conservation of momentum", "m*v = M*u", m=m, v=v, M=M, u=u)),
+                mistake(
+                    "Kinetic energy is not kept when a bullet gets stuck; momentum is.",
+                    law("Conservation of momentum", "m*v^2/2 = (m + M)*u^2/2", m=m, v=v, M=M, u=u),
+                ),
+                mistake(
+                    "That is the speed of block and bullet just after the hit. One step is left: momentum in the collision.",
+                    law("Conservation of momentum", "v = u", v=v, u=u),
+                ),
+                mistake(
+                    "After the hit the bullet is in the block: both masses move together.",
+                    law("Conservation of momentum", "m*v = M*u", m=m, v=v, M=M, u=u),
+                ),
             ],
             check="A heavy block that slides far needs a fast bullet; with M → 0 the bullet would simply slide on at u.",
         ),
         step(
-            dK, "The change is the kinetic energy of both together just after the hit, less that of the bullet before it.",
-            change_of_kinetic_energy(dK, before=[(m, v), (M, 0)], after=[(m, u), (M, u)]), answers="b",
+            dK,
+            "The change is the kinetic energy of both together just after the hit, less that of the bullet before it.",
+            change_of_kinetic_energy(dK, before=[(m, v), (M, 0)], after=[(m, u), (M, u)]),
+            answers="b",
             routes=[
-                route("The same from the bullet's speed alone: the common velocity follows from momentum.",
-                      law("Loss in a perfectly inelastic collision", "dK = -(m*M/(m + M))*v^2/2", source="(12.88)", dK=dK, m=m, M=M, v=v)),
-                route("The same from the work of friction: what is left after the hit is m u²/2 of both, and u follows from the sliding.",
-                      law("Loss in a perfectly inelastic collision", "dK = mu*g*(m + M)*d - m*v^2/2", dK=dK, m=m, M=M, mu=mu, g=g, d=d, v=v)),
+                route(
+                    "The same from the bullet's speed alone: the common velocity follows from momentum.",
+                    law(
+                        "Loss in a perfectly inelastic collision",
+                        "dK = -(m*M/(m + M))*v^2/2",
+                        source="(12.88)",
+                        dK=dK,
+                        m=m,
+                        M=M,
+                        v=v,
+                    ),
+                ),
+                route(
+                    "The same from the work of friction: what is left after the hit is m u²/2 of both, and u follows from the sliding.",
+                    law(
+                        "Loss in a perfectly inelastic collision",
+                        "dK = mu*g*(m + M)*d - m*v^2/2",
+                        dK=dK,
+                        m=m,
+                        M=M,
+                        mu=mu,
+                        g=g,
+                        d=d,
+                        v=v,
+                    ),
+                ),
             ],
             mistakes=[
-                mistake("That is the work of friction on the rough table; asked is the change in the collision itself.",
-                        law("Change of kinetic energy", "dK = -mu*N*d", dK=dK, mu=mu, N=N, d=d)),
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Change of kinetic energy", "dK = (m + M)*u^2 - m*v^2", dK=dK, m=m, M=M, u=u, v=v)),
-                mistake("You squared the difference of the velocities; take the difference of the kinetic energies.",
-                        law("Change of kinetic energy", "dK = m*(u - v)^2/2", dK=dK, m=m, u=u, v=v)),
+                mistake(
+                    "That is the work of friction on the rough table; asked is the change in the collision itself.",
+                    law("Change of kinetic energy", "dK = -mu*N*d", dK=dK, mu=mu, N=N, d=d),
+                ),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Change of kinetic energy", "dK = (m + M)*u^2 - m*v^2", dK=dK, m=m, M=M, u=u, v=v),
+                ),
+                mistake(
+                    "You squared the difference of the velocities; take the difference of the kinetic energies.",
+                    law("Change of kinetic energy", "dK = m*(u - v)^2/2", dK=dK, m=m, u=u, v=v),
+                ),
             ],
             check="It is negative: a perfectly inelastic collision always costs kinetic energy.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(m, M, mu, d, g, answer):

@@ -34,34 +34,77 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
 
     return derivation(
         step(r, "The distance of the centres.", distance(r, (dx, dy))),
-        step(delta, "The spheres touch when their centres are $2R$ apart; they overlap by what is missing.", overlap(delta, R=R, r=r),
-             mistakes=[mistake("The centres are $2R$ apart when the spheres just touch; you compared with $R$.", overlap(delta, R=R / 2, r=r))]),
-        step(theta, "The force acts only while they overlap: $\\theta$ is 1 then, and 0 while they are apart.", within(theta, delta, "δ is positive while the spheres overlap")),
         step(
-            F, "The spring pushes A away from B, against $\\Delta\\vec r$. The brake pulls the velocity of A towards that of B, along $\\Delta\\vec v$.",
-            contact(), answers="a", scale=k * R ** sympy.Rational(3, 2),
+            delta,
+            "The spheres touch when their centres are $2R$ apart; they overlap by what is missing.",
+            overlap(delta, R=R, r=r),
             mistakes=[
-                mistake("Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed the other way.", contact(k=-k)),
-                mistake("Your viscous part drives the spheres. To brake the relative motion it must pull the velocity of A towards that of B: along $+\\Delta\\vec v$.",
-                        contact(eta=-eta)),
-                mistake("That is the force on B; both parts turn round for the force on A.", contact(eta=-eta, k=-k)),
+                mistake(
+                    "The centres are $2R$ apart when the spheres just touch; you compared with $R$.",
+                    overlap(delta, R=R / 2, r=r),
+                )
+            ],
+        ),
+        step(
+            theta,
+            "The force acts only while they overlap: $\\theta$ is 1 then, and 0 while they are apart.",
+            within(theta, delta, "δ is positive while the spheres overlap"),
+        ),
+        step(
+            F,
+            "The spring pushes A away from B, against $\\Delta\\vec r$. The brake pulls the velocity of A towards that of B, along $\\Delta\\vec v$.",
+            contact(),
+            answers="a",
+            scale=k * R ** sympy.Rational(3, 2),
+            mistakes=[
+                mistake(
+                    "Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed the other way.",
+                    contact(k=-k),
+                ),
+                mistake(
+                    "Your viscous part drives the spheres. To brake the relative motion it must pull the velocity of A towards that of B: along $+\\Delta\\vec v$.",
+                    contact(eta=-eta),
+                ),
+                mistake(
+                    "That is the force on B; both parts turn round for the force on A.",
+                    contact(eta=-eta, k=-k),
+                ),
                 mistake("You left out the viscous part.", contact(eta=0)),
-                mistake("The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left out the division by $\\Delta r$.", contact(k=k * r)),
-                mistake("The spring part grows with the power 3/2 of the overlap; you took the overlap itself.", contact(k=k / sympy.sqrt(sympy.Abs(delta)))),
+                mistake(
+                    "The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left out the division by $\\Delta r$.",
+                    contact(k=k * r),
+                ),
+                mistake(
+                    "The spring part grows with the power 3/2 of the overlap; you took the overlap itself.",
+                    contact(k=k / sympy.sqrt(sympy.Abs(delta))),
+                ),
             ],
             check="With η = 0 it points straight from B to A.",
         ),
         choice(
-            "b", "While the spheres overlap they push each other apart: the spring force on A points from B to A, which is along $-\\Delta\\vec r$.",
-            a=False, b=True, c=False,
+            "b",
+            "While the spheres overlap they push each other apart: the spring force on A points from B to A, which is along $-\\Delta\\vec r$.",
+            a=False,
+            b=True,
+            c=False,
             mistakes={
                 "a": "With plus the spring on A points along $\\Delta\\vec r$, from A to B: the spheres would pull each other in.",
                 "c": "A spring pushes the same way while the overlap grows and while it shrinks; only so does it give the energy back.",
             },
         ),
-        code("c", "Newton's second law for each sphere, with the force on B opposite to that on A; velocities first, then positions with the new velocities.",
-             inputs=sphere_inputs, judge=judge_spheres, example=file("colliding_spheres/spheres.py")),
-        plot("c", "Straight lines before and after the touch; each component of the total momentum stays the same.", judge=judge_spheres_plot, example=file("colliding_spheres/motion_plot.py")),
+        code(
+            "c",
+            "Newton's second law for each sphere, with the force on B opposite to that on A; velocities first, then positions with the new velocities.",
+            inputs=sphere_inputs,
+            judge=judge_spheres,
+            example=file("colliding_spheres/spheres.py"),
+        ),
+        plot(
+            "c",
+            "Straight lines before and after the touch; each component of the total momentum stays the same.",
+            judge=judge_spheres_plot,
+            example=file("colliding_spheres/motion_plot.py"),
+        ),
         explain(
             "d",
             "Says that the total momentum stays the same, in x and in y.",
@@ -69,10 +112,10 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
             "Says that mechanical energy is lost (for as long as the spheres overlap and move against each other).",
             "Gives the reason: the power of the viscous forces is $-\\eta\\,\\lvert\\Delta\\vec v\\rvert^2$, never positive; the spring gives back what it took.",
             answer="The total momentum does not change: whatever B does to A, A does to B the other way, and this holds for the viscous part as well as for the spring. No force comes from outside. "
-                   "The mechanical energy falls. The viscous forces do work at the rate $\\eta\\Delta\\vec v\\cdot\\vec v_A - \\eta\\Delta\\vec v\\cdot\\vec v_B = -\\eta\\lvert\\Delta\\vec v\\rvert^2$, which is "
-                   "negative while the spheres touch and move against each other. The spring only stores energy and gives it back. The larger η, the more is lost.",
+            "The mechanical energy falls. The viscous forces do work at the rate $\\eta\\Delta\\vec v\\cdot\\vec v_A - \\eta\\Delta\\vec v\\cdot\\vec v_B = -\\eta\\lvert\\Delta\\vec v\\rvert^2$, which is "
+            "negative while the spheres touch and move against each other. The spring only stores energy and gives it back. The larger η, the more is lost.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(R, mA, mB, dx, dy, ux, uy, k, eta, answer):

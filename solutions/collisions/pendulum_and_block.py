@@ -29,50 +29,105 @@ def derive(m, M, L, g):
     before, after = [(m, v_0), (M, 0)], [(m, u[0]), (M, u[1])]
     return derivation(
         step(
-            v_0, "The rope pulls at right angles to the motion; only gravity does work. The sphere comes down by the length of the rope.",
-            falling(v_0, g, L), answers="a0", where=v_0 >= 0,
+            v_0,
+            "The rope pulls at right angles to the motion; only gravity does work. The sphere comes down by the length of the rope.",
+            falling(v_0, g, L),
+            answers="a0",
+            where=v_0 >= 0,
             mistakes=[
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=L, v=v_0)),
-                mistake("The factor 2 stands on the other side: $v^2/2 = gh$.", law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=L, v=v_0)),
-                mistake("The sphere starts at the height of the rope's upper end: it comes down by L, not by 2L.", law("Conservation of mechanical energy", "g*h = v^2/2", g=g, h=2 * L, v=v_0)),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=L, v=v_0),
+                ),
+                mistake(
+                    "The factor 2 stands on the other side: $v^2/2 = gh$.",
+                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=L, v=v_0),
+                ),
+                mistake(
+                    "The sphere starts at the height of the rope's upper end: it comes down by L, not by 2L.",
+                    law("Conservation of mechanical energy", "g*h = v^2/2", g=g, h=2 * L, v=v_0),
+                ),
             ],
             check="It is the speed of a free fall through L; the mass does not matter.",
         ),
         step(
-            u, "In the short collision momentum is kept (the rope is vertical and does not push along the table), and so is the kinetic energy.",
-            conservation_of_momentum(before=before, after=after), elastic(before=before, after=after), answers="a",
-            reject=[reject("the velocities would be those from before: the sphere would have gone through the block", u_m=v_0, u_M=0)],
+            u,
+            "In the short collision momentum is kept (the rope is vertical and does not push along the table), and so is the kinetic energy.",
+            conservation_of_momentum(before=before, after=after),
+            elastic(before=before, after=after),
+            answers="a",
+            reject=[
+                reject(
+                    "the velocities would be those from before: the sphere would have gone through the block",
+                    u_m=v_0,
+                    u_M=0,
+                )
+            ],
             mistakes=[
-                mistake("You let them stick together; an elastic collision keeps the kinetic energy.",
-                        law("Perfectly inelastic", "v_A = v_B", v_A=u[0], v_B=u[1]), instead="Conservation of mechanical energy"),
-                mistake("The sphere stops only if both masses are equal.", law("Sphere stops", "v_A = 0", v_A=u[0]), instead="Conservation of mechanical energy"),
-                mistake("The sphere is turned round without loss of speed only by something infinitely heavy.",
-                        law("Turned round", "v_A = -v_0", v_A=u[0], v_0=v_0), instead="Conservation of mechanical energy"),
+                mistake(
+                    "You let them stick together; an elastic collision keeps the kinetic energy.",
+                    law("Perfectly inelastic", "v_A = v_B", v_A=u[0], v_B=u[1]),
+                    instead="Conservation of mechanical energy",
+                ),
+                mistake(
+                    "The sphere stops only if both masses are equal.",
+                    law("Sphere stops", "v_A = 0", v_A=u[0]),
+                    instead="Conservation of mechanical energy",
+                ),
+                mistake(
+                    "The sphere is turned round without loss of speed only by something infinitely heavy.",
+                    law("Turned round", "v_A = -v_0", v_A=u[0], v_0=v_0),
+                    instead="Conservation of mechanical energy",
+                ),
             ],
             check="A sphere lighter than the block comes back (negative); they part as fast as they came together.",
         ),
         step(
-            h_1, "On its way up only gravity works on the sphere.",
-            falling(u[0], g, h_1), answers="b",
+            h_1,
+            "On its way up only gravity works on the sphere.",
+            falling(u[0], g, h_1),
+            answers="b",
             mistakes=[
-                mistake("You used the speed of the block; the pendulum is the sphere.", falling(u[1], g, h_1)),
-                mistake("The height goes with the square of the speed.", law("Conservation of mechanical energy", "h = L*abs(u)/v_0", h=h_1, L=L, u=u[0], v_0=v_0)),
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=u[0])),
-                mistake("That is how high it would swing without the block; it has given energy away.", law("Conservation of mechanical energy", "h = L", h=h_1, L=L)),
+                mistake(
+                    "You used the speed of the block; the pendulum is the sphere.", falling(u[1], g, h_1)
+                ),
+                mistake(
+                    "The height goes with the square of the speed.",
+                    law("Conservation of mechanical energy", "h = L*abs(u)/v_0", h=h_1, L=L, u=u[0], v_0=v_0),
+                ),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=u[0]),
+                ),
+                mistake(
+                    "That is how high it would swing without the block; it has given energy away.",
+                    law("Conservation of mechanical energy", "h = L", h=h_1, L=L),
+                ),
             ],
             check="It is less than L, and does not depend on g. With M = 2m it is a ninth of L.",
         ),
         neglected(
-            "a", "the swing of the rope during the hit", w,
+            "a",
+            "the swing of the rope during the hit",
+            w,
             "The sphere moves by at most x while they touch, and the rope, which carries its weight on a circle, pulls it back with at most F. "
             "The momentum J that it takes changes the sphere's velocity by at most J/m and the block's by at most 2J/m.",
-            *swing, law("Change of both velocities", "w = sqrt(1 + 2^2)*J/m", w=w, J=J, m=m), also=[x, F, J], supposing=[touch],
+            *swing,
+            law("Change of both velocities", "w = sqrt(1 + 2^2)*J/m", w=w, J=J, m=m),
+            also=[x, F, J],
+            supposing=[touch],
         ),
         neglected(
-            "b", "the swing of the rope during the hit", eps, "It changes the sphere's velocity by at most J/m, as in (a), and the height $u^2/2g$ with it.",
-            *swing, law("Change of the height", "epsilon = abs(u)*J/(m*g)", epsilon=eps, u=u[0], J=J, m=m, g=g), also=[x, F, J], supposing=[touch],
+            "b",
+            "the swing of the rope during the hit",
+            eps,
+            "It changes the sphere's velocity by at most J/m, as in (a), and the height $u^2/2g$ with it.",
+            *swing,
+            law("Change of the height", "epsilon = abs(u)*J/(m*g)", epsilon=eps, u=u[0], J=J, m=m, g=g),
+            also=[x, F, J],
+            supposing=[touch],
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(m, M, L, g, answer, neglected):

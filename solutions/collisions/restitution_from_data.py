@@ -8,50 +8,119 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
     r_v, r_h, beta, omega, T, r_c = unknowns("r_v r_h beta omega T r_c")
     return derivation(
         step(
-            r_v, "The coefficient compares the relative velocity after with that before; the minus sign stands for its being turned round.",
-            restitution(r_v, A=(vA0, vA1), B=(vB0, vB1)), answers="a",
+            r_v,
+            "The coefficient compares the relative velocity after with that before; the minus sign stands for its being turned round.",
+            restitution(r_v, A=(vA0, vA1), B=(vB0, vB1)),
+            answers="a",
             mistakes=[
-                mistake("The coefficient is what is left of the relative velocity: after over before.",
-                        law("Coefficient of restitution", "r*(v_B1 - v_A1) = -(v_B0 - v_A0)", r=r_v, v_A0=vA0, v_A1=vA1, v_B0=vB0, v_B1=vB1)),
-                mistake("That compares the speed of B after with that of A before; what counts are the velocities of A and B *relative to each other*.",
-                        law("Coefficient of restitution", "r = v_B1/v_A0", r=r_v, v_A0=vA0, v_B1=vB1)),
-                mistake("Mind the signs: a relative velocity is the difference of the two velocities, not their sum.",
-                        law("Coefficient of restitution", "r = (v_B1 + v_A1)/(v_A0 + v_B0)", r=r_v, v_A0=vA0, v_A1=vA1, v_B0=vB0, v_B1=vB1)),
+                mistake(
+                    "The coefficient is what is left of the relative velocity: after over before.",
+                    law(
+                        "Coefficient of restitution",
+                        "r*(v_B1 - v_A1) = -(v_B0 - v_A0)",
+                        r=r_v,
+                        v_A0=vA0,
+                        v_A1=vA1,
+                        v_B0=vB0,
+                        v_B1=vB1,
+                    ),
+                ),
+                mistake(
+                    "That compares the speed of B after with that of A before; what counts are the velocities of A and B *relative to each other*.",
+                    law("Coefficient of restitution", "r = v_B1/v_A0", r=r_v, v_A0=vA0, v_B1=vB1),
+                ),
+                mistake(
+                    "Mind the signs: a relative velocity is the difference of the two velocities, not their sum.",
+                    law(
+                        "Coefficient of restitution",
+                        "r = (v_B1 + v_A1)/(v_A0 + v_B0)",
+                        r=r_v,
+                        v_A0=vA0,
+                        v_A1=vA1,
+                        v_B0=vB0,
+                        v_B1=vB1,
+                    ),
+                ),
             ],
             check="It lies between 0 (they move on together) and 1 (elastic).",
         ),
         step(
-            r_h, "The speed at the floor is √(2gh₀) on the way down and √(2gh₁) on the way up; their ratio is r.",
-            law("Height of a bounce", "h_1 = r^2*h_0", source="(Fig. 12.11)", holds="only gravity works in the air", r=r_h, h_0=h0, h_1=h1),
-            answers="b", where=r_h >= 0,
+            r_h,
+            "The speed at the floor is √(2gh₀) on the way down and √(2gh₁) on the way up; their ratio is r.",
+            law(
+                "Height of a bounce",
+                "h_1 = r^2*h_0",
+                source="(Fig. 12.11)",
+                holds="only gravity works in the air",
+                r=r_h,
+                h_0=h0,
+                h_1=h1,
+            ),
+            answers="b",
+            where=r_h >= 0,
             mistakes=[
-                mistake("The heights tell the energies; r compares the *speeds*, which go with the root of the height.", law("Height of a bounce", "r = h_1/h_0", r=r_h, h_0=h0, h_1=h1)),
-                mistake("The speed grows with the root of the height, not with its square.", law("Height of a bounce", "r = (h_1/h_0)^2", r=r_h, h_0=h0, h_1=h1)),
-                mistake("That is what belongs to the height that is lost; use the height of the bounce.", law("Height of a bounce", "r = sqrt(1 - h_1/h_0)", r=r_h, h_0=h0, h_1=h1)),
+                mistake(
+                    "The heights tell the energies; r compares the *speeds*, which go with the root of the height.",
+                    law("Height of a bounce", "r = h_1/h_0", r=r_h, h_0=h0, h_1=h1),
+                ),
+                mistake(
+                    "The speed grows with the root of the height, not with its square.",
+                    law("Height of a bounce", "r = (h_1/h_0)^2", r=r_h, h_0=h0, h_1=h1),
+                ),
+                mistake(
+                    "That is what belongs to the height that is lost; use the height of the bounce.",
+                    law("Height of a bounce", "r = sqrt(1 - h_1/h_0)", r=r_h, h_0=h0, h_1=h1),
+                ),
             ],
             check="A ball that comes back to its old height has r = 1. The value of g does not matter.",
         ),
-        step(beta, r"While it touches, Newton's second law reads $m\ddot x = -kx - c\dot x$: a damped oscillation, which starts at $x = 0$.", damping_rate(beta, m, c)),
-        step(omega, "The damping makes the swing slower. If β² reached k/m there would be no swing at all, and no rebound.", damped_frequency(omega, m, k, beta)),
         step(
-            T, "The bumper is back at $x = 0$ after half a swing, for $x = (v/\\omega)\\,e^{-\\beta t}\\sin\\omega t$.",
+            beta,
+            r"While it touches, Newton's second law reads $m\ddot x = -kx - c\dot x$: a damped oscillation, which starts at $x = 0$.",
+            damping_rate(beta, m, c),
+        ),
+        step(
+            omega,
+            "The damping makes the swing slower. If β² reached k/m there would be no swing at all, and no rebound.",
+            damped_frequency(omega, m, k, beta),
+        ),
+        step(
+            T,
+            "The bumper is back at $x = 0$ after half a swing, for $x = (v/\\omega)\\,e^{-\\beta t}\\sin\\omega t$.",
             law("Half a swing", "omega*T = pi", omega=omega, T=T),
             mistakes=[
-                mistake("That is a whole swing; the contact ends after half of one.", law("Half a swing", "omega*T = 2*pi", omega=omega, T=T)),
-                mistake("That is a quarter of a swing, up to the deepest point; the ball still has to come out again.", law("Half a swing", "omega*T = pi/2", omega=omega, T=T)),
+                mistake(
+                    "That is a whole swing; the contact ends after half of one.",
+                    law("Half a swing", "omega*T = 2*pi", omega=omega, T=T),
+                ),
+                mistake(
+                    "That is a quarter of a swing, up to the deepest point; the ball still has to come out again.",
+                    law("Half a swing", "omega*T = pi/2", omega=omega, T=T),
+                ),
             ],
         ),
         step(
-            r_c, "There the velocity has the opposite direction, and is smaller by the factor by which the swing has died away.",
-            damped_rebound(r_c, beta, T), answers="c",
+            r_c,
+            "There the velocity has the opposite direction, and is smaller by the factor by which the swing has died away.",
+            damped_rebound(r_c, beta, T),
+            answers="c",
             mistakes=[
-                mistake("That is the share of the kinetic energy that is left, r²; the coefficient compares velocities.", law("Damped oscillation", "r = exp(-2*beta*T)", r=r_c, beta=beta, T=T)),
-                mistake("You took T from β alone: the time of contact comes from the spring.", law("Damped oscillation", "r = exp(-pi)", r=r_c)),
-                mistake("That is the share of the speed that is lost.", law("Damped oscillation", "r = 1 - exp(-beta*T)", r=r_c, beta=beta, T=T)),
+                mistake(
+                    "That is the share of the kinetic energy that is left, r²; the coefficient compares velocities.",
+                    law("Damped oscillation", "r = exp(-2*beta*T)", r=r_c, beta=beta, T=T),
+                ),
+                mistake(
+                    "You took T from β alone: the time of contact comes from the spring.",
+                    law("Damped oscillation", "r = exp(-pi)", r=r_c),
+                ),
+                mistake(
+                    "That is the share of the speed that is lost.",
+                    law("Damped oscillation", "r = 1 - exp(-beta*T)", r=r_c, beta=beta, T=T),
+                ),
             ],
             check="No damping (c = 0): r = 1. Much damping: r goes to 0. The speed of the ball does not matter.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(vA0, vB0, vA1, vB1, h0, h1, m, k, c, answer):

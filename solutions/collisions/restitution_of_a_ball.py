@@ -26,62 +26,127 @@ def derive(m, v0, r, h0, n, g):
     kept = unknown("e_1"), unknown("e_0")
     return derivation(
         step(
-            v_1, "The wall stays at rest; relative to it the ball comes back with the fraction r of its speed.",
-            restitution(r, A=(v0, v_1), B=(0, 0)), answers="a",
+            v_1,
+            "The wall stays at rest; relative to it the ball comes back with the fraction r of its speed.",
+            restitution(r, A=(v0, v_1), B=(0, 0)),
+            answers="a",
             mistakes=[
-                mistake("The size is right, but the ball comes back: its velocity changes sign.", law("Coefficient of restitution", "v_1 = r*v_0", v_1=v_1, r=r, v_0=v0)),
-                mistake("r compares velocities, not kinetic energies: no root is needed.", law("Coefficient of restitution", "v_1 = -sqrt(r)*v_0", v_1=v_1, r=r, v_0=v0)),
-                mistake("r is what the ball keeps of its speed, not what it loses.", law("Coefficient of restitution", "v_1 = -(1 - r)*v_0", v_1=v_1, r=r, v_0=v0)),
+                mistake(
+                    "The size is right, but the ball comes back: its velocity changes sign.",
+                    law("Coefficient of restitution", "v_1 = r*v_0", v_1=v_1, r=r, v_0=v0),
+                ),
+                mistake(
+                    "r compares velocities, not kinetic energies: no root is needed.",
+                    law("Coefficient of restitution", "v_1 = -sqrt(r)*v_0", v_1=v_1, r=r, v_0=v0),
+                ),
+                mistake(
+                    "r is what the ball keeps of its speed, not what it loses.",
+                    law("Coefficient of restitution", "v_1 = -(1 - r)*v_0", v_1=v_1, r=r, v_0=v0),
+                ),
             ],
             check="For r = 1 the velocity is just turned round.",
         ),
         step(
-            dK, "The change is the kinetic energy after the hit less that before it.",
-            change_of_kinetic_energy(dK, before=[(m, v0)], after=[(m, v_1)]), answers="b",
+            dK,
+            "The change is the kinetic energy after the hit less that before it.",
+            change_of_kinetic_energy(dK, before=[(m, v0)], after=[(m, v_1)]),
+            answers="b",
             mistakes=[
-                mistake("You squared the difference of the velocities; take the difference of the squares.",
-                        law("Change of kinetic energy", "dK = m*(v_1 - v_0)^2/2", dK=dK, m=m, v_1=v_1, v_0=v0)),
-                mistake("r is the share of the speed that is kept; the kinetic energy goes with the square of the speed.",
-                        law("Change of kinetic energy", "dK = (r - 1)*m*v_0^2/2", dK=dK, m=m, r=r, v_0=v0)),
-                mistake("That is the kinetic energy that is left; asked is by how much it changes.", law("Kinetic energy", "dK = m*v_1^2/2", dK=dK, m=m, v_1=v_1)),
+                mistake(
+                    "You squared the difference of the velocities; take the difference of the squares.",
+                    law("Change of kinetic energy", "dK = m*(v_1 - v_0)^2/2", dK=dK, m=m, v_1=v_1, v_0=v0),
+                ),
+                mistake(
+                    "r is the share of the speed that is kept; the kinetic energy goes with the square of the speed.",
+                    law("Change of kinetic energy", "dK = (r - 1)*m*v_0^2/2", dK=dK, m=m, r=r, v_0=v0),
+                ),
+                mistake(
+                    "That is the kinetic energy that is left; asked is by how much it changes.",
+                    law("Kinetic energy", "dK = m*v_1^2/2", dK=dK, m=m, v_1=v_1),
+                ),
             ],
             check="It is never positive: a wall at rest gives no energy to a ball.",
         ),
-        step(w, "On its way down only gravity works on the ball: its speed at the floor.", falling(w, g, h0), where=w >= 0),
         step(
-            u, "The floor turns the velocity from -w into +u (up is positive) and keeps the fraction r of the speed.",
+            w,
+            "On its way down only gravity works on the ball: its speed at the floor.",
+            falling(w, g, h0),
+            where=w >= 0,
+        ),
+        step(
+            u,
+            "The floor turns the velocity from -w into +u (up is positive) and keeps the fraction r of the speed.",
             restitution(r, A=(-w, u), B=(0, 0)),
         ),
         step(
-            h_1, "On its way up again only gravity works.",
-            falling(u, g, h_1), answers="c",
+            h_1,
+            "On its way up again only gravity works.",
+            falling(u, g, h_1),
+            answers="c",
             mistakes=[
-                mistake("The height goes with the square of the speed, and r is a ratio of speeds.", law("Height", "h_1 = r*h_0", h_1=h_1, r=r, h_0=h0)),
-                mistake("r compares speeds, not energies: square it rather than taking its root.", law("Height", "h_1 = sqrt(r)*h_0", h_1=h_1, r=r, h_0=h0)),
-                mistake("That is the height that is lost; asked is how high the ball rises.", law("Height", "h_1 = (1 - r^2)*h_0", h_1=h_1, r=r, h_0=h0)),
+                mistake(
+                    "The height goes with the square of the speed, and r is a ratio of speeds.",
+                    law("Height", "h_1 = r*h_0", h_1=h_1, r=r, h_0=h0),
+                ),
+                mistake(
+                    "r compares speeds, not energies: square it rather than taking its root.",
+                    law("Height", "h_1 = sqrt(r)*h_0", h_1=h_1, r=r, h_0=h0),
+                ),
+                mistake(
+                    "That is the height that is lost; asked is how high the ball rises.",
+                    law("Height", "h_1 = (1 - r^2)*h_0", h_1=h_1, r=r, h_0=h0),
+                ),
             ],
             check="Neither the mass nor g matters; with r = 1 the ball comes back to where it was let go.",
         ),
-        step(q, "Each bounce leaves the same fraction of the height before it.", law("Fraction", "q = h_1/h_0", q=q, h_1=h_1, h_0=h0)),
         step(
-            h_n, "Each bounce multiplies the speed by r and so the height by r²; n bounces do it n times.",
-            law("Bounce after bounce", "h_n = h_0*(r^2)^n", h_n=h_n, h_0=h0, r=r, n=n), answers="d",
-            routes=[route("The same from the height of the first bounce: every bounce leaves the same fraction of the height.",
-                          law("Bounce after bounce", "h_n = h_0*q^n", h_n=h_n, h_0=h0, q=q, n=n))],
+            q,
+            "Each bounce leaves the same fraction of the height before it.",
+            law("Fraction", "q = h_1/h_0", q=q, h_1=h_1, h_0=h0),
+        ),
+        step(
+            h_n,
+            "Each bounce multiplies the speed by r and so the height by r²; n bounces do it n times.",
+            law("Bounce after bounce", "h_n = h_0*(r^2)^n", h_n=h_n, h_0=h0, r=r, n=n),
+            answers="d",
+            routes=[
+                route(
+                    "The same from the height of the first bounce: every bounce leaves the same fraction of the height.",
+                    law("Bounce after bounce", "h_n = h_0*q^n", h_n=h_n, h_0=h0, q=q, n=n),
+                )
+            ],
             mistakes=[
-                mistake("Each bounce multiplies the speed by r, but the height by r².", law("Bounce after bounce", "h_n = h_0*r^n", h_n=h_n, h_0=h0, r=r, n=n)),
-                mistake("You are one bounce short: the first bounce counts too.", law("Bounce after bounce", "h_n = h_0*(r^2)^(n - 1)", h_n=h_n, h_0=h0, r=r, n=n)),
-                mistake("You are one bounce too far.", law("Bounce after bounce", "h_n = h_0*(r^2)^(n + 1)", h_n=h_n, h_0=h0, r=r, n=n)),
-                mistake("Each bounce takes the same *fraction* of the height, not the same number of metres.",
-                        law("Bounce after bounce", "h_n = h_0 - n*(h_0 - h_1)", h_n=h_n, h_0=h0, h_1=h_1, n=n)),
+                mistake(
+                    "Each bounce multiplies the speed by r, but the height by r².",
+                    law("Bounce after bounce", "h_n = h_0*r^n", h_n=h_n, h_0=h0, r=r, n=n),
+                ),
+                mistake(
+                    "You are one bounce short: the first bounce counts too.",
+                    law("Bounce after bounce", "h_n = h_0*(r^2)^(n - 1)", h_n=h_n, h_0=h0, r=r, n=n),
+                ),
+                mistake(
+                    "You are one bounce too far.",
+                    law("Bounce after bounce", "h_n = h_0*(r^2)^(n + 1)", h_n=h_n, h_0=h0, r=r, n=n),
+                ),
+                mistake(
+                    "Each bounce takes the same *fraction* of the height, not the same number of metres.",
+                    law("Bounce after bounce", "h_n = h_0 - n*(h_0 - h_1)", h_n=h_n, h_0=h0, h_1=h_1, n=n),
+                ),
             ],
             check="One bounce (n = 1) gives the answer of (c).",
         ),
-        step(kept, "The share of the kinetic energy that a resting wall leaves, for r = 1 and for r = 0.",
-             law("Kinetic energy", "e = r^2", source="(12.61)", e=kept, r=(1, 0))),
+        step(
+            kept,
+            "The share of the kinetic energy that a resting wall leaves, for r = 1 and for r = 0.",
+            law("Kinetic energy", "e = r^2", source="(12.61)", e=kept, r=(1, 0)),
+        ),
         choice(
-            "f", "With r = 1 all of the kinetic energy is kept: elastic. With less than 1 some is lost: inelastic. With r = 0 the objects do not part again: perfectly inelastic.",
-            a=sympy.Eq(kept[0], 1) & sympy.Eq(kept[1], 0), b=sympy.Eq(kept[1], 1) & sympy.Eq(kept[0], 0), c=False, d=False,
+            "f",
+            "With r = 1 all of the kinetic energy is kept: elastic. With less than 1 some is lost: inelastic. With r = 0 the objects do not part again: perfectly inelastic.",
+            a=sympy.Eq(kept[0], 1) & sympy.Eq(kept[1], 0),
+            b=sympy.Eq(kept[1], 1) & sympy.Eq(kept[0], 0),
+            c=False,
+            d=False,
             mistakes={
                 "b": "Put r = 1 into the change of kinetic energy, $(r^2 - 1)K_0$: is anything lost?",
                 "c": "Perfectly inelastic means that the objects do not part again: what does that say about their relative velocity?",
@@ -89,11 +154,16 @@ def derive(m, v0, r, h0, n, g):
             },
         ),
         neglected(
-            "c", "gravity during the touch", eps, "It changes the velocity by at most $u_g$, and the height with it: $u^2/2g$ by $u\\,u_g/g$.",
+            "c",
+            "gravity during the touch",
+            eps,
+            "It changes the velocity by at most $u_g$, and the height with it: $u^2/2g$ by $u\\,u_g/g$.",
             law("Free fall", "u = g*tau", u=u_g, g=g, tau=tau),
-            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=u, u=u_g, g=g), also=[u_g], supposing=[touch],
+            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=u, u=u_g, g=g),
+            also=[u_g],
+            supposing=[touch],
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(m, v0, r, h0, n, g, answer, neglected):

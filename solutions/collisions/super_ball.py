@@ -36,90 +36,202 @@ def derive(mA, mB, h0, g):
     before, after = [(mA, v_0), (mB, -v_0)], [(mA, v_A1), (mB, v_B1)]
     return derivation(
         step(
-            v_0, "Only gravity works on the balls as they fall.",
-            falling(v_0, g, h0), answers="a", where=v_0 >= 0,
+            v_0,
+            "Only gravity works on the balls as they fall.",
+            falling(v_0, g, h0),
+            answers="a",
+            where=v_0 >= 0,
             mistakes=[
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h0, v=v_0)),
-                mistake("The factor 2 stands on the other side: $v^2/2 = gh$.", law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h0, v=v_0)),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h0, v=v_0),
+                ),
+                mistake(
+                    "The factor 2 stands on the other side: $v^2/2 = gh$.",
+                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h0, v=v_0),
+                ),
             ],
             check="Both balls have it: a fall does not depend on the mass.",
         ),
         step(
-            v_B1, "The floor has turned A round: A moves up at +v₀, B still down at -v₀. The contact is so short that gravity has no say in it: momentum is kept, and energy too.",
-            conservation_of_momentum(before=before, after=after), elastic(before=before, after=after), also=[v_A1], answers="b",
-            reject=[reject("the velocities would be those from before: the balls would have passed through each other", v_A1=v_0, v_B1=-v_0)],
+            v_B1,
+            "The floor has turned A round: A moves up at +v₀, B still down at -v₀. The contact is so short that gravity has no say in it: momentum is kept, and energy too.",
+            conservation_of_momentum(before=before, after=after),
+            elastic(before=before, after=after),
+            also=[v_A1],
+            answers="b",
+            reject=[
+                reject(
+                    "the velocities would be those from before: the balls would have passed through each other",
+                    v_A1=v_0,
+                    v_B1=-v_0,
+                )
+            ],
             mistakes=[
-                mistake("B is not at rest when A meets it: it still falls at v₀.",
-                        law("B at rest", "v_B1 = 2*m_A/(m_A + m_B)*v_0", v_B1=v_B1, m_A=mA, m_B=mB, v_0=v_0), instead="Conservation of mechanical energy"),
-                mistake("You let the balls move on together; an elastic collision keeps the kinetic energy.",
-                        law("Perfectly inelastic", "v_A = v_B", v_A=v_A1, v_B=v_B1), instead="Conservation of mechanical energy"),
-                mistake("B is not just turned round, as it would be by a floor at rest: A comes up to meet it.",
-                        law("Turned round", "v_B1 = v_0", v_B1=v_B1, v_0=v_0), instead="Conservation of mechanical energy"),
-                mistake("A does not give all of its energy to B; momentum must be kept as well.",
-                        law("All energy to B", "v_B1 = sqrt((m_A + m_B)/m_B)*v_0", v_B1=v_B1, m_A=mA, m_B=mB, v_0=v_0), instead="Conservation of mechanical energy"),
+                mistake(
+                    "B is not at rest when A meets it: it still falls at v₀.",
+                    law("B at rest", "v_B1 = 2*m_A/(m_A + m_B)*v_0", v_B1=v_B1, m_A=mA, m_B=mB, v_0=v_0),
+                    instead="Conservation of mechanical energy",
+                ),
+                mistake(
+                    "You let the balls move on together; an elastic collision keeps the kinetic energy.",
+                    law("Perfectly inelastic", "v_A = v_B", v_A=v_A1, v_B=v_B1),
+                    instead="Conservation of mechanical energy",
+                ),
+                mistake(
+                    "B is not just turned round, as it would be by a floor at rest: A comes up to meet it.",
+                    law("Turned round", "v_B1 = v_0", v_B1=v_B1, v_0=v_0),
+                    instead="Conservation of mechanical energy",
+                ),
+                mistake(
+                    "A does not give all of its energy to B; momentum must be kept as well.",
+                    law(
+                        "All energy to B",
+                        "v_B1 = sqrt((m_A + m_B)/m_B)*v_0",
+                        v_B1=v_B1,
+                        m_A=mA,
+                        m_B=mB,
+                        v_0=v_0,
+                    ),
+                    instead="Conservation of mechanical energy",
+                ),
             ],
             check="With equal masses the balls exchange their velocities: B goes up at v₀.",
         ),
         step(
-            v_A1, "With B's velocity known, momentum gives A's.",
-            conservation_of_momentum(before=before, after=after), answers="c",
-            routes=[route("In an elastic collision the relative velocity is only turned round (r = 1): they part at 2v₀.", restitution(1, A=(v_0, v_A1), B=(-v_0, v_B1)))],
+            v_A1,
+            "With B's velocity known, momentum gives A's.",
+            conservation_of_momentum(before=before, after=after),
+            answers="c",
+            routes=[
+                route(
+                    "In an elastic collision the relative velocity is only turned round (r = 1): they part at 2v₀.",
+                    restitution(1, A=(v_0, v_A1), B=(-v_0, v_B1)),
+                )
+            ],
             mistakes=[
-                mistake("B's momentum before the collision points down: it counts as negative.",
-                        conservation_of_momentum(before=[(mA, v_0), (mB, v_0)], after=after)),
-                mistake("You left out B's momentum before the collision.", conservation_of_momentum(before=[(mA, v_0), (mB, 0)], after=after)),
-                mistake("That is A's velocity before it met B.", law("Conservation of momentum", "v_A1 = v_0", v_A1=v_A1, v_0=v_0)),
+                mistake(
+                    "B's momentum before the collision points down: it counts as negative.",
+                    conservation_of_momentum(before=[(mA, v_0), (mB, v_0)], after=after),
+                ),
+                mistake(
+                    "You left out B's momentum before the collision.",
+                    conservation_of_momentum(before=[(mA, v_0), (mB, 0)], after=after),
+                ),
+                mistake(
+                    "That is A's velocity before it met B.",
+                    law("Conservation of momentum", "v_A1 = v_0", v_A1=v_A1, v_0=v_0),
+                ),
             ],
             check="If A is three times as heavy as B, A stops: B has taken all of the energy.",
         ),
         step(
-            h_1, "On its way up only gravity works on B.",
-            falling(v_B1, g, h_1), answers="d",
+            h_1,
+            "On its way up only gravity works on B.",
+            falling(v_B1, g, h_1),
+            answers="d",
             mistakes=[
-                mistake("The height goes with the square of the speed.", law("Conservation of mechanical energy", "h_1 = h_0*v_B1/v_0", h_1=h_1, h_0=h0, v_B1=v_B1, v_0=v_0)),
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=v_B1)),
+                mistake(
+                    "The height goes with the square of the speed.",
+                    law(
+                        "Conservation of mechanical energy",
+                        "h_1 = h_0*v_B1/v_0",
+                        h_1=h_1,
+                        h_0=h0,
+                        v_B1=v_B1,
+                        v_0=v_0,
+                    ),
+                ),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=v_B1),
+                ),
                 mistake("You used A's speed; asked is how high B rises.", falling(v_A1, g, h_1)),
             ],
             check="With equal masses it is the height from which they fell.",
         ),
         step(
-            v_most, r"Divide numerator and denominator by $m_A$, $v_{B,1} = \frac{3 - m_B/m_A}{1 + m_B/m_A}v_0$, and let $m_B/m_A$ go to 0.",
-            in_the_limit(v_most, after_elastic(A=(mA, v_0), B=(mB, -v_0))[1], mB, 0, "B's mass is negligible beside A's"),
+            v_most,
+            r"Divide numerator and denominator by $m_A$, $v_{B,1} = \frac{3 - m_B/m_A}{1 + m_B/m_A}v_0$, and let $m_B/m_A$ go to 0.",
+            in_the_limit(
+                v_most,
+                after_elastic(A=(mA, v_0), B=(mB, -v_0))[1],
+                mB,
+                0,
+                "B's mass is negligible beside A's",
+            ),
             mistakes=[
-                mistake("Twice A's speed is right for a B at rest; but here B comes down at v₀ as well.", law("Limit", "v = 2*v_0", v=v_most, v_0=v_0)),
+                mistake(
+                    "Twice A's speed is right for a B at rest; but here B comes down at v₀ as well.",
+                    law("Limit", "v = 2*v_0", v=v_most, v_0=v_0),
+                ),
             ],
         ),
         step(
-            h_most, "Again only gravity works on the way up.",
-            falling(v_most, g, h_most), answers="e",
+            h_most,
+            "Again only gravity works on the way up.",
+            falling(v_most, g, h_most),
+            answers="e",
             mistakes=[
-                mistake("The height goes with the square of the speed: three times the speed is more than three times the height.",
-                        law("Conservation of mechanical energy", "h = h_0*v/v_0", h=h_most, h_0=h0, v=v_most, v_0=v_0)),
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_most, v=v_most)),
+                mistake(
+                    "The height goes with the square of the speed: three times the speed is more than three times the height.",
+                    law(
+                        "Conservation of mechanical energy",
+                        "h = h_0*v/v_0",
+                        h=h_most,
+                        h_0=h0,
+                        v=v_most,
+                        v_0=v_0,
+                    ),
+                ),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_most, v=v_most),
+                ),
             ],
             check="However heavy A is, B does not rise higher than this.",
         ),
         step(
-            f, "In units of v₀, and with q = m_B/m_A: A comes with 1, B with -1. The relative velocity 2 is turned round, and the momentum 1 - q is kept; q is 3, 1, 1/3 and 0.",
+            f,
+            "In units of v₀, and with q = m_B/m_A: A comes with 1, B with -1. The relative velocity 2 is turned round, and the momentum 1 - q is kept; q is 3, 1, 1/3 and 0.",
             law("Conservation of momentum", "1 - q = x_A + q*x_B", q=lightness, x_A=other, x_B=f),
-            law("Coefficient of restitution", "x_B - x_A = 2", source="(12.108)", x_A=other, x_B=f), also=other, answers="f",
+            law("Coefficient of restitution", "x_B - x_A = 2", source="(12.108)", x_A=other, x_B=f),
+            also=other,
+            answers="f",
             mistakes=[
-                mistake("B is not at rest when A meets it: it comes down with -1.",
-                        law("Conservation of momentum", "x_B*(1 + q) = 2", x_B=f, q=lightness)),
-                mistake("The ratio of the masses is the other way round: a heavy A sends B up.",
-                        law("Conservation of momentum", "x_B = c", x_B=f, c=tuple((3 * q - 1) / (q + 1) for q in lightness))),
+                mistake(
+                    "B is not at rest when A meets it: it comes down with -1.",
+                    law("Conservation of momentum", "x_B*(1 + q) = 2", x_B=f, q=lightness),
+                ),
+                mistake(
+                    "The ratio of the masses is the other way round: a heavy A sends B up.",
+                    law(
+                        "Conservation of momentum",
+                        "x_B = c",
+                        x_B=f,
+                        c=tuple((3 * q - 1) / (q + 1) for q in lightness),
+                    ),
+                ),
             ],
             check="The heavier A is, the faster B goes up, but never faster than 3v₀.",
         ),
         neglected(
-            "b", "gravity during both contacts", u, "While A touches the floor, B falls on for the time τ, which makes it a little faster after the hit; while the balls touch, both fall, which makes it slower. Each is at most gτ, and they work against each other.",
-            law("Free fall", "u = g*tau", u=u, g=g, tau=tau), supposing=[touch],
+            "b",
+            "gravity during both contacts",
+            u,
+            "While A touches the floor, B falls on for the time τ, which makes it a little faster after the hit; while the balls touch, both fall, which makes it slower. Each is at most gτ, and they work against each other.",
+            law("Free fall", "u = g*tau", u=u, g=g, tau=tau),
+            supposing=[touch],
         ),
         neglected(
-            "d", "gravity during both contacts", eps, "It changes B's velocity by at most gτ, as in (b), and the height with it: $v^2/2g$ by $v\\,u/g$.",
-            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=v_B1, u=g * tau, g=g), supposing=[touch],
+            "d",
+            "gravity during both contacts",
+            eps,
+            "It changes B's velocity by at most gτ, as in (b), and the height with it: $v^2/2g$ by $v\\,u/g$.",
+            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=v_B1, u=g * tau, g=g),
+            supposing=[touch],
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(mA, mB, h0, g, answer, neglected):

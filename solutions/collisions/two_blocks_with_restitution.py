@@ -23,52 +23,136 @@ def derive(mA, mB, vA, vB, r):
     )
     return derivation(
         step(
-            v_A1, "Momentum is kept, and the relative velocity is turned round and shrinks by r: two equations for the two velocities.",
-            momentum_kept, given_r, also=[v_B1], answers="a",
+            v_A1,
+            "Momentum is kept, and the relative velocity is turned round and shrinks by r: two equations for the two velocities.",
+            momentum_kept,
+            given_r,
+            also=[v_B1],
+            answers="a",
             mistakes=[
-                mistake("You let the blocks stick together; they part with r times their relative speed.", restitution(0, A=(vA, v_A1), B=(vB, v_B1)), instead="Coefficient of restitution"),
-                mistake("You used an elastic collision; here some of the relative velocity is lost.", restitution(1, A=(vA, v_A1), B=(vB, v_B1)), instead="Coefficient of restitution"),
-                mistake("The coefficient compares relative velocities, and not the speeds of A and B alone.",
-                        law("Coefficient of restitution", "v_A1 = -r*v_A0", v_A1=v_A1, v_A0=vA, r=r), instead="Coefficient of restitution"),
-                mistake("The velocity of B has a sign; you counted it the other way round.",
-                        conservation_of_momentum(before=[(mA, vA), (mB, -vB)], after=[(mA, v_A1), (mB, v_B1)])),
-                mistake("After the collision B must be ahead: A cannot run through it. Check the sign in the coefficient of restitution.",
-                        restitution(-r, A=(vA, v_A1), B=(vB, v_B1)), instead="Coefficient of restitution"),
+                mistake(
+                    "You let the blocks stick together; they part with r times their relative speed.",
+                    restitution(0, A=(vA, v_A1), B=(vB, v_B1)),
+                    instead="Coefficient of restitution",
+                ),
+                mistake(
+                    "You used an elastic collision; here some of the relative velocity is lost.",
+                    restitution(1, A=(vA, v_A1), B=(vB, v_B1)),
+                    instead="Coefficient of restitution",
+                ),
+                mistake(
+                    "The coefficient compares relative velocities, and not the speeds of A and B alone.",
+                    law("Coefficient of restitution", "v_A1 = -r*v_A0", v_A1=v_A1, v_A0=vA, r=r),
+                    instead="Coefficient of restitution",
+                ),
+                mistake(
+                    "The velocity of B has a sign; you counted it the other way round.",
+                    conservation_of_momentum(before=[(mA, vA), (mB, -vB)], after=[(mA, v_A1), (mB, v_B1)]),
+                ),
+                mistake(
+                    "After the collision B must be ahead: A cannot run through it. Check the sign in the coefficient of restitution.",
+                    restitution(-r, A=(vA, v_A1), B=(vB, v_B1)),
+                    instead="Coefficient of restitution",
+                ),
             ],
             check="r = 1 gives the elastic collision, r = 0 the common velocity.",
         ),
         step(
-            v_B1, "With A's velocity known, momentum gives B's.",
-            momentum_kept, answers="b",
-            routes=[route("Or from the relative velocity: B leaves A at r times the speed at which they came together.", given_r)],
+            v_B1,
+            "With A's velocity known, momentum gives B's.",
+            momentum_kept,
+            answers="b",
+            routes=[
+                route(
+                    "Or from the relative velocity: B leaves A at r times the speed at which they came together.",
+                    given_r,
+                )
+            ],
             mistakes=[
-                mistake("The velocity of B before the collision has a sign; you counted it the other way round.",
-                        conservation_of_momentum(before=[(mA, vA), (mB, -vB)], after=[(mA, v_A1), (mB, v_B1)])),
-                mistake("You left out the momentum that B had before.", conservation_of_momentum(before=[(mA, vA), (mB, 0)], after=[(mA, v_A1), (mB, v_B1)])),
-                mistake("That is the speed at which they part, the relative velocity; asked is B's velocity on the track.",
-                        law("Conservation of momentum", "v_B1 = r*(v_A0 - v_B0)", v_B1=v_B1, r=r, v_A0=vA, v_B0=vB)),
+                mistake(
+                    "The velocity of B before the collision has a sign; you counted it the other way round.",
+                    conservation_of_momentum(before=[(mA, vA), (mB, -vB)], after=[(mA, v_A1), (mB, v_B1)]),
+                ),
+                mistake(
+                    "You left out the momentum that B had before.",
+                    conservation_of_momentum(before=[(mA, vA), (mB, 0)], after=[(mA, v_A1), (mB, v_B1)]),
+                ),
+                mistake(
+                    "That is the speed at which they part, the relative velocity; asked is B's velocity on the track.",
+                    law(
+                        "Conservation of momentum", "v_B1 = r*(v_A0 - v_B0)", v_B1=v_B1, r=r, v_A0=vA, v_B0=vB
+                    ),
+                ),
             ],
             check="B is now faster than A: they move apart.",
         ),
         step(
-            dK, "The change is the sum of the kinetic energies after, less that before.",
-            energy, answers="c",
+            dK,
+            "The change is the sum of the kinetic energies after, less that before.",
+            energy,
+            answers="c",
             routes=[route("The same from the loss of the relative motion alone.", loss)],
             mistakes=[
-                mistake("r² is what is left of the energy of the *relative* motion; the common motion of both keeps all of its energy.",
-                        law("Change of kinetic energy", "dK = (r^2 - 1)*(m_A*v_A^2/2 + m_B*v_B^2/2)", dK=dK, r=r, m_A=mA, v_A=vA, m_B=mB, v_B=vB)),
-                mistake("You squared the changes of the velocities; take the differences of the squares.",
-                        law("Change of kinetic energy", "dK = m_A*(v_A1 - v_A)^2/2 + m_B*(v_B1 - v_B)^2/2", dK=dK, m_A=mA, v_A1=v_A1, v_A=vA, m_B=mB, v_B1=v_B1, v_B=vB)),
-                mistake("Kinetic energy has no direction: that of B counts as positive too, whichever way it moves.",
-                        law("Change of kinetic energy", "dK = m_A*(v_A1^2 - v_A^2)/2 - m_B*(v_B1^2 - v_B^2)/2", dK=dK, m_A=mA, v_A1=v_A1, v_A=vA, m_B=mB, v_B1=v_B1, v_B=vB)),
+                mistake(
+                    "r² is what is left of the energy of the *relative* motion; the common motion of both keeps all of its energy.",
+                    law(
+                        "Change of kinetic energy",
+                        "dK = (r^2 - 1)*(m_A*v_A^2/2 + m_B*v_B^2/2)",
+                        dK=dK,
+                        r=r,
+                        m_A=mA,
+                        v_A=vA,
+                        m_B=mB,
+                        v_B=vB,
+                    ),
+                ),
+                mistake(
+                    "You squared the changes of the velocities; take the differences of the squares.",
+                    law(
+                        "Change of kinetic energy",
+                        "dK = m_A*(v_A1 - v_A)^2/2 + m_B*(v_B1 - v_B)^2/2",
+                        dK=dK,
+                        m_A=mA,
+                        v_A1=v_A1,
+                        v_A=vA,
+                        m_B=mB,
+                        v_B1=v_B1,
+                        v_B=vB,
+                    ),
+                ),
+                mistake(
+                    "Kinetic energy has no direction: that of B counts as positive too, whichever way it moves.",
+                    law(
+                        "Change of kinetic energy",
+                        "dK = m_A*(v_A1^2 - v_A^2)/2 - m_B*(v_B1^2 - v_B^2)/2",
+                        dK=dK,
+                        m_A=mA,
+                        v_A1=v_A1,
+                        v_A=vA,
+                        m_B=mB,
+                        v_B1=v_B1,
+                        v_B=vB,
+                    ),
+                ),
             ],
             check="It is never positive, and it is zero for r = 1.",
         ),
-        optimum(r_most, "Momentum is kept for every r. The change is smallest, the loss largest, where its slope as a function of r vanishes.",
-                of=dK, over=r, between=(0, 1), largest=False, check="Nothing is left of the relative motion: the blocks stick together."),
+        optimum(
+            r_most,
+            "Momentum is kept for every r. The change is smallest, the loss largest, where its slope as a function of r vanishes.",
+            of=dK,
+            over=r,
+            between=(0, 1),
+            largest=False,
+            check="Nothing is left of the relative motion: the blocks stick together.",
+        ),
         proof(
-            "e", "Momentum and the coefficient of restitution fix both velocities; put into the kinetic energy, only the relative velocity before is left.",
-            momentum_kept, given_r, energy, target=loss,
+            "e",
+            "Momentum and the coefficient of restitution fix both velocities; put into the kinetic energy, only the relative velocity before is left.",
+            momentum_kept,
+            given_r,
+            energy,
+            target=loss,
             lines=[
                 "mA*vA + mB*vB = mA*v_A1 + mB*v_B1",
                 "v_B1 - v_A1 = r*(vA - vB)",
@@ -79,10 +163,15 @@ def derive(mA, mB, vA, vB, r):
                 "dK = mA*mB/(mA + mB)*r^2*(vA - vB)^2/2 - mA*mB/(mA + mB)*(vA - vB)^2/2",
                 "dK = -mA*mB/(2*(mA + mB))*(1 - r^2)*(vA - vB)^2",
             ],
-            mistakes=[mistake("Kinetic energy is not kept here: r is not 1.", law("Energy kept", "dK = 0", dK=dK)),
-                      mistake("Check the sign: after the collision B moves away from A.", restitution(-r, A=(vA, v_A1), B=(vB, v_B1)))],
+            mistakes=[
+                mistake("Kinetic energy is not kept here: r is not 1.", law("Energy kept", "dK = 0", dK=dK)),
+                mistake(
+                    "Check the sign: after the collision B moves away from A.",
+                    restitution(-r, A=(vA, v_A1), B=(vB, v_B1)),
+                ),
+            ],
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(mA, mB, vA, vB, r, answer):

@@ -21,56 +21,147 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
     F = vector("F")
     w = unknown("w")
     return derivation(
-        step(r, "First the distance of the ions.", distance(r, (dx, dy)),
-             mistakes=[mistake("The distance is the length of the vector: the root of the sum of the squares, not the sum.", law("Distance", "r = abs(x) + abs(y)", r=r, x=dx, y=dy))]),
         step(
-            F, "The force on A points from B to A, against $\\Delta\\vec r$: the ions repel each other.",
-            ionic(F, C=C, apart=(dx, dy), r=r), answers="a",
+            r,
+            "First the distance of the ions.",
+            distance(r, (dx, dy)),
             mistakes=[
-                mistake("That is the force on B. With $\\Delta\\vec r = \\vec r_B - \\vec r_A$ the force on A has a minus sign.", law("Ionic force", "F = C/r^2*Dr/r", F=F, C=C, Dr=(dx, dy), r=r)),
-                mistake("The unit vector is $\\Delta\\vec r/\\Delta r$: together with $1/(\\Delta r)^2$ the vector is divided by the third power of the distance.",
-                        law("Ionic force", "F = -C/r^2*Dr", F=F, C=C, Dr=(dx, dy), r=r)),
+                mistake(
+                    "The distance is the length of the vector: the root of the sum of the squares, not the sum.",
+                    law("Distance", "r = abs(x) + abs(y)", r=r, x=dx, y=dy),
+                )
+            ],
+        ),
+        step(
+            F,
+            "The force on A points from B to A, against $\\Delta\\vec r$: the ions repel each other.",
+            ionic(F, C=C, apart=(dx, dy), r=r),
+            answers="a",
+            mistakes=[
+                mistake(
+                    "That is the force on B. With $\\Delta\\vec r = \\vec r_B - \\vec r_A$ the force on A has a minus sign.",
+                    law("Ionic force", "F = C/r^2*Dr/r", F=F, C=C, Dr=(dx, dy), r=r),
+                ),
+                mistake(
+                    "The unit vector is $\\Delta\\vec r/\\Delta r$: together with $1/(\\Delta r)^2$ the vector is divided by the third power of the distance.",
+                    law("Ionic force", "F = -C/r^2*Dr", F=F, C=C, Dr=(dx, dy), r=r),
+                ),
             ],
             check="Its length is $C/(\\Delta r)^2$, whatever the direction.",
         ),
-        step(mu, "Seen from each other, the ions move like one body of the reduced mass, with the force at the distance r.", reduced_mass(mu, mA, mB),
-             mistakes=[
-                 mistake("You used the mass of one ion. Both move: the reduced mass $m_A m_B/(m_A + m_B)$ belongs to the relative motion.", law("Reduced mass", "mu = m_A", mu=mu, m_A=mA)),
-                 mistake("The masses do not add up in the relative motion; the reduced mass is smaller than each of them.", law("Reduced mass", "mu = m_A + m_B", mu=mu, m_A=mA, m_B=mB)),
-             ]),
-        step(E, "The force $C/r^2$ belongs to the potential energy $C/r$; energy of the relative motion at the start.",
-             law("Energy", "E = mu*v^2/2 + C/r_0", source="(12.25)", holds="the potential energy is zero far apart", E=E, mu=mu, v=v, C=C, r_0=r0),
-             mistakes=[
-                 mistake("At the start the ions repel each other already: $C/r_0$ is part of the energy.", law("Energy", "E = mu*v^2/2", E=E, mu=mu, v=v)),
-                 mistake("You left out the factor 1/2 of the kinetic energy.", law("Energy", "E = mu*v^2 + C/r_0", E=E, mu=mu, v=v, C=C, r_0=r0)),
-             ]),
         step(
-            r_b, "Head-on, the ions do not move against each other at the closest approach: all of the energy is potential.",
-            law("Conservation of mechanical energy", "E = C/r", holds="the force is conservative", E=E, C=C, r=r_b), answers="b",
+            mu,
+            "Seen from each other, the ions move like one body of the reduced mass, with the force at the distance r.",
+            reduced_mass(mu, mA, mB),
             mistakes=[
-                mistake("The potential energy of this force is $C/r$: integrate $C/r^2$ over the distance.", law("Conservation of mechanical energy", "E = C/(2*r)", E=E, C=C, r=r_b)),
-                mistake("You balanced the kinetic energy with the difference the wrong way round: the potential energy at the start helps the ions apart.",
-                        law("Conservation of mechanical energy", "E + C/r_0 = C/r", E=E, C=C, r_0=r0, r=r_b)),
+                mistake(
+                    "You used the mass of one ion. Both move: the reduced mass $m_A m_B/(m_A + m_B)$ belongs to the relative motion.",
+                    law("Reduced mass", "mu = m_A", mu=mu, m_A=mA),
+                ),
+                mistake(
+                    "The masses do not add up in the relative motion; the reduced mass is smaller than each of them.",
+                    law("Reduced mass", "mu = m_A + m_B", mu=mu, m_A=mA, m_B=mB),
+                ),
+            ],
+        ),
+        step(
+            E,
+            "The force $C/r^2$ belongs to the potential energy $C/r$; energy of the relative motion at the start.",
+            law(
+                "Energy",
+                "E = mu*v^2/2 + C/r_0",
+                source="(12.25)",
+                holds="the potential energy is zero far apart",
+                E=E,
+                mu=mu,
+                v=v,
+                C=C,
+                r_0=r0,
+            ),
+            mistakes=[
+                mistake(
+                    "At the start the ions repel each other already: $C/r_0$ is part of the energy.",
+                    law("Energy", "E = mu*v^2/2", E=E, mu=mu, v=v),
+                ),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Energy", "E = mu*v^2 + C/r_0", E=E, mu=mu, v=v, C=C, r_0=r0),
+                ),
+            ],
+        ),
+        step(
+            r_b,
+            "Head-on, the ions do not move against each other at the closest approach: all of the energy is potential.",
+            law(
+                "Conservation of mechanical energy",
+                "E = C/r",
+                holds="the force is conservative",
+                E=E,
+                C=C,
+                r=r_b,
+            ),
+            answers="b",
+            mistakes=[
+                mistake(
+                    "The potential energy of this force is $C/r$: integrate $C/r^2$ over the distance.",
+                    law("Conservation of mechanical energy", "E = C/(2*r)", E=E, C=C, r=r_b),
+                ),
+                mistake(
+                    "You balanced the kinetic energy with the difference the wrong way round: the potential energy at the start helps the ions apart.",
+                    law("Conservation of mechanical energy", "E + C/r_0 = C/r", E=E, C=C, r_0=r0, r=r_b),
+                ),
             ],
             check="Slow ions (v → 0) turn round at $r_0$ itself; faster or heavier ones come closer.",
         ),
         step(
-            r_c, "At the closest approach the relative velocity is at right angles to the line of the ions; $w$ is its size there. Angular momentum of the relative motion is kept, as the force is central.",
-            law("Conservation of mechanical energy", "E = mu*w^2/2 + C/r", holds="the force is conservative", E=E, mu=mu, w=w, C=C, r=r_c),
-            law("Conservation of angular momentum", "mu*v*s = mu*w*r", holds="the force is central", mu=mu, v=v, s=s, w=w, r=r_c),
-            answers="c", also=[w], where=r_c > 0,
+            r_c,
+            "At the closest approach the relative velocity is at right angles to the line of the ions; $w$ is its size there. Angular momentum of the relative motion is kept, as the force is central.",
+            law(
+                "Conservation of mechanical energy",
+                "E = mu*w^2/2 + C/r",
+                holds="the force is conservative",
+                E=E,
+                mu=mu,
+                w=w,
+                C=C,
+                r=r_c,
+            ),
+            law(
+                "Conservation of angular momentum",
+                "mu*v*s = mu*w*r",
+                holds="the force is central",
+                mu=mu,
+                v=v,
+                s=s,
+                w=w,
+                r=r_c,
+            ),
+            answers="c",
+            also=[w],
+            where=r_c > 0,
             mistakes=[
-                mistake("They do not stop against each other now: at the closest approach they still pass with a velocity across the line between them.",
-                        law("Conservation of mechanical energy", "E = C/r", E=E, C=C, r=r_c), instead="Conservation of mechanical energy"),
-                mistake("The impact parameter is not the closest distance: the ions push each other further away.",
-                        law("Conservation of mechanical energy", "r = s", r=r_c, s=s), instead="Conservation of mechanical energy"),
+                mistake(
+                    "They do not stop against each other now: at the closest approach they still pass with a velocity across the line between them.",
+                    law("Conservation of mechanical energy", "E = C/r", E=E, C=C, r=r_c),
+                    instead="Conservation of mechanical energy",
+                ),
+                mistake(
+                    "The impact parameter is not the closest distance: the ions push each other further away.",
+                    law("Conservation of mechanical energy", "r = s", r=r_c, s=s),
+                    instead="Conservation of mechanical energy",
+                ),
             ],
             check="With s = 0 it is the answer of (b); without the force (C → 0) it is s.",
         ),
-        code("d", "Newton's second law for each ion, with the force on B opposite to that on A; velocities first, then positions with the new velocities. "
-                  "The total momentum must stay the same, and the energy once the step is small enough.",
-             inputs=ion_inputs, judge=judge_ions, example=file("two_ions/ions.py")),
-    )  # fmt: skip
+        code(
+            "d",
+            "Newton's second law for each ion, with the force on B opposite to that on A; velocities first, then positions with the new velocities. "
+            "The total momentum must stay the same, and the energy once the step is small enough.",
+            inputs=ion_inputs,
+            judge=judge_ions,
+            example=file("two_ions/ions.py"),
+        ),
+    )
 
 
 def scene(C, mA, mB, v, r0, s, dx, dy, answer):

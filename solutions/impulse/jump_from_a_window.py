@@ -8,56 +8,120 @@ def derive(h, m, dt, s, g):
     v, dp, F, N, F_s, N_s = unknowns("v dp F N F_s N_s")
     return derivation(
         step(
-            v, "On the way down only gravity does work, and you start from rest.", falling(v, g, h), answers="a", where=v >= 0,
+            v,
+            "On the way down only gravity does work, and you start from rest.",
+            falling(v, g, h),
+            answers="a",
+            where=v >= 0,
             mistakes=[
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h, v=v)),
-                mistake("You did not take the root: energy goes with the square of the speed.", law("Conservation of mechanical energy", "v = 2*g*h", g=g, h=h, v=v)),
-                mistake("The factor 1/2 stands at the square of the speed, not at the height.", law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h, v=v)),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h, v=v),
+                ),
+                mistake(
+                    "You did not take the root: energy goes with the square of the speed.",
+                    law("Conservation of mechanical energy", "v = 2*g*h", g=g, h=h, v=v),
+                ),
+                mistake(
+                    "The factor 1/2 stands at the square of the speed, not at the height.",
+                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h, v=v),
+                ),
             ],
             check="Your mass does not matter: all bodies fall alike.",
         ),
         step(
-            dp, "You arrive with the velocity -v (down) and end at rest.", change_of_momentum(dp, m, before=-v, after=0), answers="b",
+            dp,
+            "You arrive with the velocity -v (down) and end at rest.",
+            change_of_momentum(dp, m, before=-v, after=0),
+            answers="b",
             mistakes=[
-                mistake("Up is positive, so you arrive with a negative velocity; after less before is then positive.", change_of_momentum(dp, m, before=v, after=0)),
-                mistake("That is the kinetic energy; momentum is mass times velocity.", law("Change of momentum", "dp = m*v^2/2", dp=dp, m=m, v=v)),
-                mistake("You do not bounce back: you end at rest.", change_of_momentum(dp, m, before=-v, after=v)),
+                mistake(
+                    "Up is positive, so you arrive with a negative velocity; after less before is then positive.",
+                    change_of_momentum(dp, m, before=v, after=0),
+                ),
+                mistake(
+                    "That is the kinetic energy; momentum is mass times velocity.",
+                    law("Change of momentum", "dp = m*v^2/2", dp=dp, m=m, v=v),
+                ),
+                mistake(
+                    "You do not bounce back: you end at rest.", change_of_momentum(dp, m, before=-v, after=v)
+                ),
             ],
             check="It points up, and the way you land does not change it.",
         ),
         step(
-            F, "The mean net force is the change of momentum divided by the time it takes.", mean_force(F, dp, dt), answers="c",
+            F,
+            "The mean net force is the change of momentum divided by the time it takes.",
+            mean_force(F, dp, dt),
+            answers="c",
             mistakes=[
-                mistake("You multiplied by the time; divide by it.", law("Mean force", "F = J*dt", F=F, J=dp, dt=dt)),
-                mistake("You took half of it, as for a mean velocity; the mean force is the whole change of momentum divided by the time.", law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt)),
+                mistake(
+                    "You multiplied by the time; divide by it.",
+                    law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
+                ),
+                mistake(
+                    "You took half of it, as for a mean velocity; the mean force is the whole change of momentum divided by the time.",
+                    law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
+                ),
             ],
             check="Twice the time means half the force.",
         ),
         step(
-            N, "Two forces act on you in the landing: the ground up and your weight down. Their sum is the net force.",
-            force_on_standing(F, N, m, g), answers="d",
+            N,
+            "Two forces act on you in the landing: the ground up and your weight down. Their sum is the net force.",
+            force_on_standing(F, N, m, g),
+            answers="d",
             mistakes=[
-                mistake("That is the net force; the ground must carry your weight besides.", law("Net force", "F = N", F=F, N=N)),
-                mistake("The weight points down: the ground must push with more than the net force, not with less.", law("Net force", "F = N + m*g", F=F, N=N, m=m, g=g)),
-                mistake("That is your weight alone; the ground must also stop you.", law("Net force", "N = m*g", N=N, m=m, g=g)),
+                mistake(
+                    "That is the net force; the ground must carry your weight besides.",
+                    law("Net force", "F = N", F=F, N=N),
+                ),
+                mistake(
+                    "The weight points down: the ground must push with more than the net force, not with less.",
+                    law("Net force", "F = N + m*g", F=F, N=N, m=m, g=g),
+                ),
+                mistake(
+                    "That is your weight alone; the ground must also stop you.",
+                    law("Net force", "N = m*g", N=N, m=m, g=g),
+                ),
             ],
             check="With a very long stopping time it becomes your weight, as when you stand.",
         ),
         step(
-            F_s, "Over the way s (downwards, so the displacement is -s) the net force takes all the kinetic energy.",
+            F_s,
+            "Over the way s (downwards, so the displacement is -s) the net force takes all the kinetic energy.",
             work_of_net_force(F_s, -s, m, before=-v, after=0),
             mistakes=[
-                mistake("You left out the factor 1/2 of the kinetic energy.", law("Work and kinetic energy", "F*s = m*v^2", F=F_s, s=s, m=m, v=v)),
-                mistake("That is how momentum and time go together; over a way it is the kinetic energy that counts.", law("Work and kinetic energy", "F*s = m*v", F=F_s, s=s, m=m, v=v)),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law("Work and kinetic energy", "F*s = m*v^2", F=F_s, s=s, m=m, v=v),
+                ),
+                mistake(
+                    "That is how momentum and time go together; over a way it is the kinetic energy that counts.",
+                    law("Work and kinetic energy", "F*s = m*v", F=F_s, s=s, m=m, v=v),
+                ),
             ],
         ),
         step(
-            N_s, "Again the ground has to carry your weight besides.", force_on_standing(F_s, N_s, m, g), answers="e",
-            routes=[route("From window to rest at once: the ground takes, over s, all the energy that gravity gives over h + s.",
-                          law("Work and kinetic energy", "N*s = m*g*(h + s)", N=N_s, s=s, m=m, g=g, h=h))],
+            N_s,
+            "Again the ground has to carry your weight besides.",
+            force_on_standing(F_s, N_s, m, g),
+            answers="e",
+            routes=[
+                route(
+                    "From window to rest at once: the ground takes, over s, all the energy that gravity gives over h + s.",
+                    law("Work and kinetic energy", "N*s = m*g*(h + s)", N=N_s, s=s, m=m, g=g, h=h),
+                )
+            ],
             mistakes=[
-                mistake("That is the net force; while you sink by s gravity still does work, and the ground must carry your weight besides.", law("Net force", "F = N", F=F_s, N=N_s)),
-                mistake("The weight points down: the ground must push with more than the net force, not with less.", law("Net force", "F = N + m*g", F=F_s, N=N_s, m=m, g=g)),
+                mistake(
+                    "That is the net force; while you sink by s gravity still does work, and the ground must carry your weight besides.",
+                    law("Net force", "F = N", F=F_s, N=N_s),
+                ),
+                mistake(
+                    "The weight points down: the ground must push with more than the net force, not with less.",
+                    law("Net force", "F = N + m*g", F=F_s, N=N_s, m=m, g=g),
+                ),
             ],
             check="It is $mg(1 + h/s)$: stiff legs (a small s) make it enormous.",
         ),
@@ -68,14 +132,14 @@ def derive(h, m, dt, s, g):
             "Energy: the work of the force over the stopping distance takes the kinetic energy, so a long stopping distance makes it small.",
             "Mentions that the ground must carry the weight besides: the force of the ground is the net force plus $mg$.",
             answer="The fall gives you the speed $v = \\sqrt{2gh}$, and in the landing it goes to zero: the change of momentum is $mv$ and depends on your mass and "
-                   "the height only, not on how you land. Momentum: the mean net "
-                   "force is $mv/\\Delta t$, so make the stopping time long. Energy: the mean net force, taken over the way $s$ on which you stop, does the work "
-                   "$\\frac{1}{2}mv^2 = mgh$, so it is $mgh/s$, and you should make "
-                   "the stopping distance long. Both ask for the same thing: bend your knees, roll off, land on something soft, for a longer way takes a longer time. "
-                   "The force from the ground is larger than "
-                   "the net force by your weight.",
+            "the height only, not on how you land. Momentum: the mean net "
+            "force is $mv/\\Delta t$, so make the stopping time long. Energy: the mean net force, taken over the way $s$ on which you stop, does the work "
+            "$\\frac{1}{2}mv^2 = mgh$, so it is $mgh/s$, and you should make "
+            "the stopping distance long. Both ask for the same thing: bend your knees, roll off, land on something soft, for a longer way takes a longer time. "
+            "The force from the ground is larger than "
+            "the net force by your weight.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(h, m, dt, s, g, answer):

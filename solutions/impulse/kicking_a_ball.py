@@ -8,53 +8,89 @@ def derive(m, v, w, dt):
     dp, J, F, dp_r, F_r = unknowns("dp J F dp_r F_r")
     return derivation(
         step(
-            dp, "The ball is at rest before the kick and has the velocity v after it.",
-            change_of_momentum(dp, m, before=0, after=v), answers="a",
+            dp,
+            "The ball is at rest before the kick and has the velocity v after it.",
+            change_of_momentum(dp, m, before=0, after=v),
+            answers="a",
             mistakes=[
-                mistake("That is the kinetic energy, $mv^2/2$; momentum is mass times velocity.", law("Kinetic energy", "K = m*v^2/2", K=dp, m=m, v=v)),
-                mistake("That is the rate at which the momentum changes, a force; the change itself does not ask how long the kick lasts.",
-                        law("Rate of change", "p = m*v/dt", p=dp, m=m, v=v, dt=dt)),
+                mistake(
+                    "That is the kinetic energy, $mv^2/2$; momentum is mass times velocity.",
+                    law("Kinetic energy", "K = m*v^2/2", K=dp, m=m, v=v),
+                ),
+                mistake(
+                    "That is the rate at which the momentum changes, a force; the change itself does not ask how long the kick lasts.",
+                    law("Rate of change", "p = m*v/dt", p=dp, m=m, v=v, dt=dt),
+                ),
             ],
             check="It points the way the ball goes, and grows with mass and with speed.",
         ),
         step(
-            J, "The impulse of the net force on the ball is its change of momentum.",
-            impulse_momentum(J, dp), answers="b",
+            J,
+            "The impulse of the net force on the ball is its change of momentum.",
+            impulse_momentum(J, dp),
+            answers="b",
             mistakes=[
-                mistake("You divided the change of momentum by the time: that is the mean force. The impulse is the whole change of momentum.",
-                        law("Mean force", "F = dp/dt", F=J, dp=dp, dt=dt)),
-                mistake("You multiplied the change of momentum by the time; an impulse is a force times a time, and that is the change of momentum already.",
-                        law("Impulse", "J = dp*dt", J=J, dp=dp, dt=dt)),
+                mistake(
+                    "You divided the change of momentum by the time: that is the mean force. The impulse is the whole change of momentum.",
+                    law("Mean force", "F = dp/dt", F=J, dp=dp, dt=dt),
+                ),
+                mistake(
+                    "You multiplied the change of momentum by the time; an impulse is a force times a time, and that is the change of momentum already.",
+                    law("Impulse", "J = dp*dt", J=J, dp=dp, dt=dt),
+                ),
             ],
             check="1 N s = 1 kg m/s: an impulse and a momentum have the same unit.",
         ),
         step(
-            F, "A mean force, times the time it acts, is the impulse.",
-            mean_force(F, J, dt), answers="c",
+            F,
+            "A mean force, times the time it acts, is the impulse.",
+            mean_force(F, J, dt),
+            answers="c",
             mistakes=[
-                mistake("You multiplied by the time. A short kick needs a large force: divide the impulse by the time.", law("Mean force", "F = J*dt", F=F, J=J, dt=dt)),
-                mistake("You took half of the mean force, as for a mean velocity; the mean force over the contact is the impulse divided by the time.",
-                        law("Mean force", "F = J/(2*dt)", F=F, J=J, dt=dt)),
+                mistake(
+                    "You multiplied by the time. A short kick needs a large force: divide the impulse by the time.",
+                    law("Mean force", "F = J*dt", F=F, J=J, dt=dt),
+                ),
+                mistake(
+                    "You took half of the mean force, as for a mean velocity; the mean force over the contact is the impulse divided by the time.",
+                    law("Mean force", "F = J/(2*dt)", F=F, J=J, dt=dt),
+                ),
             ],
             check="The same impulse in half the time would take twice the force.",
         ),
         step(
-            dp_r, "Velocity has a direction: the ball arrives at -w and leaves at +v.",
+            dp_r,
+            "Velocity has a direction: the ball arrives at -w and leaves at +v.",
             change_of_momentum(dp_r, m, before=-w, after=v),
             mistakes=[
-                mistake("Momentum has a direction. The ball arrives with a negative velocity and leaves with a positive one: the two speeds add.",
-                        change_of_momentum(dp_r, m, before=w, after=v)),
-                mistake("You left out the momentum with which the ball arrives; the kick must first stop it.", change_of_momentum(dp_r, m, before=0, after=v)),
-                mistake("You counted only the stopping of the ball, not its way back.", change_of_momentum(dp_r, m, before=-w, after=0)),
+                mistake(
+                    "Momentum has a direction. The ball arrives with a negative velocity and leaves with a positive one: the two speeds add.",
+                    change_of_momentum(dp_r, m, before=w, after=v),
+                ),
+                mistake(
+                    "You left out the momentum with which the ball arrives; the kick must first stop it.",
+                    change_of_momentum(dp_r, m, before=0, after=v),
+                ),
+                mistake(
+                    "You counted only the stopping of the ball, not its way back.",
+                    change_of_momentum(dp_r, m, before=-w, after=0),
+                ),
             ],
         ),
         step(
-            F_r, "Again the mean force is the impulse, which is the change of momentum, divided by the time.",
-            mean_force(F_r, dp_r, dt), answers="d",
-            mistakes=[mistake("You multiplied by the time; divide the impulse by it.", law("Mean force", "F = J*dt", F=F_r, J=dp_r, dt=dt))],
+            F_r,
+            "Again the mean force is the impulse, which is the change of momentum, divided by the time.",
+            mean_force(F_r, dp_r, dt),
+            answers="d",
+            mistakes=[
+                mistake(
+                    "You multiplied by the time; divide the impulse by it.",
+                    law("Mean force", "F = J*dt", F=F_r, J=dp_r, dt=dt),
+                )
+            ],
             check="With w = 0 this is the force of part (c); every bit of incoming speed adds to it.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(m, v, w, dt, answer):

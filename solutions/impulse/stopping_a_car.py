@@ -8,46 +8,82 @@ def derive(v, M, dt, md, td):
     dp, F, dp_d, F_d = unknowns("dp F dp_d F_d")
     return derivation(
         step(
-            dp, "The car has the velocity v before the crash and stands still after it.",
+            dp,
+            "The car has the velocity v before the crash and stands still after it.",
             change_of_momentum(dp, M, before=v, after=0),
             mistakes=[
-                mistake("The change is what is after less what is before. The car loses forward momentum: the change, and with it the force, points backward.",
-                        change_of_momentum(dp, M, before=0, after=v)),
-                mistake("You put in the speed in km/h as if it were m/s; divide it by 3.6 first.", law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp, m=M, v=v)),
-                mistake("You took the kinetic energy for the change of momentum; momentum is $mv$.", law("Change of momentum", "dp = -m*v^2/2", dp=dp, m=M, v=v)),
+                mistake(
+                    "The change is what is after less what is before. The car loses forward momentum: the change, and with it the force, points backward.",
+                    change_of_momentum(dp, M, before=0, after=v),
+                ),
+                mistake(
+                    "You put in the speed in km/h as if it were m/s; divide it by 3.6 first.",
+                    law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp, m=M, v=v),
+                ),
+                mistake(
+                    "You took the kinetic energy for the change of momentum; momentum is $mv$.",
+                    law("Change of momentum", "dp = -m*v^2/2", dp=dp, m=M, v=v),
+                ),
             ],
         ),
         step(
-            F, "The mean force is the change of momentum, divided by the time it takes.",
-            mean_force(F, dp, dt), answers="a",
+            F,
+            "The mean force is the change of momentum, divided by the time it takes.",
+            mean_force(F, dp, dt),
+            answers="a",
             mistakes=[
-                mistake("You multiplied by the time. A quick stop needs a large force: divide by the time.", law("Mean force", "F = J*dt", F=F, J=dp, dt=dt)),
-                mistake("You took half of the mean force, as for a mean velocity; the mean force is the whole change of momentum divided by the time.",
-                        law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt)),
+                mistake(
+                    "You multiplied by the time. A quick stop needs a large force: divide by the time.",
+                    law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
+                ),
+                mistake(
+                    "You took half of the mean force, as for a mean velocity; the mean force is the whole change of momentum divided by the time.",
+                    law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
+                ),
             ],
             check="It is negative: a car that drives forward is stopped by a force backward.",
         ),
         step(
-            dp_d, "The dummy rides along at the speed of the car and stops as well; its mass is its own.",
+            dp_d,
+            "The dummy rides along at the speed of the car and stops as well; its mass is its own.",
             change_of_momentum(dp_d, md, before=v, after=0),
             mistakes=[
-                mistake("The change is what is after less what is before. The dummy loses forward momentum: the change, and with it the force, points backward.",
-                        change_of_momentum(dp_d, md, before=0, after=v)),
-                mistake("You put in the speed in km/h as if it were m/s; divide it by 3.6 first.", law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp_d, m=md, v=v)),
-                mistake("You put in the mass of the car. Asked is the force on the dummy, which stops the dummy alone.", change_of_momentum(dp_d, M, before=v, after=0)),
+                mistake(
+                    "The change is what is after less what is before. The dummy loses forward momentum: the change, and with it the force, points backward.",
+                    change_of_momentum(dp_d, md, before=0, after=v),
+                ),
+                mistake(
+                    "You put in the speed in km/h as if it were m/s; divide it by 3.6 first.",
+                    law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp_d, m=md, v=v),
+                ),
+                mistake(
+                    "You put in the mass of the car. Asked is the force on the dummy, which stops the dummy alone.",
+                    change_of_momentum(dp_d, M, before=v, after=0),
+                ),
             ],
         ),
         step(
-            F_d, "Again the mean force is the change of momentum divided by the time, which is now longer.",
-            mean_force(F_d, dp_d, td), answers="b",
+            F_d,
+            "Again the mean force is the change of momentum divided by the time, which is now longer.",
+            mean_force(F_d, dp_d, td),
+            answers="b",
             mistakes=[
-                mistake("You divided by the stopping time of the car. The belt lets the dummy take longer.", mean_force(F_d, dp_d, dt)),
-                mistake("You multiplied by the time; divide by it.", law("Mean force", "F = J*dt", F=F_d, J=dp_d, dt=td)),
-                mistake("You shared out the force on the car by the masses, as if the dummy stopped as quickly as the car.", law("Mean force", "F = m*F_c/M", F=F_d, m=md, F_c=F, M=M)),
+                mistake(
+                    "You divided by the stopping time of the car. The belt lets the dummy take longer.",
+                    mean_force(F_d, dp_d, dt),
+                ),
+                mistake(
+                    "You multiplied by the time; divide by it.",
+                    law("Mean force", "F = J*dt", F=F_d, J=dp_d, dt=td),
+                ),
+                mistake(
+                    "You shared out the force on the car by the masses, as if the dummy stopped as quickly as the car.",
+                    law("Mean force", "F = m*F_c/M", F=F_d, m=md, F_c=F, M=M),
+                ),
             ],
             check="With the same time the force would be smaller than that on the car by the ratio of the masses; the longer time makes it smaller still.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(v, M, dt, md, td, answer):

@@ -7,15 +7,31 @@ from corollary.laws import kinetic_energy, law, momentum
 def derive(mb, M, V):
     p, v = unknowns("p v")
     return derivation(
-        step(p, "The momentum of the car is its mass times its velocity; a velocity in km/h is divided by 3.6 to have it in m/s.", momentum(p, M, V)),
         step(
-            v, "You are to have the same momentum, with your own, smaller mass.", momentum(p, mb, v), answers="a", where=v >= 0,
+            p,
+            "The momentum of the car is its mass times its velocity; a velocity in km/h is divided by 3.6 to have it in m/s.",
+            momentum(p, M, V),
+        ),
+        step(
+            v,
+            "You are to have the same momentum, with your own, smaller mass.",
+            momentum(p, mb, v),
+            answers="a",
+            where=v >= 0,
             mistakes=[
-                mistake("You asked for the same kinetic energy. Momentum is $mv$, without a square.", kinetic_energy(M * V**2 / 2, mb, v)),
-                mistake("The masses have changed places: with the smaller mass you need the larger speed.", law("Momentum", "p = m_b^2*v/M", p=p, m_b=mb, M=M, v=v)),
-                mistake("You put in the speed of the car as if its number in km/h were one in m/s; divide it by 3.6 first.",
-                        law("Momentum", "3.6*p = m*v", p=p, m=mb, v=v)),
+                mistake(
+                    "You asked for the same kinetic energy. Momentum is $mv$, without a square.",
+                    kinetic_energy(M * V**2 / 2, mb, v),
+                ),
+                mistake(
+                    "The masses have changed places: with the smaller mass you need the larger speed.",
+                    law("Momentum", "p = m_b^2*v/M", p=p, m_b=mb, M=M, v=v),
+                ),
+                mistake(
+                    "You put in the speed of the car as if its number in km/h were one in m/s; divide it by 3.6 first.",
+                    law("Momentum", "3.6*p = m*v", p=p, m=mb, v=v),
+                ),
             ],
             check="A car of twelve times your mass has twelve times your momentum at the same speed; so your speed must be larger by the ratio of the masses.",
         ),
-    )  # fmt: skip
+    )

@@ -10,53 +10,93 @@ def derive(mA, mB, vAy, vBy, dt, g):
     G, J, P_0, q, P_1 = unknowns("G J P_0 q P_1")
     return derivation(
         step(
-            G, "The external force along y is the weight of both objects; y points up, so it is negative. The forces of A on B and of B on A cancel.",
+            G,
+            "The external force along y is the weight of both objects; y points up, so it is negative. The forces of A on B and of B on A cancel.",
             law("Weight of both", "G = -m_A*g - m_B*g", source="(12.54)", G=G, m_A=mA, m_B=mB, g=g),
             mistakes=[
-                mistake("The y-axis points up and gravity down: the impulse of gravity is negative.", law("Weight of both", "G = m_A*g + m_B*g", G=G, m_A=mA, m_B=mB, g=g)),
-                mistake("You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.",
-                        law("Weight of both", "G = -(m_A + m_B)", G=G, m_A=mA, m_B=mB)),
-                mistake("Gravity acts on both objects.", law("Weight of both", "G = -m_A*g", G=G, m_A=mA, g=g)),
+                mistake(
+                    "The y-axis points up and gravity down: the impulse of gravity is negative.",
+                    law("Weight of both", "G = m_A*g + m_B*g", G=G, m_A=mA, m_B=mB, g=g),
+                ),
+                mistake(
+                    "You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.",
+                    law("Weight of both", "G = -(m_A + m_B)", G=G, m_A=mA, m_B=mB),
+                ),
+                mistake(
+                    "Gravity acts on both objects.", law("Weight of both", "G = -m_A*g", G=G, m_A=mA, g=g)
+                ),
             ],
         ),
         step(
-            J, "The weight is constant, so its impulse is the force times the time.",
-            impulse_of_constant_force(J, G, dt), answers="a",
+            J,
+            "The weight is constant, so its impulse is the force times the time.",
+            impulse_of_constant_force(J, G, dt),
+            answers="a",
             mistakes=[
-                mistake("That is the weight; the impulse is the force times the time it acts.", law("Impulse", "J = G", J=J, G=G)),
-                mistake("You divided by the time; an impulse is a force times a time.", law("Impulse", "J = F/dt", J=J, F=G, dt=dt)),
+                mistake(
+                    "That is the weight; the impulse is the force times the time it acts.",
+                    law("Impulse", "J = G", J=J, G=G),
+                ),
+                mistake(
+                    "You divided by the time; an impulse is a force times a time.",
+                    law("Impulse", "J = F/dt", J=J, F=G, dt=dt),
+                ),
             ],
             check="It has the unit N s = kg m/s of a momentum, and points down.",
         ),
         step(
-            P_0, "The total momentum along y at the beginning.",
+            P_0,
+            "The total momentum along y at the beginning.",
             total_momentum(P_0, [(mA, vAy), (mB, vBy)]),
             mistakes=[
-                mistake("A velocity along -y counts negative: momenta along a line are added with their signs.", total_momentum(P_0, [(mA, vAy), (mB, -vBy)])),
+                mistake(
+                    "A velocity along -y counts negative: momenta along a line are added with their signs.",
+                    total_momentum(P_0, [(mA, vAy), (mB, -vBy)]),
+                ),
                 mistake("You counted A alone; B has a momentum, too.", total_momentum(P_0, [(mA, vAy)])),
             ],
         ),
         step(
-            q, "The ratio of the two magnitudes.",
-            law("Ratio", "q = abs(J/P)", q=q, J=J, P=P_0), answers="b",
+            q,
+            "The ratio of the two magnitudes.",
+            law("Ratio", "q = abs(J/P)", q=q, J=J, P=P_0),
+            answers="b",
             mistakes=[
-                mistake("You divided the other way round; asked is how large the impulse is compared with the momentum.", law("Ratio", "q = abs(P/J)", q=q, J=J, P=P_0)),
-                mistake("You compared the force with the momentum; compare the impulse.", law("Ratio", "q = abs(G/P)", q=q, G=G, P=P_0)),
+                mistake(
+                    "You divided the other way round; asked is how large the impulse is compared with the momentum.",
+                    law("Ratio", "q = abs(P/J)", q=q, J=J, P=P_0),
+                ),
+                mistake(
+                    "You compared the force with the momentum; compare the impulse.",
+                    law("Ratio", "q = abs(G/P)", q=q, G=G, P=P_0),
+                ),
             ],
             check="It is g Δt over the speed of the common centre of mass along y: in a short collision there is little time for gravity.",
         ),
         step(
-            P_1, "The total momentum has changed by the impulse of the external force, and by nothing else.",
-            external_impulse(J, before=P_0, after=P_1), answers="c",
+            P_1,
+            "The total momentum has changed by the impulse of the external force, and by nothing else.",
+            external_impulse(J, before=P_0, after=P_1),
+            answers="c",
             mistakes=[
-                mistake("Along y the momentum is not conserved: gravity acts. Add its impulse.", law("External impulse", "P_1 = P_0", P_0=P_0, P_1=P_1)),
-                mistake("Gravity takes upward momentum away: its impulse counts with its own, negative sign.", law("External impulse", "J = P_0 - P_1", J=J, P_0=P_0, P_1=P_1)),
+                mistake(
+                    "Along y the momentum is not conserved: gravity acts. Add its impulse.",
+                    law("External impulse", "P_1 = P_0", P_0=P_0, P_1=P_1),
+                ),
+                mistake(
+                    "Gravity takes upward momentum away: its impulse counts with its own, negative sign.",
+                    law("External impulse", "J = P_0 - P_1", J=J, P_0=P_0, P_1=P_1),
+                ),
             ],
             check="It is a little further down than at the beginning. How the objects push each other does not matter.",
         ),
         choice(
-            "d", "Momentum is conserved in each direction in which the net external force is zero: gravity has no component along x, but one along y.",
-            a=False, b=True, c=False, d=False,
+            "d",
+            "Momentum is conserved in each direction in which the net external force is zero: gravity has no component along x, but one along y.",
+            a=False,
+            b=True,
+            c=False,
+            d=False,
             mistakes={
                 "a": "Which external force acts, and along which axis? It changes the momentum along that axis.",
                 "c": "It is along y that the external force acts.",
@@ -64,8 +104,12 @@ def derive(mA, mB, vAy, vBy, dt, g):
             },
         ),
         choice(
-            "e", "What counts is between whom a force acts: A pulls B and B pulls A, the two forces are a pair inside the system, and their impulses cancel.",
-            a=False, b=False, c=True, d=False,
+            "e",
+            "What counts is between whom a force acts: A pulls B and B pulls A, the two forces are a pair inside the system, and their impulses cancel.",
+            a=False,
+            b=False,
+            c=True,
+            d=False,
             mistakes={
                 "a": "The pull of the Earth is external here because the Earth is not part of the system. Who pulls in this case?",
                 "b": "A force need not be one of contact to be internal. Between whom does it act?",
@@ -78,12 +122,12 @@ def derive(mA, mB, vAy, vBy, dt, g):
             "Says that it may hold for one direction alone, since momentum is a vector.",
             "Says that an external force may be neglected when its impulse during the (short) collision is small compared with the momentum.",
             answer="The total momentum of a system is conserved when the net external force on it is zero; the internal forces may be of any kind, for they come in "
-                   "pairs that cancel. It is a vector law: if the net "
-                   "external force vanishes in one direction only, the component of the momentum in this direction is conserved. When an external force does act, the momentum changes by its impulse "
-                   "$\\int \\vec F^{ext}dt$. If the collision is so short that this impulse is small compared with the momenta in question, momentum is conserved in "
-                   "good approximation from just before to just after the collision.",
+            "pairs that cancel. It is a vector law: if the net "
+            "external force vanishes in one direction only, the component of the momentum in this direction is conserved. When an external force does act, the momentum changes by its impulse "
+            "$\\int \\vec F^{ext}dt$. If the collision is so short that this impulse is small compared with the momenta in question, momentum is conserved in "
+            "good approximation from just before to just after the collision.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(mA, mB, vAy, vBy, dt, g, answer):

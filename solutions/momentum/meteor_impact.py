@@ -12,45 +12,127 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
     before, after = [(mA, vA), (mB, vB)], [(mA, v), (mB, v)]
     return derivation(
         step(
-            v, "The forces between meteor and planet are a pair: their impulses cancel, and the total momentum is kept in each direction. Afterwards both have one velocity.",
-            sticking(before=before, together=v), answers="a",
+            v,
+            "The forces between meteor and planet are a pair: their impulses cancel, and the total momentum is kept in each direction. Afterwards both have one velocity.",
+            sticking(before=before, together=v),
+            answers="a",
             mistakes=[
-                mistake("You added sizes. Momentum has a direction: the components along -x and -y are negative.", sticking(before=[(mA, (vAx, -vAy)), (mB, (-vBx, vBy))], together=v)),
-                mistake("You took the mean of the velocities; each velocity counts with its mass.", law("Conservation of momentum", "v_1 = (v_A0 + v_B0)/2", v_1=v, v_A0=vA, v_B0=vB)),
-                mistake("You left out the momentum of the planet, which moves as well before the impact.", sticking(before=[(mA, vA), (mB, (0, 0))], together=v)),
-                mistake("After the impact the meteor is a part of what moves: both masses share the momentum.",
-                        law("Conservation of momentum", "m_A*v_A0 + m_B*v_B0 = m_B*v_1", m_A=mA, v_A0=vA, m_B=mB, v_B0=vB, v_1=v)),
+                mistake(
+                    "You added sizes. Momentum has a direction: the components along -x and -y are negative.",
+                    sticking(before=[(mA, (vAx, -vAy)), (mB, (-vBx, vBy))], together=v),
+                ),
+                mistake(
+                    "You took the mean of the velocities; each velocity counts with its mass.",
+                    law("Conservation of momentum", "v_1 = (v_A0 + v_B0)/2", v_1=v, v_A0=vA, v_B0=vB),
+                ),
+                mistake(
+                    "You left out the momentum of the planet, which moves as well before the impact.",
+                    sticking(before=[(mA, vA), (mB, (0, 0))], together=v),
+                ),
+                mistake(
+                    "After the impact the meteor is a part of what moves: both masses share the momentum.",
+                    law(
+                        "Conservation of momentum",
+                        "m_A*v_A0 + m_B*v_B0 = m_B*v_1",
+                        m_A=mA,
+                        v_A0=vA,
+                        m_B=mB,
+                        v_B0=vB,
+                        v_1=v,
+                    ),
+                ),
             ],
             check="It lies between the two velocities, much nearer to that of the heavy planet; a meteor without mass would change nothing.",
         ),
         step(
-            dv, "The planet had the velocity before, and has the common velocity after.",
-            law("Change of velocity", "dv = v_1 - v_0", dv=dv, v_1=v, v_0=vB), answers="b",
-            routes=[route("The same at once, since the impulse on both has the same size: the change is the relative velocity, shared by the masses.",
-                          law("Change of velocity", "dv = m_A/(m_A + m_B)*(v_A - v_B)", dv=dv, m_A=mA, m_B=mB, v_A=vA, v_B=vB))],
+            dv,
+            "The planet had the velocity before, and has the common velocity after.",
+            law("Change of velocity", "dv = v_1 - v_0", dv=dv, v_1=v, v_0=vB),
+            answers="b",
+            routes=[
+                route(
+                    "The same at once, since the impulse on both has the same size: the change is the relative velocity, shared by the masses.",
+                    law(
+                        "Change of velocity",
+                        "dv = m_A/(m_A + m_B)*(v_A - v_B)",
+                        dv=dv,
+                        m_A=mA,
+                        m_B=mB,
+                        v_A=vA,
+                        v_B=vB,
+                    ),
+                )
+            ],
             mistakes=[
-                mistake("A change is what is after less what is before; you took it the other way.", law("Change of velocity", "dv = v_0 - v_1", dv=dv, v_1=v, v_0=vB)),
-                mistake("That is the change of the meteor's velocity; asked is the planet's.", law("Change of velocity", "dv = v_1 - v_0", dv=dv, v_1=v, v_0=vA)),
-                mistake("You added the velocities; a change is a difference.", law("Change of velocity", "dv = v_1 + v_0", dv=dv, v_1=v, v_0=vB)),
+                mistake(
+                    "A change is what is after less what is before; you took it the other way.",
+                    law("Change of velocity", "dv = v_0 - v_1", dv=dv, v_1=v, v_0=vB),
+                ),
+                mistake(
+                    "That is the change of the meteor's velocity; asked is the planet's.",
+                    law("Change of velocity", "dv = v_1 - v_0", dv=dv, v_1=v, v_0=vA),
+                ),
+                mistake(
+                    "You added the velocities; a change is a difference.",
+                    law("Change of velocity", "dv = v_1 + v_0", dv=dv, v_1=v, v_0=vB),
+                ),
             ],
             check="It points the way the meteor came, as seen from the planet.",
         ),
         step(
-            dK, "The kinetic energy of both together after the impact, less that of meteor and planet before it; the square of a speed is the sum of the squares of the components.",
-            change_of_kinetic_energy_in_plane(dK, before=before, after=after), answers="c",
-            routes=[route("The same from the relative velocity and the reduced mass: only the motion against each other is lost.",
-                          law("Loss in a perfectly inelastic collision", "dK = -m_A*m_B/(m_A + m_B)*((v_Ax - v_Bx)^2 + (v_Ay - v_By)^2)/2", source="(12.88)",
-                              dK=dK, m_A=mA, m_B=mB, v_Ax=vAx, v_Ay=vAy, v_Bx=vBx, v_By=vBy))],
+            dK,
+            "The kinetic energy of both together after the impact, less that of meteor and planet before it; the square of a speed is the sum of the squares of the components.",
+            change_of_kinetic_energy_in_plane(dK, before=before, after=after),
+            answers="c",
+            routes=[
+                route(
+                    "The same from the relative velocity and the reduced mass: only the motion against each other is lost.",
+                    law(
+                        "Loss in a perfectly inelastic collision",
+                        "dK = -m_A*m_B/(m_A + m_B)*((v_Ax - v_Bx)^2 + (v_Ay - v_By)^2)/2",
+                        source="(12.88)",
+                        dK=dK,
+                        m_A=mA,
+                        m_B=mB,
+                        v_Ax=vAx,
+                        v_Ay=vAy,
+                        v_Bx=vBx,
+                        v_By=vBy,
+                    ),
+                )
+            ],
             mistakes=[
-                mistake("You left out the factor 1/2 of the kinetic energy.",
-                        law("Change of kinetic energy", "dK = M*(u_x^2 + u_y^2) - m_A*(v_Ax^2 + v_Ay^2) - m_B*(v_Bx^2 + v_By^2)", dK=dK, M=mA + mB, u_x=v[0], u_y=v[1],
-                            m_A=mA, v_Ax=vAx, v_Ay=vAy, m_B=mB, v_Bx=vBx, v_By=vBy)),
-                mistake("That is the kinetic energy that is lost; the change is after less before, and negative.",
-                        change_of_kinetic_energy_in_plane(dK, before=after, after=before)),
-                mistake("You kept only the motion along x; the squares of both components count.",
-                        change_of_kinetic_energy_in_plane(dK, before=[(mA, (vAx, 0)), (mB, (vBx, 0))], after=[(mA, (v[0], 0)), (mB, (v[0], 0))])),
-                mistake("That is the change of the meteor's kinetic energy alone.",
-                        change_of_kinetic_energy_in_plane(dK, before=[(mA, vA)], after=[(mA, v)])),
+                mistake(
+                    "You left out the factor 1/2 of the kinetic energy.",
+                    law(
+                        "Change of kinetic energy",
+                        "dK = M*(u_x^2 + u_y^2) - m_A*(v_Ax^2 + v_Ay^2) - m_B*(v_Bx^2 + v_By^2)",
+                        dK=dK,
+                        M=mA + mB,
+                        u_x=v[0],
+                        u_y=v[1],
+                        m_A=mA,
+                        v_Ax=vAx,
+                        v_Ay=vAy,
+                        m_B=mB,
+                        v_Bx=vBx,
+                        v_By=vBy,
+                    ),
+                ),
+                mistake(
+                    "That is the kinetic energy that is lost; the change is after less before, and negative.",
+                    change_of_kinetic_energy_in_plane(dK, before=after, after=before),
+                ),
+                mistake(
+                    "You kept only the motion along x; the squares of both components count.",
+                    change_of_kinetic_energy_in_plane(
+                        dK, before=[(mA, (vAx, 0)), (mB, (vBx, 0))], after=[(mA, (v[0], 0)), (mB, (v[0], 0))]
+                    ),
+                ),
+                mistake(
+                    "That is the change of the meteor's kinetic energy alone.",
+                    change_of_kinetic_energy_in_plane(dK, before=[(mA, vA)], after=[(mA, v)]),
+                ),
             ],
             check="Negative: two bodies that stick together always lose kinetic energy, to heat, to melting, to dust.",
         ),
@@ -60,12 +142,12 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
             "Says that here both move on as one, with the same velocity, which leaves a single unknown velocity.",
             "Names another possible fact: kinetic energy is conserved, a known loss of energy or coefficient of restitution, or one of the velocities measured.",
             answer="In each direction there is one equation, but two unknowns: the velocities of the two bodies. Momentum fixes $m_A\\vec v_{A,1} + m_B\\vec v_{B,1}$ "
-                   "and says nothing on how it is shared. In this impact "
-                   "we know besides that the meteor stays in the planet: $\\vec v_{A,1} = \\vec v_{B,1} = \\vec v_1$. That is the second vector equation, and the "
-                   "common velocity follows. In other collisions one may know "
-                   "that the kinetic energy is kept (elastic), how much of it is lost (a coefficient of restitution), or have measured one of the velocities.",
+            "and says nothing on how it is shared. In this impact "
+            "we know besides that the meteor stays in the planet: $\\vec v_{A,1} = \\vec v_{B,1} = \\vec v_1$. That is the second vector equation, and the "
+            "common velocity follows. In other collisions one may know "
+            "that the kinetic energy is kept (elastic), how much of it is lost (a coefficient of restitution), or have measured one of the velocities.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(mA, mB, vAx, vAy, vBx, vBy, answer):

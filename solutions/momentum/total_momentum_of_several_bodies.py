@@ -9,17 +9,46 @@ def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
     v1, v2, v3 = (v1x, v1y), (v2x, v2y), (v3x, v3y)
     return derivation(
         step(
-            P, "The total momentum is the sum of the momenta of all bodies, component by component.",
-            total_momentum(P, [(m1, v1), (m2, v2), (m3, v3)]), answers="a",
+            P,
+            "The total momentum is the sum of the momenta of all bodies, component by component.",
+            total_momentum(P, [(m1, v1), (m2, v2), (m3, v3)]),
+            answers="a",
             mistakes=[
-                mistake("You added sizes. Momentum has a direction: body 2 moves against the x-axis and body 3 against the y-axis, and their terms there are negative.",
-                        total_momentum(P, [(m1, v1), (m2, (-v2x, v2y)), (m3, (v3x, -v3y))])),
-                mistake("You added the velocities first and then multiplied by the total mass; each velocity goes with its own mass.",
-                        law("Total momentum", "P = M*(v_1 + v_2 + v_3)", P=P, M=m1 + m2 + m3, v_1=v1, v_2=v2, v_3=v3)),
-                mistake("That is the velocity of the centre of mass; the total momentum is not divided by the mass.",
-                        law("Total momentum", "P = (m_1*v_1 + m_2*v_2 + m_3*v_3)/(m_1 + m_2 + m_3)", P=P, m_1=m1, m_2=m2, m_3=m3, v_1=v1, v_2=v2, v_3=v3)),
-                mistake("You added the velocities; a momentum is a mass times a velocity.", law("Total momentum", "P = v_1 + v_2 + v_3", P=P, v_1=v1, v_2=v2, v_3=v3)),
+                mistake(
+                    "You added sizes. Momentum has a direction: body 2 moves against the x-axis and body 3 against the y-axis, and their terms there are negative.",
+                    total_momentum(P, [(m1, v1), (m2, (-v2x, v2y)), (m3, (v3x, -v3y))]),
+                ),
+                mistake(
+                    "You added the velocities first and then multiplied by the total mass; each velocity goes with its own mass.",
+                    law(
+                        "Total momentum",
+                        "P = M*(v_1 + v_2 + v_3)",
+                        P=P,
+                        M=m1 + m2 + m3,
+                        v_1=v1,
+                        v_2=v2,
+                        v_3=v3,
+                    ),
+                ),
+                mistake(
+                    "That is the velocity of the centre of mass; the total momentum is not divided by the mass.",
+                    law(
+                        "Total momentum",
+                        "P = (m_1*v_1 + m_2*v_2 + m_3*v_3)/(m_1 + m_2 + m_3)",
+                        P=P,
+                        m_1=m1,
+                        m_2=m2,
+                        m_3=m3,
+                        v_1=v1,
+                        v_2=v2,
+                        v_3=v3,
+                    ),
+                ),
+                mistake(
+                    "You added the velocities; a momentum is a mass times a velocity.",
+                    law("Total momentum", "P = v_1 + v_2 + v_3", P=P, v_1=v1, v_2=v2, v_3=v3),
+                ),
             ],
             check="If all bodies moved with one velocity, it would be the whole mass times that velocity.",
         ),
-    )  # fmt: skip
+    )

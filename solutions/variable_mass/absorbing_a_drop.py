@@ -16,60 +16,135 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
     v_1, dp, F_t, M, J, v_2 = unknowns("v_1 dp F_t M J v_2")
     return derivation(
         step(
-            v_1, "Body and drop together are isolated: their momentum before is that of the body and drop moving as one after.",
-            sticking(before=[(m, v), (dm, u)], together=v_1), answers="a",
+            v_1,
+            "Body and drop together are isolated: their momentum before is that of the body and drop moving as one after.",
+            sticking(before=[(m, v), (dm, u)], together=v_1),
+            answers="a",
             mistakes=[
-                mistake("The drop comes to meet the body: its velocity is negative, and so is its momentum.", law("Conservation of momentum", "m*v - dm*u = (m + dm)*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1)),
-                mistake("The drop brings momentum of its own; you treated it as if it were at rest.", law("Conservation of momentum", "m*v = (m + dm)*v_1", m=m, v=v, dm=dm, v_1=v_1)),
-                mistake("Afterwards the mass is $m + \\Delta m$: the drop moves on with the body.", law("Conservation of momentum", "m*v + dm*u = m*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1)),
+                mistake(
+                    "The drop comes to meet the body: its velocity is negative, and so is its momentum.",
+                    law(
+                        "Conservation of momentum", "m*v - dm*u = (m + dm)*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1
+                    ),
+                ),
+                mistake(
+                    "The drop brings momentum of its own; you treated it as if it were at rest.",
+                    law("Conservation of momentum", "m*v = (m + dm)*v_1", m=m, v=v, dm=dm, v_1=v_1),
+                ),
+                mistake(
+                    "Afterwards the mass is $m + \\Delta m$: the drop moves on with the body.",
+                    law("Conservation of momentum", "m*v + dm*u = m*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1),
+                ),
             ],
             check="The new velocity lies between those of the body and the drop, closer to that of the heavier one.",
         ),
         step(
-            dp, "The system is body and drop, before and after: before, the drop already has the momentum $u\\,\\Delta m$.",
-            change_in_absorption(dp, m=m, dm=dm, v=v, u=u, dv=dv), answers="b",
-            routes=[route("Or straight from the definition, with all the momentum after and all the momentum before.",
-                          law("Change of momentum", "dp = (m + dm)*(v + dv) - (m*v + dm*u)", dp=dp, m=m, dm=dm, v=v, u=u, dv=dv))],
+            dp,
+            "The system is body and drop, before and after: before, the drop already has the momentum $u\\,\\Delta m$.",
+            change_in_absorption(dp, m=m, dm=dm, v=v, u=u, dv=dv),
+            answers="b",
+            routes=[
+                route(
+                    "Or straight from the definition, with all the momentum after and all the momentum before.",
+                    law(
+                        "Change of momentum",
+                        "dp = (m + dm)*(v + dv) - (m*v + dm*u)",
+                        dp=dp,
+                        m=m,
+                        dm=dm,
+                        v=v,
+                        u=u,
+                        dv=dv,
+                    ),
+                )
+            ],
             mistakes=[
-                mistake("That is the change for the body alone. Bringing the drop from $u$ to the body's velocity takes momentum too.", change_of_momentum(dp, m, before=v, after=v + dv)),
-                mistake("You left out the momentum the drop had before: use $(v - u)\\,\\Delta m$.", law("Absorbed mass", "dp = m*dv + v*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, dm=dm)),
-                mistake("The velocity of the drop relative to the body is $u - v$; the drop has to gain $v - u$, so $u$ is subtracted.",
-                        law("Absorbed mass", "dp = m*dv + (v + u)*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, u=u, dm=dm)),
+                mistake(
+                    "That is the change for the body alone. Bringing the drop from $u$ to the body's velocity takes momentum too.",
+                    change_of_momentum(dp, m, before=v, after=v + dv),
+                ),
+                mistake(
+                    "You left out the momentum the drop had before: use $(v - u)\\,\\Delta m$.",
+                    law("Absorbed mass", "dp = m*dv + v*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, dm=dm),
+                ),
+                mistake(
+                    "The velocity of the drop relative to the body is $u - v$; the drop has to gain $v - u$, so $u$ is subtracted.",
+                    law(
+                        "Absorbed mass", "dp = m*dv + (v + u)*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, u=u, dm=dm
+                    ),
+                ),
             ],
             check="With $\\Delta m = 0$ it is $m\\,\\Delta v$, the familiar case.",
         ),
         step(
-            F_t, "In the rocket equation the mass thrown out acts like a force; only the velocity relative to the rocket counts.",
-            thrust(F_t, vrel, mdot), answers="c",
+            F_t,
+            "In the rocket equation the mass thrown out acts like a force; only the velocity relative to the rocket counts.",
+            thrust(F_t, vrel, mdot),
+            answers="c",
             mistakes=[
-                mistake("The velocity relative to the ground is not what counts; the exhaust is pushed off from the rocket.", law("Thrust", "F = (v_rel + V)*R", F=F_t, v_rel=vrel, V=V, R=mdot)),
-                mistake("The rocket loses mass (dm/dt is negative) and the exhaust goes backwards (negative): the product of both signs pushes forward.",
-                        law("Thrust", "F = -v_rel*R", F=F_t, v_rel=vrel, R=mdot)),
+                mistake(
+                    "The velocity relative to the ground is not what counts; the exhaust is pushed off from the rocket.",
+                    law("Thrust", "F = (v_rel + V)*R", F=F_t, v_rel=vrel, V=V, R=mdot),
+                ),
+                mistake(
+                    "The rocket loses mass (dm/dt is negative) and the exhaust goes backwards (negative): the product of both signs pushes forward.",
+                    law("Thrust", "F = -v_rel*R", F=F_t, v_rel=vrel, R=mdot),
+                ),
             ],
             check="Positive: exhaust backwards, push forwards. It does not depend on how fast the rocket flies already.",
         ),
         step(
-            M, "The mass of the falling drop after the time t.", growing(M, m=m, R=R, t=t),
+            M,
+            "The mass of the falling drop after the time t.",
+            growing(M, m=m, R=R, t=t),
         ),
         step(
-            J, "The weight grows with the mass. Its impulse is $\\int_0^t (m + R\\,t')\\,g\\,dt'$.",
+            J,
+            "The weight grows with the mass. Its impulse is $\\int_0^t (m + R\\,t')\\,g\\,dt'$.",
             impulse_of_growing_weight(J, m=m, R=R, g=g, t=t),
             mistakes=[
-                mistake("The weight grows on the way: you used the weight of the drop at the start.", law("Impulse", "J = m*g*t", J=J, m=m, g=g, t=t)),
-                mistake("The weight grows on the way: you used the weight of the drop at the end all the time.", law("Impulse", "J = M*g*t", J=J, M=M, g=g, t=t)),
+                mistake(
+                    "The weight grows on the way: you used the weight of the drop at the start.",
+                    law("Impulse", "J = m*g*t", J=J, m=m, g=g, t=t),
+                ),
+                mistake(
+                    "The weight grows on the way: you used the weight of the drop at the end all the time.",
+                    law("Impulse", "J = M*g*t", J=J, M=M, g=g, t=t),
+                ),
             ],
         ),
         step(
-            v_2, "The vapour brings no momentum ($u = 0$), so the momentum of the drop changes by the impulse of its weight alone.",
-            law("Impulse", "M*v_1 - m*v_0 = J", source="(12.19), (12.127)", holds="what is taken up was at rest", M=M, v_1=v_2, m=m, v_0=v, J=J), answers="d",
+            v_2,
+            "The vapour brings no momentum ($u = 0$), so the momentum of the drop changes by the impulse of its weight alone.",
+            law(
+                "Impulse",
+                "M*v_1 - m*v_0 = J",
+                source="(12.19), (12.127)",
+                holds="what is taken up was at rest",
+                M=M,
+                v_1=v_2,
+                m=m,
+                v_0=v,
+                J=J,
+            ),
+            answers="d",
             mistakes=[
-                mistake("That is free fall of a drop of constant mass. Vapour at rest has to be brought up to speed.", law("Free fall", "v_1 = v_0 + g*t", v_1=v_2, v_0=v, g=g, t=t)),
-                mistake("You left out the momentum with which the drop starts.", law("Impulse", "M*v_1 = J", M=M, v_1=v_2, J=J)),
-                mistake("The momentum after is that of the grown drop: its mass is $m + Rt$.", law("Impulse", "m*v_1 - m*v_0 = J", m=m, v_1=v_2, v_0=v, J=J)),
+                mistake(
+                    "That is free fall of a drop of constant mass. Vapour at rest has to be brought up to speed.",
+                    law("Free fall", "v_1 = v_0 + g*t", v_1=v_2, v_0=v, g=g, t=t),
+                ),
+                mistake(
+                    "You left out the momentum with which the drop starts.",
+                    law("Impulse", "M*v_1 = J", M=M, v_1=v_2, J=J),
+                ),
+                mistake(
+                    "The momentum after is that of the grown drop: its mass is $m + Rt$.",
+                    law("Impulse", "m*v_1 - m*v_0 = J", m=m, v_1=v_2, v_0=v, J=J),
+                ),
             ],
             check="With R = 0 this is $v + gt$; the faster it grows, the more it is held back, down to $gt/2$ for a drop that grows from almost nothing.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(m, dm, V, v, u, vrel, mdot, F, t, R, g, dv, answer):

@@ -8,28 +8,76 @@ def derive(m0, m1, vrel, v0, dv):
     v, m_2 = unknowns("v m_2")
     return derivation(
         step(
-            v, "No external force: $m\\,dv/dt = -v_{rel}\\,dm/dt$. Divide by $m$ and integrate from the first mass to the last: $v - v_0 = -v_{rel}\\int_{m_0}^{m_1} dm/m$.",
-            burnt(v_0=v0, v_1=v, v_rel=vrel, m_0=m0, m_1=m1), answers="a",
+            v,
+            "No external force: $m\\,dv/dt = -v_{rel}\\,dm/dt$. Divide by $m$ and integrate from the first mass to the last: $v - v_0 = -v_{rel}\\int_{m_0}^{m_1} dm/m$.",
+            burnt(v_0=v0, v_1=v, v_rel=vrel, m_0=m0, m_1=m1),
+            answers="a",
             mistakes=[
-                mistake("That throws out all the fuel in one go, with this speed as seen from the ground. The rocket burns it bit by bit, and every bit leaves a rocket that moves already.",
-                        law("Conservation of momentum", "m_1*(v - v_0) = (m_0 - m_1)*v_rel", m_1=m1, v=v, v_0=v0, m_0=m0, v_rel=vrel)),
-                mistake("You kept the mass at its starting value; the same push gives a lighter rocket more.", law("Constant mass", "m_0*(v - v_0) = (m_0 - m_1)*v_rel", m_1=m1, v=v, v_0=v0, m_0=m0, v_rel=vrel)),
-                mistake("The logarithm has its fraction upside down: the rocket would fly backwards.", burnt(v_0=v0, v_1=v, v_rel=vrel, m_0=m1, m_1=m0)),
-                mistake("You used the decimal logarithm; the integral of 1/m is the natural one.", law("Rocket equation, integrated", "v_1 = v_0 + v_rel*log10(m_0/m_1)", v_1=v, v_0=v0, v_rel=vrel, m_0=m0, m_1=m1)),
+                mistake(
+                    "That throws out all the fuel in one go, with this speed as seen from the ground. The rocket burns it bit by bit, and every bit leaves a rocket that moves already.",
+                    law(
+                        "Conservation of momentum",
+                        "m_1*(v - v_0) = (m_0 - m_1)*v_rel",
+                        m_1=m1,
+                        v=v,
+                        v_0=v0,
+                        m_0=m0,
+                        v_rel=vrel,
+                    ),
+                ),
+                mistake(
+                    "You kept the mass at its starting value; the same push gives a lighter rocket more.",
+                    law(
+                        "Constant mass",
+                        "m_0*(v - v_0) = (m_0 - m_1)*v_rel",
+                        m_1=m1,
+                        v=v,
+                        v_0=v0,
+                        m_0=m0,
+                        v_rel=vrel,
+                    ),
+                ),
+                mistake(
+                    "The logarithm has its fraction upside down: the rocket would fly backwards.",
+                    burnt(v_0=v0, v_1=v, v_rel=vrel, m_0=m1, m_1=m0),
+                ),
+                mistake(
+                    "You used the decimal logarithm; the integral of 1/m is the natural one.",
+                    law(
+                        "Rocket equation, integrated",
+                        "v_1 = v_0 + v_rel*log10(m_0/m_1)",
+                        v_1=v,
+                        v_0=v0,
+                        v_rel=vrel,
+                        m_0=m0,
+                        m_1=m1,
+                    ),
+                ),
             ],
             check="It is more than with the starting mass all the time and less than with the final mass, and does not depend on how fast the fuel is burnt.",
         ),
         step(
-            m_2, "The same law, read the other way: the gain is known, the final mass is not.",
-            burnt(v_0=0, v_1=dv, v_rel=vrel, m_0=m0, m_1=m_2), answers="b",
+            m_2,
+            "The same law, read the other way: the gain is known, the final mass is not.",
+            burnt(v_0=0, v_1=dv, v_rel=vrel, m_0=m0, m_1=m_2),
+            answers="b",
             mistakes=[
-                mistake("That is the fuel it burns; asked is the mass that is left.", law("Fuel", "m_1 = m_0*(1 - exp(-dv/v_rel))", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel)),
-                mistake("The rocket gets lighter: the exponent must be negative.", burnt(v_0=0, v_1=-dv, v_rel=vrel, m_0=m0, m_1=m_2)),
-                mistake("That is $1 - \\Delta v/v_{rel}$, good only for gains much smaller than the speed of the exhaust.", law("Small gain", "m_1 = m_0*(1 - dv/v_rel)", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel)),
+                mistake(
+                    "That is the fuel it burns; asked is the mass that is left.",
+                    law("Fuel", "m_1 = m_0*(1 - exp(-dv/v_rel))", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel),
+                ),
+                mistake(
+                    "The rocket gets lighter: the exponent must be negative.",
+                    burnt(v_0=0, v_1=-dv, v_rel=vrel, m_0=m0, m_1=m_2),
+                ),
+                mistake(
+                    "That is $1 - \\Delta v/v_{rel}$, good only for gains much smaller than the speed of the exhaust.",
+                    law("Small gain", "m_1 = m_0*(1 - dv/v_rel)", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel),
+                ),
             ],
             check="Each gain of $v_{rel}$ costs a factor e = 2.72 in mass.",
         ),
-    )  # fmt: skip
+    )
 
 
 def scene(m0, m1, vrel, v0, dv, answer):

@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 
 from corollary.cli import trade, verify
-from corollary.cli.failure import Refusal
+from corollary.cli.ending import Refusal
 
 
 def test_the_document(capsys, tmp_path, monkeypatch):

@@ -8,9 +8,9 @@ import shutil
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
+from click.testing import CliRunner
 
-from corollary.cli.main import app
+from corollary.cli.commands import app
 
 BANK = Path(__file__).parents[2] / "problems"
 VERDICTS = {"right", "follows", "mistaken", "slip", "wrong", "unread", "unmarked"}

@@ -25,7 +25,7 @@ from corollary.formula.symbols import letters
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
 from corollary.formula.to_sympy import expression
-from corollary.problem.interval_filter import ROUNDED, Rounded
+from corollary.problem.interval_filter import INTERVALS, Interval
 from corollary.units.dimensions import dimension_of
 from corollary.units.unit import ONE, unit
 
@@ -94,19 +94,21 @@ def test_the_derivatives_are_those_of_the_function(name, x, y):
 
 
 def test_the_functions_of_angles_and_the_like_have_bounds_in_doubles():
-    bounded = {name for name, row in FUNCTIONS.items() if ROUNDED.column(row) is not None}
+    bounded = {name for name, row in FUNCTIONS.items() if INTERVALS.column(row) is not None}
     assert bounded == {"abs", "acos", "asin", "atan", "cos", "ln", "max", "min", "sin", "sqrt", "tan", "tanh"}
 
 
-@pytest.mark.parametrize("name", sorted(n for n, row in FUNCTIONS.items() if ROUNDED.column(row) is not None))
+@pytest.mark.parametrize(
+    "name", sorted(n for n, row in FUNCTIONS.items() if INTERVALS.column(row) is not None)
+)
 @settings(max_examples=40, deadline=None)
 @given(st.fractions(-3, 3), st.fractions(-3, 3))
 def test_a_bound_in_doubles_holds_the_true_value(name, x, y):
     row = FUNCTIONS[name]
     numbers = dict(zip("xy"[: row.arity], (x, y), strict=False))
     with np.errstate(all="ignore"):
-        found = ready(called(name), ROUNDED)(
-            {letter: Rounded.of(number) for letter, number in numbers.items()}
+        found = ready(called(name), INTERVALS)(
+            {letter: Interval.of(number) for letter, number in numbers.items()}
         )
     with mpmath.workdps(40):
         try:
@@ -116,7 +118,7 @@ def test_a_bound_in_doubles_holds_the_true_value(name, x, y):
         except ValueError:  # ln(0)
             return
     assume(not isinstance(true, mpmath.mpc))
-    assert not abs(float(found.value) - float(true)) > float(found.off) + 1e-300
+    assert not abs(float(found.value) - float(true)) > float(found.radius) + 1e-300
 
 
 @pytest.fixture
@@ -159,8 +161,8 @@ def test_a_new_function_is_one_row(asinh):
     assert latex(written) == r"\operatorname{arsinh} x"
     assert expression(written, {"x": x}) == sympy.asinh(x)
     assert tree(sympy.asinh(x)) == written
-    bound = ready(written, ROUNDED)({"x": Rounded.of(2)})
-    assert abs(float(bound.value) - math.asinh(2)) <= float(bound.off) < 1e-14
+    bound = ready(written, INTERVALS)({"x": Interval.of(2)})
+    assert abs(float(bound.value) - math.asinh(2)) <= float(bound.radius) < 1e-14
 
 
 def test_without_its_row_nobody_knows_it():

@@ -79,7 +79,7 @@ def test_no_circles(modules):
         ("IPython", ("sandbox.worker",)),
         ("flint", ("formula", "answers.equality")),
         ("yaml", ("problem.front_matter",)),
-        ("typer", ("cli",)),
+        ("click", ("cli",)),
     ],
 )
 def test_a_library_is_known_only_where_it_is_at_home(modules, library, rooms):

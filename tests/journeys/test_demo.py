@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import shutil
 import sqlite3
@@ -105,3 +106,26 @@ def test_the_report_tells_the_same(played: tuple[Path, dict]) -> None:
     told = json.loads(done.stdout)
     assert told["handed_in"] == 15
     assert done.returncode == 0
+
+
+def test_the_exported_marks_are_those_of_the_demonstration(played: tuple[Path, dict], tmp_path: Path) -> None:
+    folder, shown = played
+    done = corollary("export", "momentum_1", "--to", "csv", "--course", folder, "-o", tmp_path)
+    assert done.returncode == 0, done.stderr
+    with (tmp_path / "momentum_1.csv").open(encoding="utf-8", newline="") as file:
+        rows = {row["id"]: row for row in csv.DictReader(file)}
+    for student, marks in shown["students"].items():
+        assert float(rows[student]["total"]) == pytest.approx(marks["points"], abs=0.005)
+    waiting = [row["P12.14 k"] for row in rows.values() if row["id"] in {"ada", "finn", "omar"}]
+    assert waiting == ["", "", ""], "what a person has to mark is blank and no zero"
+
+
+def test_exported_sheets_carry_the_numbers_of_the_notebooks(
+    played: tuple[Path, dict], tmp_path: Path
+) -> None:
+    folder, _ = played
+    done = corollary("export", "momentum_1", "--to", "ipynb", "--course", folder, "-o", tmp_path)
+    assert done.returncode == 0, done.stderr
+    for student in ("ada", "omar"):
+        handed_out = (folder / "release" / student / "momentum_1" / "momentum_1.ipynb").read_bytes()
+        assert (tmp_path / f"momentum_1-{student}.ipynb").read_bytes() == handed_out

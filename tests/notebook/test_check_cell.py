@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import base64
 import json
+import re
 import subprocess
 import sys
+import zlib
 from importlib import metadata
 
 import pytest
@@ -201,3 +204,17 @@ def test_code_of_another_version_is_carried_beside_what_is_installed(
     space["check"]("X12_5_a")
     assert capsys.readouterr().out == "X12_5_a: read as 2*m*v\n"
     assert {name: module for name, module in sys.modules.items() if name.startswith("corollary")} == before
+
+
+def test_it_holds_questions_and_code_that_reads_and_nothing_that_judges(ada: Worksheet):
+    packed = re.search(r"carried='([A-Za-z0-9+/=]+)'", check_source(ada))
+    assert packed
+    carried = json.loads(zlib.decompress(base64.b64decode(packed[1])))
+    assert set(carried) == {"loader", "versions", "folders", "questions", "modules"}
+    for question in carried["questions"]:
+        assert set(question) == {
+            "part", "name", "types", "unit", "title", "components", "options", "signature", "symbols"
+        }  # fmt: skip
+    rooms = {name.split(".")[1] for name in carried["modules"] if "." in name}
+    assert rooms <= {"answers", "formula", "messages", "notebook", "sandbox", "units"}
+    assert not {name for name in carried["modules"] if name.endswith((".judging", ".expected", ".verdict"))}

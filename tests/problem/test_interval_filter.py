@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from corollary.formula.arithmetics import ready
 from corollary.formula.ball import RationalPi, Undefined, certified, holds
 from corollary.formula.syntax import author_formula
-from corollary.problem.interval_filter import ROUNDED, Letter, Rounded, kept
+from corollary.problem.interval_filter import INTERVALS, Interval, Letter, holding
 
 DECIMALS = st.decimals(-20, 20, places=2).map(Fraction)
 CONDITIONS = [
@@ -41,7 +41,7 @@ def test_as_one_by_one(text, rows):
         _holds(relation, {name: letter.numbers[n] for name, letter in letters.items()})
         for n in range(len(rows))
     ]
-    assert kept(relation, letters).tolist() == one_by_one
+    assert holding(relation, letters).tolist() == one_by_one
 
 
 def _holds(relation, values) -> bool:
@@ -58,16 +58,16 @@ def _holds(relation, values) -> bool:
 @given(a=st.fractions("1/100", 100), b=st.fractions("1/100", 100))
 def test_the_bound_holds_the_error(text, a, b):
     tree = author_formula(text)
-    found = ready(tree, ROUNDED)({"a": Rounded.of(a), "b": Rounded.of(b)})
+    found = ready(tree, INTERVALS)({"a": Interval.of(a), "b": Interval.of(b)})
     value = certified(tree, {"a": RationalPi(a), "b": RationalPi(b)}).value
-    assert abs(float(found.value) - value) <= found.off
-    assert found.off < 1e-9 * (1 + a + b) ** 6  # and is of some use
+    assert abs(float(found.value) - value) <= found.radius
+    assert found.radius < 1e-9 * (1 + a + b) ** 6  # and is of some use
 
 
 def test_letters_are_broadcast():
     a = Letter([RationalPi(Fraction(n)) for n in range(3)], np.arange(3).reshape(3, 1))
     b = Letter([RationalPi(Fraction(n)) for n in range(4)], np.arange(4).reshape(1, 4))
-    assert kept(author_formula("a < b"), {"a": a, "b": b}).tolist() == [
+    assert holding(author_formula("a < b"), {"a": a, "b": b}).tolist() == [
         [x < y for y in range(4)] for x in range(3)
     ]
-    assert kept(author_formula("a < 2"), {"a": a, "b": b}).tolist() == [[True], [True], [False]]
+    assert holding(author_formula("a < 2"), {"a": a, "b": b}).tolist() == [[True], [True], [False]]

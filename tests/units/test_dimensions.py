@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula
-from corollary.units.dimensions import dimension_of, wrong_dimension
+from corollary.units.dimensions import dimension_of
 from corollary.units.unit import ONE, UNITS, Dimension, unit
 
 OF = {
@@ -76,15 +76,6 @@ def test_metres_are_not_added_to_seconds(formula, why):
     found = dimension_of(author_formula(formula), OF)
     assert isinstance(found, ParseError)
     assert found.why == why
-
-
-def test_an_answer_of_the_wrong_dimension():
-    speed = unit("m/s").dimension
-    assert wrong_dimension(author_formula("sqrt(2*g*h)"), OF, speed) is None
-    assert wrong_dimension(author_formula("0"), OF, speed) is None
-    found = wrong_dimension(author_formula("m*v"), OF, speed)
-    assert isinstance(found, ParseError)
-    assert found.why == "a velocity is expected, but this is a momentum or an impulse"
 
 
 def test_a_letter_nobody_declared_is_an_error_of_the_caller():

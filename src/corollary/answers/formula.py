@@ -7,8 +7,8 @@ from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError, refused, sentence
+from corollary.formula.line import Lean
 from corollary.formula.numerals import LONGEST, PLAIN
-from corollary.formula.parser import Lean
 from corollary.formula.syntax import parse
 from corollary.formula.tex import without_tex
 from corollary.formula.text import text as formula_text

@@ -34,7 +34,7 @@ def coarse(
     `sizes` are the SI values of the units in which the numbers were written, for figures are counted there. A component that
     is `near` the target (in SI) has figures enough.
     """
-    few = []
+    few: list[int] = []
     for value, count, wanted, size, enough in zip(values, figures, target, sizes, near, strict=True):
         if abs(value - wanted) <= enough:
             continue

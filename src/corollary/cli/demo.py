@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.failure import FAILS, HOLDS, answer, refuse
+from corollary.cli.ending import FAILS, HOLDS, answer, refuse
 from corollary.cli.progress import bar
 from corollary.course.demo.players import PLAYERS
 from corollary.course.demo.stage import Demonstration, NotFresh, Played, perform

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from corollary.cli.failure import HOLDS, answer, refuse, say
+from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions

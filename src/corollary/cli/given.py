@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.failure import refuse
+from corollary.cli.ending import refuse
 from corollary.problem.front_matter import exact
 
 

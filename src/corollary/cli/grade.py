@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from corollary.cli.failure import FAILS, HOLDS, answer, say
+from corollary.cli.ending import FAILS, HOLDS, answer, say
 from corollary.cli.progress import countdown
 from corollary.course.cluster import on_cluster
 from corollary.course.grade import Outcome, grade_set

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import UnknownPart, judge, solve
-from corollary.cli.failure import FAILS, HOLDS, answer
+from corollary.cli.ending import FAILS, HOLDS, answer
 from corollary.cli.given import read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined

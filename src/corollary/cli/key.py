@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import key, solve
-from corollary.cli.failure import HOLDS, answer, refuse
+from corollary.cli.ending import HOLDS, answer, refuse
 from corollary.cli.given import from_options, read_cases
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from corollary.answers.questions import checked
-from corollary.cli.failure import HOLDS, answer
+from corollary.cli.ending import HOLDS, answer
 from corollary.problem.bank import load, open_bank
 from corollary.problem.count import variants, written
 from corollary.problem.given import Given

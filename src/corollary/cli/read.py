@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from corollary.answers.read_case import BadCase, read_case
-from corollary.cli.failure import FAILS, HOLDS, answer, refuse
+from corollary.cli.ending import FAILS, HOLDS, answer, refuse
 from corollary.cli.given import read_cases
 
 

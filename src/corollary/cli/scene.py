@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from corollary.cli.failure import FAILS, HOLDS, answer, refuse, say
+from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.grading.from_json import finite
 from corollary.scenes.catalogue import run as play
 from corollary.scenes.run import GuardFailed, Observed
 
 
-def run(name: str, sets: list[str], tolerance: float, as_json: bool) -> int:
-    settings = dict(_setting(option) for option in sets)
+def run(name: str, settings: list[str], tolerance: float, as_json: bool) -> int:
+    chosen = dict(_setting(option) for option in settings)
     try:
-        found = play(name, settings, tolerance)
+        found = play(name, chosen, tolerance)
     except GuardFailed as error:
         say(f"corollary: {error}")
         return FAILS

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from corollary.cli.failure import HOLDS, refuse, say
+from corollary.cli.ending import HOLDS, refuse, say
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import Exercise, exercise
 from corollary.problem.bank import Bank, home

@@ -6,7 +6,7 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from corollary.cli.failure import refuse
+from corollary.cli.ending import refuse
 
 
 def run(scenes: list[str], output: Path | None, as_json: bool, quick: bool) -> int:

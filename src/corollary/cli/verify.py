@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.failure import FAILS, HOLDS, answer
+from corollary.cli.ending import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.problem.bank import Bank, doubles, files, home, open_bank
 from corollary.problem.count import written

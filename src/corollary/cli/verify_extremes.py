@@ -6,7 +6,7 @@ import sys
 import time
 from typing import Any
 
-from corollary.cli.failure import FAILS, HOLDS, answer
+from corollary.cli.ending import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve

@@ -14,9 +14,12 @@ from corollary.laws.law import substitute
 
 
 def best(
-    goal: sympy.Expr, over: sympy.Symbol, between: tuple[sympy.Expr, sympy.Expr], largest: bool,
+    goal: sympy.Expr,
+    over: sympy.Symbol,
+    between: tuple[sympy.Expr, sympy.Expr],
+    largest: bool,
     points: Sequence[Point],
-) -> tuple[sympy.Expr, str]:  # fmt: skip
+) -> tuple[sympy.Expr, str]:
     """The place of the extremum and a line on how it was found. Raises NoRoot when it differs from point to point."""
     known = {over, *(letter for point in points for letter in point.values)}
     if strange := {letter for formula in (goal, *between) for letter in formula.free_symbols} - known:

@@ -2,62 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Literal, NoReturn
 
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.degrees import degrees
-from corollary.formula.errors import ParseError, ambiguous, refused
+from corollary.formula.errors import ParseError, ambiguous
 from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
+from corollary.formula.line import Lean, Line, Stop, ask, refuse, unexpected
 from corollary.formula.text import text
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
-Lean = Literal[
-    "ask", "near", "far"
-]  # what has two readings: ask, let `cos θ/M` and `a/b c` end near, or let them reach far
 DEEPEST = 40
 LARGEST_POWER = 64
 MOST_BITS = 4096
 COMPARE, ADD, TIMES, FACTOR, UNIT, RAISE = 5, 10, 20, 21, 25, 30
 STARTS = frozenset({"number", "name", "function", "e", "open"})
-
-
-class _Stop(Exception):
-    """Leaves the reading, wherever it is, with what is to be said."""
-
-    def __init__(self, trouble: ParseError) -> None:
-        self.trouble = trouble
-
-
-@dataclass(slots=True)
-class _Line:
-    """The signs, and how far they have been read."""
-
-    tokens: list[Token]
-    student: bool
-    lean: Lean = "ask"
-    numbers: bool = False
-    at: int = 0
-    depth: int = 0
-    bars: list[int] = field(default_factory=list)  # depth of brackets at each | still open
-
-    @property
-    def next(self) -> Token:
-        return self.tokens[self.at]
-
-    @property
-    def after(self) -> Token:
-        return self.tokens[min(self.at + 1, len(self.tokens) - 1)]
-
-    def take(self) -> Token:
-        token = self.tokens[self.at]
-        self.at += 1
-        return token
 
 
 def formula(
@@ -68,49 +31,20 @@ def formula(
     A unit behind a factor belongs to it, as a letter named by the unit. In a calculation with `numbers` alone, whatever is
     divided by a number with a space behind it ends there: `√2/2 π` is (√2/2) π.
     """
-    line = _Line(tokens, student, lean, numbers)
+    line = Line(tokens, student, lean, numbers)
     try:
         tree = _formula(line, 0)
         if line.next.kind != "end":
-            _unexpected(line)
-    except _Stop as stop:
+            unexpected(line)
+    except Stop as stop:
         return stop.trouble
     return tree
 
 
-def _refuse(why: str, at: int, suggestion: str = "") -> NoReturn:
-    raise _Stop(refused(why, at, suggestion))
-
-
-def _ask(why: str, at: int, *choices: Expr) -> NoReturn:
-    raise _Stop(ambiguous(why, at, *map(text, choices)))
-
-
-def _unexpected(line: _Line) -> NoReturn:
-    token = line.next
-    match token.kind:
-        case "end":
-            _refuse(_("the formula stops too early"), token.at)
-        case "comma":
-            _refuse(_("a comma has no place here"), token.at, _("write decimals with a point, such as 1.5"))
-        case "compare" if line.student:
-            _refuse(
-                _("{text} has no place here", text=token.text),
-                token.at,
-                _("write only the right side, one formula"),
-            )
-        case "compare":
-            _refuse(_("only two sides are compared at a time"), token.at, _("write two conditions"))
-        case "close":
-            _refuse(_("this bracket closes nothing"), token.at)
-        case _:
-            _refuse(_("{text} has no place here", text=token.text), token.at)
-
-
-def _formula(line: _Line, least: int) -> Expr:
+def _formula(line: Line, least: int) -> Expr:
     line.depth += 1
     if line.depth > DEEPEST:
-        _refuse(_("this formula is nested more than {most} deep", most=DEEPEST), line.next.at)
+        refuse(_("this formula is nested more than {most} deep", most=DEEPEST), line.next.at)
     tree = _first(line, least)
     grows: type | None = None  # the sum or product this loop is building, to which terms are added
     while True:
@@ -160,7 +94,7 @@ def _times(tree: Expr, factor: Expr, grows: type | None) -> Expr:
     )
 
 
-def _follows(line: _Line) -> bool:
+def _follows(line: Line) -> bool:
     """Whether a factor follows without a product sign."""
     token = line.next
     return token.kind in STARTS or (
@@ -168,18 +102,18 @@ def _follows(line: _Line) -> bool:
     )
 
 
-def _brackets(line: _Line) -> int:
+def _brackets(line: Line) -> int:
     opened = line.tokens[: line.at]
     return sum(token.kind == "open" for token in opened) - sum(token.kind == "close" for token in opened)
 
 
-def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
+def _implicit(line: Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
     token, before = line.next, line.tokens[line.at - 1]
     if not line.student:
-        _refuse(_("a product sign is missing here"), token.at, _("write * for every product"))
+        refuse(_("a product sign is missing here"), token.at, _("write * for every product"))
     if token.kind == "number":
         shown = f"{before.text}^{token.text}", f"{before.text}*{token.text}"
-        raise _Stop(ambiguous(_("a number behind a factor can be a power or a product"), token.at, *shown))
+        raise Stop(ambiguous(_("a number behind a factor can be a power or a product"), token.at, *shown))
     half = (
         isinstance(tree, Quotient)
         and (isinstance(tree.top, Number) or line.numbers)
@@ -194,7 +128,7 @@ def _implicit(line: _Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
         if line.lean == "far":
             return below, Quotient
         if line.lean == "ask":
-            _ask(_("it is not clear what stands below the slash"), token.at, below, Product((tree, factor)))
+            ask(_("it is not clear what stands below the slash"), token.at, below, Product((tree, factor)))
     return _times(tree, factor, grows), Product
 
 
@@ -202,15 +136,15 @@ def _power(base: Expr, exponent: Expr, token: Token) -> Expr:
     power, below = constant(exponent), constant(base)
     largest = LARGEST_EXPONENT if below == 10 else LARGEST_POWER
     if power is not None and abs(power) > largest:
-        _refuse(_("exponents go up to {largest}", largest=largest), token.at)
+        refuse(_("exponents go up to {largest}", largest=largest), token.at)
     if power is not None and below is not None:
         bits = max(below.numerator.bit_length(), below.denominator.bit_length())
         if bits * abs(power) > MOST_BITS:
-            _refuse(_("this power is too large a number"), token.at)
+            refuse(_("this power is too large a number"), token.at)
     return Power(base, exponent)
 
 
-def _first(line: _Line, least: int) -> Expr:
+def _first(line: Line, least: int) -> Expr:
     token = line.next
     match token.kind:
         case "number":
@@ -229,9 +163,9 @@ def _first(line: _Line, least: int) -> Expr:
             line.take()
             inner = _formula(line, 0)
             if line.next.kind == "end":
-                _refuse(_("this bracket is never closed"), token.at)
+                refuse(_("this bracket is never closed"), token.at)
             if line.next.kind != "close" or "([".index(token.text) != ")]".index(line.next.text):
-                _unexpected(line)
+                unexpected(line)
             line.take()
             return inner
         case "bar":
@@ -239,7 +173,7 @@ def _first(line: _Line, least: int) -> Expr:
             line.bars.append(_brackets(line))
             inner = _formula(line, 0)
             if line.next.kind != "bar":
-                _refuse(_("this bar | is never closed"), token.at, _("write abs(…)"))
+                refuse(_("this bar | is never closed"), token.at, _("write abs(…)"))
             line.bars.pop()
             line.take()
             return Call("abs", (inner,))
@@ -250,12 +184,13 @@ def _first(line: _Line, least: int) -> Expr:
             line.take()
             return _formula(line, max(least, ADD))
         case "sign":
-            _refuse(_("something is missing before {text}", text=token.text), token.at)
+            refuse(_("something is missing before {text}", text=token.text), token.at)
         case _:
-            _unexpected(line)
+            unexpected(line)
+    raise AssertionError("to refuse leaves the reading")
 
 
-def _exponential(line: _Line) -> Expr:
+def _exponential(line: Line) -> Expr:
     """Euler's number: `e^(-t)` is exp(-t)."""
     if line.next.kind == "sign" and line.next.text == "^":
         line.take()
@@ -263,7 +198,7 @@ def _exponential(line: _Line) -> Expr:
     return Call("exp", (Number(Fraction(1)),))
 
 
-def _call(line: _Line, token: Token) -> Expr:
+def _call(line: Line, token: Token) -> Expr:
     function, start = token.text, line.next
     power: Expr | None = None
     if start.kind == "sign" and start.text == "^":
@@ -273,7 +208,7 @@ def _call(line: _Line, token: Token) -> Expr:
     elif line.student:
         call = Call(function, (_bare_argument(line, function),))
     else:
-        _refuse(
+        refuse(
             _("{function} needs brackets", function=function),
             line.next.at,
             _("write {function}(…)", function=function),
@@ -281,7 +216,7 @@ def _call(line: _Line, token: Token) -> Expr:
     return call if power is None else Power(call, power)
 
 
-def _power_of_function(line: _Line, function: str) -> Expr:
+def _power_of_function(line: Line, function: str) -> Expr:
     """`sin^2 x`; `sin^-1 x` has two readings."""
     sign = line.take()
     if line.next.kind == "sign" and line.next.text == "-":
@@ -290,11 +225,11 @@ def _power_of_function(line: _Line, function: str) -> Expr:
             if FUNCTIONS[function].angle
             else (f"1/{function}(…)", f"{function}(…)")
         )
-        raise _Stop(
+        raise Stop(
             ambiguous(_("{function}^-1 can be read in two ways", function=function), sign.at, *choices)
         )
     if line.next.kind != "number" or line.next.figures or not 0 < line.next.value <= LARGEST_POWER:
-        _refuse(
+        refuse(
             _("a whole number is expected as the power of {function}", function=function),
             line.next.at,
             _("write ({function}(…))^n", function=function),
@@ -302,7 +237,7 @@ def _power_of_function(line: _Line, function: str) -> Expr:
     return Number(line.take().value)
 
 
-def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
+def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
     opened = line.take()
     found = [_formula(line, 0)]
     wanted = FUNCTIONS[function].arity
@@ -310,12 +245,12 @@ def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
         line.take()
         found.append(_formula(line, 0))
     if line.next.kind == "end":
-        _refuse(_("this bracket is never closed"), opened.at)
+        refuse(_("this bracket is never closed"), opened.at)
     if line.next.kind != "close":
-        _unexpected(line)
+        unexpected(line)
     line.take()
     if len(found) != wanted:
-        _refuse(
+        refuse(
             _(
                 "{function} takes {wanted} numbers, not {given}",
                 function=function,
@@ -327,11 +262,11 @@ def _arguments(line: _Line, function: str) -> tuple[Expr, ...]:
     return tuple(found)
 
 
-def _bare_argument(line: _Line, function: str) -> Expr:
+def _bare_argument(line: Line, function: str) -> Expr:
     """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
     token, start = line.next, line.at
     if token.kind not in ("number", "name", "e") or FUNCTIONS[function].arity != 1:
-        _refuse(
+        refuse(
             _("{function} needs brackets", function=function),
             token.at,
             _("write {function}(…)", function=function),
@@ -352,7 +287,7 @@ def _bare_argument(line: _Line, function: str) -> Expr:
         shown = text(argument)
         more = {"/": "/…", "^": "^…"}.get(behind.text, "*…")
         choices = f"{function}({shown}{more})", f"{function}({shown}){more}"
-        raise _Stop(
+        raise Stop(
             ambiguous(_("it is not clear where {function} ends", function=function), behind.at, *choices)
         )
     return argument

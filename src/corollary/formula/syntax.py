@@ -11,8 +11,9 @@ from corollary.formula.degrees import in_degrees
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.functions import SPELLINGS
 from corollary.formula.lexer import LONGEST, MOST_TOKENS, tokens
+from corollary.formula.line import Lean
 from corollary.formula.numerals import PLAIN
-from corollary.formula.parser import Lean, formula
+from corollary.formula.parser import formula
 from corollary.formula.symbols import APART, RUN, Piece, letters, read_run
 from corollary.formula.tex import without_tex
 from corollary.messages import catalogue

@@ -139,7 +139,7 @@ def _unasked_way(solution: Solution, start: int, end: int) -> bool:
     names_of: Mapping[str, int] = {
         name: place for place, find in enumerate(solution.finds) for name in find.names
     }
-    todo, seen = [end], set()
+    todo, seen = [end], set[int]()
     while todo:
         place = todo.pop()
         for name in _letters(solution.finds[place]):
@@ -153,6 +153,6 @@ def _unasked_way(solution: Solution, start: int, end: int) -> bool:
 
 
 def _letters(find: Unknown) -> frozenset[str]:
-    if isinstance(find.local, ClosedForms):
-        return frozenset().union(*map(names, find.local.trees))
-    return frozenset().union(*map(names, find.local.settings.values()))
+    rule = find.local
+    trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
+    return frozenset(name for tree in trees for name in names(tree))

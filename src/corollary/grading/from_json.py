@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import cast
 
 from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
 
 
-def from_json(answer: Any) -> Value:
+def from_json(answer: object) -> Value:
     """A JSON value (or None, number, text, list of these) as inert data."""
     match answer:
         case None:
@@ -25,7 +26,7 @@ def from_json(answer: Any) -> Value:
         case str():
             return Text(answer)
         case list() | tuple():
-            items = tuple(map(from_json, answer))
+            items = tuple(map(from_json, cast("Sequence[object]", answer)))
             shapes = {item.shape for item in items if isinstance(item, Items)}
             inner = (
                 shapes.pop() if len(shapes) == 1 and all(isinstance(item, Items) for item in items) else ()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from corollary.answers.evaluation import as_exact, number
+from corollary.answers.expected import Values
 from corollary.derive.solution import Measured, Solution, Unknown
-from corollary.formula.ball import Undefined, certified, holds
+from corollary.formula.ast import Relation
+from corollary.formula.ball import RationalPi, Undefined, certified, holds
 from corollary.grading.replay import compute, simulated
 from corollary.grading.rounding import LEAST, MOST, noise_of
 from corollary.problem.variant import Variant
@@ -26,13 +28,13 @@ class Truth:
     """
 
     place: int
-    values: tuple[float, ...]
+    values: Values
     proven: bool
     error: float
     scale: float
     tolerance: float
     noise: float
-    uncertain: tuple[float, ...]
+    uncertain: Values
 
     @property
     def value(self) -> float | tuple[float, ...]:
@@ -46,7 +48,7 @@ class Key:
 
     solution: Solution
     variant: Variant
-    values: tuple[tuple[float, ...], ...]
+    values: tuple[Values, ...]
     truths: Mapping[str, Truth]
     choices: Mapping[str, str]
 
@@ -61,7 +63,7 @@ class Key:
 def make_key(solution: Solution, variant: Variant) -> Key:
     """The key of one variant. Raises Undefined when an answer does not exist for these numbers."""
     givens = variant.exact
-    values: list[tuple[float, ...]] = []
+    values: list[Values] = []
     stated: dict[int, tuple[bool, float]] = {}
     for place, find in enumerate(solution.finds):
         try:
@@ -72,7 +74,7 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         values.append(numbers)
         stated[place] = proven, error
     noise = noise_of(solution, givens, values)
-    truths = {}
+    truths: dict[str, Truth] = {}
     for place, find in enumerate(solution.finds):
         if find.part:
             proven, error = stated[place]
@@ -82,14 +84,16 @@ def make_key(solution: Solution, variant: Variant) -> Key:
             truths[find.part] = Truth(
                 place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, uncertain
             )
-    choices = {part: chosen(truth.options, givens, part) for part, truth in solution.choices.items()}
+    choices = {
+        part: option_that_holds(truth.options, givens, part) for part, truth in solution.choices.items()
+    }
     return Key(solution, variant, tuple(values), truths, choices)
 
 
 def answer(
-    solution: Solution, find: Unknown, variant: Variant, before: list[tuple[float, ...]]
-) -> tuple[tuple[float, ...], bool, float]:
-    """A find's values from its closed form, certified; or from its scene, with the error the run states."""
+    solution: Solution, find: Unknown, variant: Variant, before: Sequence[Values]
+) -> tuple[Values, bool, float]:
+    """An unknown's values from its closed form, certified; or from its scene, with the error the run states."""
     if find.closed is not None:
         found = [certified(tree, variant.exact) for tree in find.closed]
         return tuple(each.value for each in found), all(each.proven for each in found), 0.0
@@ -103,9 +107,8 @@ def answer(
             return compute(rule, known), False, 1e-12
 
 
-def named(solution: Solution, values: list[tuple[float, ...]]):
-    """The finds so far, by their letters, as exact numbers."""
-
+def named(solution: Solution, values: Sequence[Values]) -> dict[str, RationalPi]:
+    """The unknowns found so far, by their letters, as exact numbers."""
     return {
         name: as_exact(value)
         for find, numbers in zip(solution.finds, values, strict=False)
@@ -114,7 +117,7 @@ def named(solution: Solution, values: list[tuple[float, ...]]):
     }
 
 
-def scale_of(find: Unknown, values: tuple[float, ...], known) -> float:
+def scale_of(find: Unknown, values: Values, known: Mapping[str, RationalPi]) -> float:
     """The length of the answer; where the answer is zero, what the solution names, or the largest given of its dimension."""
     length = math.hypot(*values)
     if length > 0 or find.scale is None:
@@ -125,7 +128,9 @@ def scale_of(find: Unknown, values: tuple[float, ...], known) -> float:
         return 0.0
 
 
-def chosen(options, givens, part: str) -> str:
+def option_that_holds(
+    options: Mapping[str, Relation | bool], givens: Mapping[str, RationalPi], part: str
+) -> str:
     """The letter of the one option that holds. Raises Undefined when it is not exactly one."""
     true = [
         letter

@@ -1,8 +1,9 @@
-"""The key as plain data, as `corollary key --json` shows it."""
+"""The key as data, as `corollary key --json` shows it."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.text import text
@@ -11,9 +12,11 @@ from corollary.grading.key import Key
 from corollary.problem.part import Part
 from corollary.units.unit import canonical, si_unit
 
+T = TypeVar("T")
+
 
 def key_record(key: Key) -> dict[str, Any]:
-    """Every part of a variant: values in SI with their formulas, or what its kind has."""
+    """Every part of a variant: values in SI with their formulas, or what its answer type has."""
     problem = key.variant.problem
     return {
         "code": problem.code,
@@ -72,6 +75,6 @@ def si_name(part: Part) -> str:
     )
 
 
-def _one(values, show, part: Part):
+def _one(values: Sequence[T], show: Callable[[T], object], part: Part) -> object:
     """A list for what has components, else the one."""
     return [show(value) for value in values] if part.components else show(values[0])

@@ -26,7 +26,7 @@ class Neglect:
 def neglects(key: Key) -> tuple[Neglect, ...]:
     """In the solution's order. Raises Undefined where a bound has no value."""
     known = key.variant.exact | named(key.solution, list(key.values))
-    found = []
+    found: list[Neglect] = []
     for left in key.solution.neglected:
         supposed = {value.stated.name: RationalPi(value.ratio) for value in left.supposing}
         (most,) = map(abs, compute(left.bound.local, known | supposed))

@@ -40,7 +40,7 @@ def grade(
     *,
     reveal: bool = False,
 ) -> Grade:
-    """Points and feedback for each part. Of two kinds each is worth half; the verdict shown is the first that is not right."""
+    """Points and feedback for each part. Of two answer types each is worth half; the verdict reported is the first that is not right."""
     parts: list[PartGrade] = []
     for part in key.variant.problem.parts:
         verdicts, answer = judged[part.id]

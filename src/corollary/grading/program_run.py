@@ -1,4 +1,4 @@
-"""What a part's judge may be handed beside plain values: what the student's functions returned, and the figures drawn."""
+"""What a part's judge may be handed beside values: what the student's functions returned, and the figures drawn."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ from corollary.sandbox.result import CallResult, Figure
 class ProgramRun:
     """What running the notebook brought for one code or plot part; `calls` by the key of each call."""
 
-    calls: Mapping[str, CallResult] = field(default_factory=dict)
+    calls: Mapping[str, CallResult] = field(default_factory=dict[str, CallResult])
     figures: tuple[Figure, ...] = ()
     ran: bool = False

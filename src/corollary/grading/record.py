@@ -1,4 +1,4 @@
-"""What is kept of every mark, as plain data: how it came about, so that it can be shown, compared and never silently changed."""
+"""What is recorded of every mark: how it came about, so that it can be looked up, compared and never silently changed."""
 
 from __future__ import annotations
 

@@ -16,10 +16,10 @@ from corollary.scenes.run import BadSetting, GuardFailed
 
 @dataclass(frozen=True, slots=True)
 class WhatIf:
-    """What is done differently: finds whose values are held (by place), rules exchanged (by place), and a rounding."""
+    """What is done differently: unknowns whose values are held (by place), rules exchanged (by place), and a rounding."""
 
-    held: Mapping[int, Values] = field(default_factory=dict)
-    rules: Mapping[int, Rule] = field(default_factory=dict)
+    held: Mapping[int, Values] = field(default_factory=dict[int, Values])
+    rules: Mapping[int, Rule] = field(default_factory=dict[int, Rule])
     rounding: Callable[[float], float] | None = None
 
 

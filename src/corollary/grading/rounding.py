@@ -76,5 +76,5 @@ def _widen(
 
 
 def _half_unit(x: float) -> float:
-    """Half a unit in the last of the figures kept."""
+    """Half a unit in the last of the figures written down."""
     return 0.0 if x == 0 else 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) - FIGURES + 1)

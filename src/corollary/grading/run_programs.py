@@ -1,4 +1,4 @@
-"""Programs handed in as plain text, without a notebook: run in isolation, and called."""
+"""Programs handed in as text, without a notebook: run in isolation, and called."""
 
 from __future__ import annotations
 

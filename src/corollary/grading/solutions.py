@@ -1,4 +1,4 @@
-"""The solutions of a bank, each solved once and kept while a command runs."""
+"""The solutions of a bank, each solved once while a command runs."""
 
 from __future__ import annotations
 

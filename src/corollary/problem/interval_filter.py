@@ -20,54 +20,56 @@ LEAST = 2.0**-1022  # below, a double has fewer figures
 
 
 @dataclass(frozen=True, slots=True)
-class Rounded:
-    """Doubles, each with a bound on how far it may be off; NaN or an infinite bound where that cannot be said."""
+class Interval:
+    """Doubles, each with a radius within which the exact value lies; NaN or an infinite radius where none is known."""
 
     value: np.ndarray
-    off: np.ndarray
+    radius: np.ndarray
 
     @classmethod
-    def of(cls, number: Fraction | int) -> Rounded:
+    def of(cls, number: Fraction | int) -> Interval:
         value = np.asarray(float(number))
         return cls(value, abs(value) * ULP)
 
-    def __neg__(self) -> Rounded:
-        return Rounded(-self.value, self.off)
+    def __neg__(self) -> Interval:
+        return Interval(-self.value, self.radius)
 
-    def __add__(self, other: Rounded) -> Rounded:
-        return _off(self.value + other.value, self.off + other.off)
+    def __add__(self, other: Interval) -> Interval:
+        return _rounded(self.value + other.value, self.radius + other.radius)
 
-    def __mul__(self, other: Rounded) -> Rounded:
-        crossed = abs(self.value) * other.off + abs(other.value) * self.off + self.off * other.off
-        return _off(self.value * other.value, crossed)
+    def __mul__(self, other: Interval) -> Interval:
+        crossed = abs(self.value) * other.radius + abs(other.value) * self.radius + self.radius * other.radius
+        return _rounded(self.value * other.value, crossed)
 
-    def __truediv__(self, other: Rounded) -> Rounded:
-        value, left = self.value / other.value, abs(other.value) - other.off
-        return _off(value, np.where(left > 0, (self.off + abs(value) * other.off) / left, np.inf))
+    def __truediv__(self, other: Interval) -> Interval:
+        value, left = self.value / other.value, abs(other.value) - other.radius
+        return _rounded(value, np.where(left > 0, (self.radius + abs(value) * other.radius) / left, np.inf))
 
-    def __pow__(self, whole: int) -> Rounded:
-        result = Rounded.of(1)
+    def __pow__(self, whole: int) -> Interval:
+        result = Interval.of(1)
         for _ in range(abs(whole)):
             result = result * self
-        return result if whole >= 0 else Rounded.of(1) / result
+        return result if whole >= 0 else Interval.of(1) / result
 
 
-def _off(value: np.ndarray, off: np.ndarray) -> Rounded:
-    return Rounded(value, off * (1 + SLACK) + abs(value) * ULP + LEAST)
+def _rounded(value: np.ndarray, radius: np.ndarray) -> Interval:
+    return Interval(value, radius * (1 + SLACK) + abs(value) * ULP + LEAST)
 
 
-def _sqrt(x: Rounded) -> Rounded:
+def _sqrt(x: Interval) -> Interval:
     value = np.sqrt(x.value)
-    return _off(value, np.where(x.value > x.off, value - np.sqrt(x.value - x.off), np.inf) + SLACK * value)
+    return _rounded(
+        value, np.where(x.value > x.radius, value - np.sqrt(x.value - x.radius), np.inf) + SLACK * value
+    )
 
 
-def _power(x: Rounded, p: Rounded) -> Rounded:
-    value, low = np.power(x.value, p.value), x.value - x.off
-    grown = abs(p.value) * x.off / low + abs(np.log(low)) * p.off
-    return _off(value, np.where(low > 0, value * np.expm1(grown), np.inf) + SLACK * value)
+def _power(x: Interval, p: Interval) -> Interval:
+    value, low = np.power(x.value, p.value), x.value - x.radius
+    grown = abs(p.value) * x.radius / low + abs(np.log(low)) * p.radius
+    return _rounded(value, np.where(low > 0, value * np.expm1(grown), np.inf) + SLACK * value)
 
 
-def _of_rounded(row: Function) -> Callable[..., Rounded] | None:
+def _of_rounded(row: Function) -> Callable[..., Interval] | None:
     """A function of doubles with bounds, from what its row says of its slope; None where that bounds nothing.
 
     By the mean value theorem it changes by no more than the largest slope between the true argument and the double, which
@@ -83,23 +85,27 @@ def _of_rounded(row: Function) -> Callable[..., Rounded] | None:
     bounded = all(name == "sqrt" or FUNCTIONS[name].slope for name in called)
     if of_array is None or not (row.slope or (slopes and bounded and not row.branches)):
         return None
-    of_slopes = [ready(slope, ROUNDED) for slope in slopes] if not row.slope else []
+    of_slopes = [ready(slope, INTERVALS) for slope in slopes] if not row.slope else []
 
-    def apply(*at: Rounded) -> Rounded:
+    def apply(*at: Interval) -> Interval:
         value = of_array(*(each.value for each in at))
         steepest = [run(dict(zip("xy", at, strict=False))) for run in of_slopes]
-        bounds = [abs(slope.value) + slope.off for slope in steepest] or [row.slope] * len(at)
-        moved = [bound * each.off for bound, each in zip(bounds, at, strict=True)]
-        return _off(value, sum(moved) + SLACK * np.maximum(abs(value), 1.0))
+        bounds = [abs(slope.value) + slope.radius for slope in steepest] or [row.slope] * len(at)
+        moved = [bound * each.radius for bound, each in zip(bounds, at, strict=True)]
+        return _rounded(value, sum(moved) + SLACK * np.maximum(abs(value), 1.0))
 
     return apply
 
 
-ROUNDED = Arithmetic("doubles with a bound", Rounded.of, Rounded.of(Fraction(np.pi)), _of_rounded, _power)
+INTERVALS = Arithmetic("doubles with a bound", Interval.of, Interval.of(Fraction(np.pi)), _of_rounded, _power)
 SIGNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
-    "=": lambda gap: gap == 0, "!=": lambda gap: gap != 0,
-    "<": lambda gap: gap < 0, "<=": lambda gap: gap <= 0, ">": lambda gap: gap > 0, ">=": lambda gap: gap >= 0,
-}  # fmt: skip
+    "=": lambda gap: gap == 0,
+    "!=": lambda gap: gap != 0,
+    "<": lambda gap: gap < 0,
+    "<=": lambda gap: gap <= 0,
+    ">": lambda gap: gap > 0,
+    ">=": lambda gap: gap >= 0,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,14 +116,14 @@ class Letter:
     at: np.ndarray
 
 
-def kept(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
+def holding(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
     """Where a condition holds; it does not where a side has no value."""
     tied = {name: letters[name] for name in sorted(names(relation) & letters.keys())}
     places = np.broadcast_arrays(*(letter.at for letter in tied.values()))
     with np.errstate(all="ignore"):
         gap = _gap(relation, tied)
         holding = np.broadcast_to(SIGNS[relation.sign](gap.value), places[0].shape).copy()
-        doubtful = np.broadcast_to(~(abs(gap.value) > gap.off), places[0].shape)
+        doubtful = np.broadcast_to(~(abs(gap.value) > gap.radius), places[0].shape)
     for point in zip(*np.nonzero(doubtful), strict=True):
         exact = {
             name: letter.numbers[int(at[point])]
@@ -127,18 +133,18 @@ def kept(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
     return holding
 
 
-def _gap(relation: Relation, letters: Mapping[str, Letter]) -> Rounded:
+def _gap(relation: Relation, letters: Mapping[str, Letter]) -> Interval:
     """Left side minus right side; NaN with an infinite bound where this arithmetic lacks a function or overflows."""
     try:
         numbers = {name: _doubles(letter) for name, letter in letters.items()}
-        return ready(Sum((relation.left, Negative(relation.right))), ROUNDED)(numbers)
+        return ready(Sum((relation.left, Negative(relation.right))), INTERVALS)(numbers)
     except (NotAvailable, OverflowError):
-        return Rounded(np.asarray(np.nan), np.asarray(np.inf))
+        return Interval(np.asarray(np.nan), np.asarray(np.inf))
 
 
-def _doubles(letter: Letter) -> Rounded:
+def _doubles(letter: Letter) -> Interval:
     ratios = np.array([float(number.ratio) for number in letter.numbers])[letter.at]
-    return Rounded(ratios, abs(ratios) * ULP) * ROUNDED.pi ** letter.numbers[0].pi
+    return Interval(ratios, abs(ratios) * ULP) * INTERVALS.pi ** letter.numbers[0].pi
 
 
 def _holds(relation: Relation, values: Mapping[str, RationalPi]) -> bool:

@@ -70,8 +70,21 @@ def read_problem(path: Path) -> Problem:
         )
     if complaints:
         raise Malformed(complaints)
-    return Problem(code, path.stem, title, source, path.parent.name, statement, givens, tuple(conditions), parts, figure, alt, path,
-                   figure_line)  # fmt: skip
+    return Problem(
+        code,
+        path.stem,
+        title,
+        source,
+        path.parent.name,
+        statement,
+        givens,
+        tuple(conditions),
+        parts,
+        figure,
+        alt,
+        path,
+        figure_line,
+    )
 
 
 def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Diagnostic]) -> Given | None:

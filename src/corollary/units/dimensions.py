@@ -11,7 +11,7 @@ from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.text import text
 from corollary.messages import N_, catalogue
-from corollary.units.unit import ONE, Dimension, called, show, si_unit
+from corollary.units.unit import ONE, Dimension, show, si_unit
 
 _ = catalogue(__name__)
 
@@ -37,23 +37,6 @@ def dimension_of(tree: Expr, dimensions: Mapping[str, Dimension]) -> Dimension |
         return _dimension(tree, dimensions) or ONE
     except _Mismatch as mismatch:
         return refused(mismatch.why, None, _("look at the units of each term"))
-
-
-def wrong_dimension(
-    tree: Expr, dimensions: Mapping[str, Dimension], expected: Dimension
-) -> ParseError | None:
-    """What is wrong with the dimension of an answer; None when it is the expected one, or the answer is 0."""
-    try:
-        found = _dimension(tree, dimensions)
-    except _Mismatch as mismatch:
-        return refused(mismatch.why, None, _("look at the units of each term"))
-    if found is None or found == expected:
-        return None
-    return refused(
-        _("{expected} is expected, but this is {found}", expected=called(expected), found=called(found)),
-        None,
-        _("look at the units of each factor"),
-    )
 
 
 def _dimension(tree: Expr, of: Mapping[str, Dimension]) -> Found:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-MOST = 20  # complaints told of a problem: an author mends the first and verifies again
+MOST = 20  # complaints of one problem: an author mends the first and verifies again
 
 
 @dataclass(slots=True)

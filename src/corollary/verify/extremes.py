@@ -73,10 +73,10 @@ def push(solution: Solution) -> Pushed:
 
 def pushed(variant: Variant) -> Iterator[tuple[str, dict[str, RationalPi]]]:
     """The chapter's numbers with one given at an extreme, and what to call that."""
-    plain = variant.exact
+    givens = variant.exact
     for given in variant.problem.givens:
-        for label, value in extremes(given, plain[given.symbol]):
-            yield label, plain | {given.symbol: value}
+        for label, value in extremes(given, givens[given.symbol]):
+            yield label, givens | {given.symbol: value}
 
 
 def extremes(given: Given, value: RationalPi) -> Iterator[tuple[str, RationalPi]]:

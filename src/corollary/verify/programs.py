@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager, nullcontext
 
 from corollary.answers.registry import answer_type
@@ -26,7 +26,7 @@ def _bent(exact):
 
 
 @contextmanager
-def unstarted() -> Iterator[Runner]:
+def unstarted() -> Generator[Runner]:
     """A runner for many problems, that starts with the first program and not before."""
     runner = Runner()
     try:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
+from corollary.figure.svg import NotADrawing, safe_svg
 from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
 from corollary.problem.bank import Bank
 from corollary.problem.count import variants
 from corollary.problem.problem import Problem
+from corollary.problem.statement import filled
 from corollary.problem.variant import chapter
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
-from corollary.verify.figure import check_figure
 from corollary.verify.laws import check_dimensions, check_laws
 from corollary.verify.programs import check_programs
 from corollary.verify.samples import check_printed, check_samples
@@ -24,7 +25,7 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
 
     Never raises for what an author did wrong; it is a complaint.
     """
-    tally, share, reasons = Tally(), 0.0, {}
+    tally, share, reasons = Tally(), 0.0, dict[str, int]()
     number, exact = variants(problem)
     check_figure(problem, tally)
     try:
@@ -45,3 +46,14 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
         tally.complain(f"{problem.path.name}:{line}: the chapter's own numbers have no answer: {error}")
     common = sorted(reasons.items(), key=lambda item: -item[1])[:3]
     return Checked(problem.code, number, exact, share, tuple(common), tally.counts, tuple(tally.complaints))
+
+
+def check_figure(problem: Problem, tally: Tally) -> None:
+    """Whether the chapter's own figure can be shown."""
+    if not problem.figure:
+        return
+    try:
+        safe_svg(filled(problem.figure, chapter(problem)))
+    except NotADrawing as error:
+        tally.complain(f"{problem.path.name}:{problem.figure_line}: the figure cannot be shown: {error}")
+    tally.count("figures")

@@ -12,7 +12,7 @@ from corollary.answers.explain.reading import TYPE as WORDS
 from corollary.answers.preview import Preview
 from corollary.answers.question import Question
 from corollary.formula.value import Value
-from corollary.messages import catalogue
+from corollary.messages import N_, catalogue
 from corollary.units.unit import show
 
 _ = catalogue(__name__)
@@ -20,7 +20,7 @@ _ = catalogue(__name__)
 
 @final
 class CodeType(AnswerType):
-    name, word, stated_by = "code", "Program", "code"
+    name, word, stated_by = "code", N_("Program"), "code"
     found_in = "function"
     accepts = needs = frozenset({"function"})
 

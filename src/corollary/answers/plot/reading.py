@@ -9,14 +9,14 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.explain.reading import TYPE as WORDS
 from corollary.answers.question import Question
 from corollary.formula.value import Value
-from corollary.messages import catalogue
+from corollary.messages import N_, catalogue
 
 _ = catalogue(__name__)
 
 
 @final
 class PlotType(AnswerType):
-    name, word, stated_by = "plot", "Figure", "plot"
+    name, word, stated_by = "plot", N_("Figure"), "plot"
     found_in = "figure"
 
     def blank(self, question: Question) -> str:

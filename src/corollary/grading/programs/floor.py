@@ -64,8 +64,14 @@ def bounce_inputs(given: Given, draw: Draw) -> list[Inputs]:
         ((2e4, 5e4), (0.3, 0.6), (0.3, 0.6), (0.001, 0.003)),
     ):
         R = round(draw(0.015, 0.04), 3)
-        numbers = {"m": round(draw(*mass), 3), "k": round(draw(*stiffness), -2), "R": R, "y0": round(R + draw(*fall), 4),
-                   "v0": round(-draw(*speed), 2), "g": 9.8}  # fmt: skip
+        numbers = {
+            "m": round(draw(*mass), 3),
+            "k": round(draw(*stiffness), -2),
+            "R": R,
+            "y0": round(R + draw(*fall), 4),
+            "v0": round(-draw(*speed), 2),
+            "g": 9.8,
+        }
         cases.append(numbers | {"dt": reference(*(numbers[name] for name in ARGUMENTS)).duration / STEPS})
     return halved(cases)
 

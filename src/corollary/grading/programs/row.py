@@ -191,8 +191,14 @@ def judge_velocity_plot(given: Given, figures: Sequence[Any], balls: int) -> Fau
         curves = [line for line in axes.lines if line.kind in {"line", "points"} and len(line.x) > 10]
         if len(curves) < balls:
             continue
-        if missing := [name for name, label, words in (("x", axes.xlabel, "t time zeit tid s"), ("y", axes.ylabel, "v velocity m/s"))
-                       if not any(word in label.lower() for word in words.split())]:  # fmt: skip
+        if missing := [
+            name
+            for name, label, words in (
+                ("x", axes.xlabel, "t time zeit tid s"),
+                ("y", axes.ylabel, "v velocity m/s"),
+            )
+            if not any(word in label.lower() for word in words.split())
+        ]:
             return Fault(
                 f"The {' and '.join(missing)} axis needs a label that names the quantity and its unit: t [s], v [m/s]."
             )

@@ -1,0 +1,220 @@
+"""The commands by name, with the arguments and options of each."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+import click
+
+from corollary import __version__
+from corollary.cli.ending import run
+
+# click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
+PATH = click.Path(path_type=Path)
+AT_LEAST_1 = click.IntRange(min=1)
+
+
+class Commands(click.Group):
+    """The commands in the order in which a course needs them."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(self.commands)
+
+
+app = Commands(
+    "corollary",
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Physics exercises whose answers are derived from the laws: numbers for each student, marks for what they hand in.",
+)
+click.version_option(__version__, message="%(version)s", help="Show the version and leave.")(app)
+
+
+def _command(name: str, sentence: str, *parameters: click.Parameter, module: str = "") -> None:
+    """One more command: `run` of its module in this folder gets the parameters by name, and gives the exit status."""
+    callback = partial(run, module or name)
+    app.add_command(click.Command(name, params=list(parameters), help=sentence, callback=callback))
+
+
+def _flag(name: str, sentence: str) -> click.Option:
+    return click.Option([name], is_flag=True, help=sentence)
+
+
+def _text(name: str, sentence: str) -> click.Option:
+    return click.Option([name], help=sentence)
+
+
+def _path(*names: str, text: str, required: bool = False) -> click.Option:
+    return click.Option(names, type=PATH, required=required, help=text)
+
+
+def _several(name: str, parameter: str, sentence: str) -> click.Option:
+    return click.Option([name, parameter], multiple=True, help=f"{sentence}; may be repeated.")
+
+
+def _all_when_left_out(parameter: str, metavar: str, sentence: str) -> click.Argument:
+    return click.Argument([parameter], nargs=-1, metavar=metavar, help=f"{sentence}; all when left out.")
+
+
+CODE = click.Argument(["code"], help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")
+SET = click.Argument(["name"], metavar="SET", help="A problem set of the bank, or a path to its .md file.")
+JSON = click.Option(["--json", "as_json"], is_flag=True, help="One JSON document on standard output.")
+COURSE = _path("--course", text="The course folder.", required=True)
+BANK = click.Option(
+    ["--bank"],
+    type=PATH,
+    multiple=True,
+    help="A folder with problems/ and solutions/, or an installed bank; may be repeated. When left out, "
+    "COROLLARY_BANK, or the chapter's bank.",
+)
+GENERATED_BANK = click.Option(
+    ["--bank"],
+    type=PATH,
+    multiple=True,
+    help="A folder with problems/ and solutions/, or an installed bank; the bank the set was dealt from when left out.",
+)
+SOLUTION = _flag("--solution", "Add the worked solution.")
+
+_command(
+    "list",
+    "Every problem: code, title, givens, parts, number of distinct variants.",
+    BANK,
+    JSON,
+    module="listing",
+)
+_command(
+    "show",
+    "One problem as a student sees it.",
+    CODE,
+    BANK,
+    _text("--student", "The numbers this student would get (with --course: those dealt there)."),
+    _path("--course", text="Take the student's numbers from this course."),
+    click.Option(["--variant"], type=int, help="The variant with this index in the grid."),
+    SOLUTION,
+    click.Option(["--format", "fmt"], default="text", help="text, md, html or ipynb."),
+    _path("--output", "-o", text="Write to this file."),
+)
+_command(
+    "key",
+    "The answer key for given numbers, every digit certified.",
+    CODE,
+    BANK,
+    _several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
+    _path("--cases", text="A JSON list of givens in SI; the answer is a list."),
+    JSON,
+)
+_command(
+    "judge",
+    "Marks plain answers, no notebook needed.",
+    CODE,
+    _path("--cases", text='A JSON list of {"given": {…}, "answers": {…}}.', required=True),
+    BANK,
+    _flag("--reveal", "Feedback may give the right values."),
+    JSON,
+)
+_command(
+    "read",
+    "How an answer is read, and what would be decided.",
+    click.Argument(["text"], required=False, help="An answer as typed: 8,6 Ns"),
+    _text("--unit", "The unit asked for."),
+    _text("--equals", "A formula to compare with."),
+    _text("--names", "The letters of the formula: m,v,M"),
+    _several("--domain", "domain", "Where a letter lives: v=-10..10"),
+    _path("--cases", text='A JSON list of {"text": …, "field": …}.'),
+    JSON,
+)
+_command(
+    "scene",
+    "Runs a ready-made scene with the least model that answers, and says which and why.",
+    click.Argument(["name"], help="cradle, ball_on_floor, …"),
+    _several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
+    click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
+    JSON,
+)
+_command(
+    "verify",
+    "Proves problems and solutions right, or says what is wrong.",
+    _all_when_left_out("codes", "[CODE]...", "Problems to verify"),
+    BANK,
+    click.Option(
+        ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to walk for each problem."
+    ),
+    JSON,
+    _flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
+)
+_command(
+    "trade",
+    "Measures speed against accuracy; writes the table and the picture.",
+    _all_when_left_out("scenes", "[SCENE]...", 'cradle, spheres, "cradle N=3 q=1.5" …'),
+    _path("--output", "-o", text="Where table and pictures go; trade/ when left out (nowhere with --json)."),
+    JSON,
+    _flag("--quick", "Without the longest runs, each timed once."),
+)
+_command(
+    "generate",
+    "A problem set, different for each student, as an nbgrader course.",
+    SET,
+    _path("--roster", text="A CSV file with the column id.", required=True),
+    COURSE,
+    BANK,
+    JSON,
+)
+_command(
+    "grade",
+    "Marks what was handed in: gradebook, feedback, report.",
+    SET,
+    COURSE,
+    GENERATED_BANK,
+    JSON,
+    _flag("--regrade", "Mark again what is marked, and show first who changes."),
+    _flag("--dry-run", "Mark, show who changes, and write nothing."),
+    click.Option(
+        ["--require-isolation", "require"],
+        type=click.IntRange(0, 3),
+        default=1,
+        help="Refuse to run notebooks below this isolation level.",
+    ),
+    click.Option(
+        ["--jobs"],
+        type=AT_LEAST_1,
+        help="How many to mark side by side; as many as there are cores when left out.",
+    ),
+    click.Option(
+        ["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead."
+    ),
+)
+_command(
+    "report",
+    "What an instructor reads: marks, each part, misconceptions met, what waits for a person.",
+    SET,
+    COURSE,
+    GENERATED_BANK,
+    JSON,
+    _path("--output", "-o", text="Write the page here too."),
+)
+_command(
+    "export",
+    "A set as files for elsewhere: each student's sheet, or the marks of all.",
+    SET,
+    click.Option(
+        ["--to"], required=True, metavar="TARGET", help="md, html, ipynb or text: sheets; csv: marks."
+    ),
+    _path("--course", text="The sheets, or the marks, of this course's students."),
+    _path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
+    GENERATED_BANK,
+    click.Option(
+        ["--variants"], type=AT_LEAST_1, help="Without either: so many sheets with distinct numbers."
+    ),
+    SOLUTION,
+    click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
+    JSON,
+)
+_command(
+    "demo",
+    "The whole way, end to end, in a fresh folder.",
+    click.Argument(
+        ["folder"], type=PATH, default=Path("demo"), required=False, help="A fresh folder for the course."
+    ),
+    JSON,
+)

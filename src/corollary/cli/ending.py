@@ -1,0 +1,108 @@
+"""How a command ends: its exit status, and when it cannot do what it was asked one sentence, never a traceback."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Any, NoReturn
+
+import click
+
+# Done; something asked for does not hold; the request is wrong; stopped by ctrl-C (128 and the signal, as shells have it).
+HOLDS, FAILS, REFUSED, STOPPED = 0, 1, 2, 130
+
+# What is raised when a request or an author's file is wrong, by the module that defines it.
+RAISED = {
+    "corollary.api": ["UnknownPart"],
+    "corollary.answers.registry": ["UnknownAnswerType"],
+    "corollary.notebook.packing": ["NotCarried"],
+    "corollary.problem.diagnostic": ["Malformed"],
+    "corollary.problem.bank": ["UnknownCode"],
+    "corollary.problem.variant": ["OutOfRange"],
+    "corollary.derive.load": ["NotDerivable"],
+    "corollary.grading.assign": ["NoVariant"],
+    "corollary.formula.errors": ["Undefined"],
+    "corollary.scenes.run": ["BadSetting"],
+    "corollary.records.files": ["NotACourse", "BeingGraded"],
+    "corollary.render.exports": ["UnknownTarget"],
+    "corollary.course.cluster": ["NoCluster"],
+    "corollary.course.grade": ["NotGenerated"],
+    "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
+    "corollary.nbgrader.config": ["NotOurs"],
+    "corollary.sandbox.isolation": ["WeakIsolation"],
+    "corollary.sandbox.zygote": ["CannotStart"],
+}
+
+
+class Refusal(Exception):
+    """The request itself is wrong; the message says what, and what to do."""
+
+
+def refuse(sentence: str) -> NoReturn:
+    raise Refusal(sentence)
+
+
+def run(module: str, **options: object) -> None:
+    """The command of that module, imported only now; its status, one sentence on a failing, no traceback."""
+    options = {name: list(value) if isinstance(value, tuple) else value for name, value in options.items()}
+    match options.get("bank"):
+        case [*places]:  # several banks are one, parted as in PATH
+            options["bank"] = Path(os.pathsep.join(map(str, places))) if places else None
+        case _:
+            pass
+    try:
+        status = importlib.import_module(f"corollary.cli.{module}").run(**options)
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        say("stopped")
+        status = STOPPED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        status = FAILS
+    except Exception as error:
+        if not isinstance(error, expected()):
+            status = _unforeseen(error)
+        else:
+            say(f"corollary: {error}")
+            status = REFUSED
+    if status:
+        raise click.exceptions.Exit(status)
+
+
+def expected() -> tuple[type[BaseException], ...]:
+    """The exceptions of RAISED as far as their modules are loaded: what is not loaded has raised nothing."""
+    return (
+        Refusal,
+        *(
+            getattr(sys.modules[module], name)
+            for module, names in RAISED.items()
+            if module in sys.modules
+            for name in names
+        ),
+    )
+
+
+def _unforeseen(error: Exception) -> int:
+    """A fault of ours, or of the machine: one sentence, and the traceback only when asked for."""
+    if os.environ.get("COROLLARY_DEBUG"):
+        raise error
+    if isinstance(error, OSError):
+        say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
+        return REFUSED
+    say(
+        f"corollary: this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
+    )
+    return FAILS
+
+
+def say(sentence: str) -> None:
+    """A message for a person, on standard error."""
+    print(sentence, file=sys.stderr)
+
+
+def answer(document: Any) -> None:
+    """The one JSON document of a command, on standard output."""
+    print(json.dumps(document, ensure_ascii=False, allow_nan=False))
