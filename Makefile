@@ -65,5 +65,9 @@ lint: $(LINT)
 	@$(BIN)/ruff format --check src tests solutions benchmarks
 	@$(BIN)/pyright --pythonpath $(BIN)/python
 
+# The texts that students read, one template for each room.
+messages: $(TEST)
+	@$(BIN)/python .ci/messages.py
+
 clean:
 	rm -rf $(VENV) demo dist .pytest_cache .ruff_cache
