@@ -175,7 +175,7 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
         return []
     value, closed = (
         truth.values[0] / part.unit.si,
-        key.find(truth).closed,
+        key.find(truth).in_givens,
     )
     found: list[tuple[str, Value]] = [
         ("number", Real(value)),

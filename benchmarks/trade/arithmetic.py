@@ -59,7 +59,7 @@ def _formulas(quick: bool) -> Iterator[Formula]:
         solution = known.of(problem)
         variants = list(islice(sample(solution.problem, VARIANTS), VARIANTS))
         for place in solution.finds:
-            for name, tree in zip(place.names, place.closed or (), strict=False):
+            for name, tree in zip(place.names, place.in_givens or (), strict=False):
                 if not names(tree) - {"pi"}:
                     continue
                 met = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.answers.preamble import answer_in
-from corollary.formula.numerals import PLAIN
+from corollary.formula.numerals import TO_ASCII
 
 
 @pytest.mark.parametrize(
@@ -18,7 +18,7 @@ from corollary.formula.numerals import PLAIN
     ],
 )  # fmt: skip
 def test_the_answer_is_found(written):
-    found, before = answer_in(written.translate(PLAIN))
+    found, before = answer_in(written.translate(TO_ASCII))
     assert found.strip() == "8.6 N"
     assert written[before:].startswith("8.6")
 
@@ -37,7 +37,7 @@ def test_the_answer_is_found(written):
     ],
 )
 def test_what_changes_an_answer_stays(written):
-    found, _ = answer_in(written.translate(PLAIN))
+    found, _ = answer_in(written.translate(TO_ASCII))
     assert found.strip() != "8.6 N"
     assert any(word in found for word in ("or", "not", "less", "between", "if", ">", "half", "y = 4"))
 

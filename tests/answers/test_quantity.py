@@ -38,7 +38,7 @@ def test_equivalent_units_convert(text, si, shown):
         assert isinstance(found, ParseError)
         return
     assert isinstance(found, Reading)
-    assert (found.si, found.fit, found.shown) == ((Fraction(si), 0), "fits", shown)
+    assert (found.si, found.fit, found.as_read) == ((Fraction(si), 0), "fits", shown)
     assert describe(found) == f"read as {shown}"
 
 
@@ -71,7 +71,7 @@ def test_nothing_needs_no_unit():
 def test_a_full_stop_ends_a_sentence():
     found = read_quantity("p = 8.6 kg m/s.", IMPULSE)
     assert isinstance(found, Reading)
-    assert found.shown == "8.6 kg m/s"
+    assert found.as_read == "8.6 kg m/s"
 
 
 @pytest.mark.parametrize(
@@ -168,7 +168,7 @@ def test_a_length_and_an_angle():
     found = read_quantities("5,0 m/s at 30 deg", unit("m/s"), 2)
     assert isinstance(found, tuple)
     assert [in_si(each) for each in found] == pytest.approx([5 * math.cos(math.pi / 6), 2.5], rel=1e-15)
-    assert [each.shown for each in found] == ["4.33 m/s", "2.50 m/s"]
+    assert [each.as_read for each in found] == ["4.33 m/s", "2.50 m/s"]
 
 
 def test_components_without_units_say_so():
@@ -284,7 +284,7 @@ def test_hostile_text_is_read_or_refused_with_little_work_and_memory(text, calls
 def test_units_beyond_mechanics(text, expected, shown):
     found = read_quantity(text, unit(expected))
     assert isinstance(found, Reading), found
-    assert (found.fit, found.shown) == ("fits", shown)
+    assert (found.fit, found.as_read) == ("fits", shown)
 
 
 @pytest.mark.parametrize(

@@ -73,7 +73,7 @@ def test_each_change_is_seen(make, folder, solvings, monkeypatch):
     bank = make(BODY)
     solution_of(bank, problem_of(bank))
     doubled = solution_of(make(TIMES), problem_of(bank))
-    assert doubled.finds[0].closed == (author_formula("2*m*v"),)
+    assert doubled.finds[0].in_givens == (author_formula("2*m*v"),)
     front = (bank.problems / "carts" / "cart.md").read_text()
     (bank.problems / "carts" / "cart.md").write_text(front.replace("  - m > 0\n", ""))
     assert solution_of(bank, problem_of(bank)).problem.conditions != doubled.problem.conditions

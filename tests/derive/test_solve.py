@@ -16,8 +16,8 @@ TWO_CARTS = '## Velocities {#a .vector unit="m/s" components="A B"}\nWhich?\n'
 def closed(solution, part: str) -> list[str]:
     find = solution.answer(part)
     assert find is not None
-    assert find.closed is not None
-    return [text(tree) for tree in find.closed]
+    assert find.in_givens is not None
+    return [text(tree) for tree in find.in_givens]
 
 
 def local(solution, part: str) -> list[str]:

@@ -71,7 +71,7 @@ def test_certified_values_are_the_nearest_doubles(solutions, code):
     with mp.workdps(900):
         for label, givens in pushed(chapter(solution.problem)):
             for place in solution.finds:
-                for tree in place.closed or ():
+                for tree in place.in_givens or ():
                     try:
                         found = certified(tree, givens)
                     except Undefined:
@@ -92,7 +92,7 @@ def test_a_push_counts_every_value(solutions):
     found = push(solutions["X12.5"])
     assert isinstance(found, Pushed)
     assert found.ok
-    assert found.proven == 4 * 4 * sum(len(place.closed) for place in solutions["X12.5"].finds)
+    assert found.proven == 4 * 4 * sum(len(place.in_givens) for place in solutions["X12.5"].finds)
     # Products and quotients, one rounding a find: a few last places at most.
     assert 0.0 <= found.worst <= 4.0
 

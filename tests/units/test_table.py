@@ -35,7 +35,7 @@ def test_a_module_brings_a_unit(tmp_path, monkeypatch, table_restored):
     monkeypatch.delitem(sys.modules, "drams_and_barrels")
     found = read_quantity("2 kilobarrels/h", unit("m^3/s"))
     assert isinstance(found, Reading)
-    assert (found.fit, found.shown) == ("fits", "2 kbbl/h")
+    assert (found.fit, found.as_read) == ("fits", "2 kbbl/h")
     assert unit("kbbl").si == pytest.approx(158.987294928)
     assert show(unit("D*bbl^2")) == "D bbl²"
 

@@ -57,13 +57,13 @@ def _units_behind(functions: tuple[str, ...]) -> re.Pattern[str]:
     return re.compile(rf"\s*\*?\s*{symbol}(?:\s*[*/]?\s*{symbol}|{below})*")
 
 
-def worked_out(plain: str) -> Worked | ParseError:
-    """Products, quotients, powers and roots of numbers, sums only within brackets; `plain` is translated by PLAIN and bounded.
+def worked_out(normalized: str) -> Worked | ParseError:
+    """Products, quotients, powers and roots of numbers, sums only within brackets; `normalized` is translated by TO_ASCII and bounded.
 
     One unit at the very end is that of the result; otherwise each unit belongs to the number before it.
     """
     units: dict[str, Unit] = {}
-    read = tokens(plain, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units))
+    read = tokens(normalized, _no_letters, read_first=lambda text, at, before: _sign(text, at, before, units))
     if isinstance(read, ParseError):
         return read
     if _sum_at_the_top(read):

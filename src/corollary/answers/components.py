@@ -41,11 +41,11 @@ ABOVE = re.compile(
 BELOW = re.compile(rf"\s*,?\s*(?:below|under|clockwise from) {FROM}\s*\)?$", re.I)
 
 
-def length_and_angle(plain: str) -> tuple[str, str] | ParseError | None:
+def length_and_angle(normalized: str) -> tuple[str, str] | ParseError | None:
     """The two texts of `5 m/s at 30°`; None when it is no such vector."""
-    pieces = POLAR.split(plain)
+    pieces = POLAR.split(normalized)
     if len(pieces) == 1:
-        pieces = BEHIND.split(plain, maxsplit=1) if BEHIND.search(plain) else pieces
+        pieces = BEHIND.split(normalized, maxsplit=1) if BEHIND.search(normalized) else pieces
     if len(pieces) == 1:
         return None
     if len(pieces) != 2:
@@ -61,9 +61,9 @@ def length_and_angle(plain: str) -> tuple[str, str] | ParseError | None:
     return length, (angle[: above.start()] if above else angle).strip().rstrip(")")
 
 
-def pieces_of(plain: str, count: int, names: Sequence[str] = ()) -> list[str] | ParseError:
+def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[str] | ParseError:
     """One text for each component, in the order of `names` where the text names them; a unit behind all of them goes to each."""
-    inside, unit, factor = _unwrapped(plain)
+    inside, unit, factor = _unwrapped(normalized)
     if any(
         _axis(found) < count for found in ALONG.finditer(inside)
     ):  # in a plane k is no direction, but may be a letter
@@ -77,9 +77,9 @@ def pieces_of(plain: str, count: int, names: Sequence[str] = ()) -> list[str] | 
     )
 
 
-def _unwrapped(plain: str) -> tuple[str, str, str]:
+def _unwrapped(normalized: str) -> tuple[str, str, str]:
     """What stands in the outer brackets, the unit behind them, and a factor before them; the whole text without brackets."""
-    text = plain.strip()
+    text = normalized.strip()
     start = next((place for place, sign in enumerate(text) if sign in BRACKETS), -1)
     if start < 0:
         return text, "", ""
@@ -156,17 +156,19 @@ def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError
 def place_named(piece: str, names: Sequence[str]) -> int | None:
     """Which component a text says it is: `p_x = 3`, `x: 3`, `3 unknowns`; None when it does not say."""
     label = NAMED.match(piece)
-    said = label["name"] if label else piece.rpartition(" ")[2]
-    plain = re.sub(r"[^A-Za-z0-9]", "", said)
+    label_text = label["name"] if label else piece.rpartition(" ")[2]
+    ascii_name = re.sub(r"[^A-Za-z0-9]", "", label_text)
     exact = [
         place
         for place, name in enumerate(names)
-        if plain.lower() == name.lower() and (label or len(name) > 2)
+        if ascii_name.lower() == name.lower() and (label or len(name) > 2)
     ]
-    close = [
-        place for place, name in enumerate(names) if plain.endswith(name) and 0 < len(plain) - len(name) <= 2
+    near = [
+        place
+        for place, name in enumerate(names)
+        if ascii_name.endswith(name) and 0 < len(ascii_name) - len(name) <= 2
     ]
-    found = exact or (sorted(close, key=lambda place: -len(names[place])) if label else [])
+    found = exact or (sorted(near, key=lambda place: -len(names[place])) if label else [])
     return found[0] if found else None
 
 
@@ -195,14 +197,14 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     return [f"{components[axis]} {unit}".strip() if axis in components else missing for axis in range(count)]
 
 
-def plain_answer(plain: str) -> tuple[str, int]:
+def without_preamble(normalized: str) -> tuple[str, int]:
     """A vector without what leads up to it; names of its components stay."""
     return (
-        (plain, 0)
-        if "," in plain.split("=")[0] or len(re.findall(r"[=:]", plain)) > 1 or _labels(plain)
-        else answer_in(plain)
+        (normalized, 0)
+        if "," in normalized.split("=")[0] or len(re.findall(r"[=:]", normalized)) > 1 or _labels(normalized)
+        else answer_in(normalized)
     )
 
 
-def _labels(plain: str) -> bool:
-    return len([piece for piece in re.split(r"[;,]|\band\b", plain) if NAMED.match(piece)]) > 1
+def _labels(normalized: str) -> bool:
+    return len([piece for piece in re.split(r"[;,]|\band\b", normalized) if NAMED.match(piece)]) > 1

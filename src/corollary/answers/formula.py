@@ -8,7 +8,7 @@ from corollary.answers.question import Question
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.line import Lean
-from corollary.formula.numerals import LONGEST, PLAIN
+from corollary.formula.numerals import LONGEST, TO_ASCII
 from corollary.formula.syntax import parse
 from corollary.formula.tex import without_tex
 from corollary.formula.text import text as formula_text
@@ -18,14 +18,14 @@ from corollary.units.unit import Dimension, Unit, called, show
 
 _ = catalogue(__name__)
 
-LONGEST_SHOWN = 80
+LONGEST_QUOTED = 80
 
 
 def formula(text: str, question: Question, lean: Lean = "ask") -> Expr | ParseError:
     """A formula that uses at least one symbol of the problem."""
     tree = parse(text, question.symbol_names, lean=lean)
     if isinstance(tree, ParseError) and len(text) <= LONGEST:
-        bare, _skipped = answer_in(without_tex(text).translate(PLAIN))
+        bare, _skipped = answer_in(without_tex(text).translate(TO_ASCII))
         again = parse(bare, question.symbol_names, lean=lean) if bare.strip() != text.strip() else tree
         tree = tree if isinstance(again, ParseError) and again.status != "asked" else again
     if not isinstance(tree, ParseError) and not names(tree) - {"pi"}:
@@ -43,8 +43,8 @@ def fitting(text: str, question: Question) -> Expr | Unclear | None:
     ]
     if len(good) < 2:
         return good[0] if good else None
-    asked = formula(text, question)
-    why = sentence(asked) if isinstance(asked, ParseError) else _("this formula can be read in two ways")
+    read = formula(text, question)
+    why = sentence(read) if isinstance(read, ParseError) else _("this formula can be read in two ways")
     return Unclear(why, as_typed(text), tuple(formulas(tree) for tree in good))
 
 
@@ -77,5 +77,5 @@ def symbols_note(question: Question, more: str = "") -> str:
 
 def as_typed(text: str) -> str:
     """What was typed, cut short where it is long."""
-    plain = text.strip()
-    return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
+    stripped = text.strip()
+    return stripped if len(stripped) <= LONGEST_QUOTED else stripped[: LONGEST_QUOTED - 1] + "…"

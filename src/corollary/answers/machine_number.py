@@ -15,7 +15,7 @@ _ = catalogue(__name__)
 # A number whose shortest form has more digits than this was calculated, not typed: its digits are no claim of figures.
 MOST_TYPED = 4
 LARGEST_COUNTED = 10**9
-LARGEST_SHOWN = 10**12
+LARGEST_IN_FULL = 10**12
 
 
 def machine(value: float, unit: Unit) -> Numbers | Unclear:
@@ -41,7 +41,7 @@ def exact(value: Fraction, unit: Unit) -> Numbers:
     digits = sure(len(whole.rstrip("0")), len(whole)) if value else 0
     as_read = decimal_text(value, 6)
     if value.denominator == 1:
-        as_read = str(value) if abs(value) < LARGEST_SHOWN else f"{float(value):.6g}"
+        as_read = str(value) if abs(value) < LARGEST_IN_FULL else f"{float(value):.6g}"
     return Numbers((number,), (_typed(digits),), _with_unit(as_read, unit))
 
 

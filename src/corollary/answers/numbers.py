@@ -59,7 +59,7 @@ def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unc
 
 def turned_away(value: Refused) -> Unclear:
     """A value from which no answer can be read; what is wrong with it is a predicate, `is a set`."""
-    return Unclear(_("it {predicate}", predicate=value.why), value.shown)
+    return Unclear(_("it {predicate}", predicate=value.why), value.excerpt)
 
 
 def vector(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
@@ -220,7 +220,7 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
     misfit = found.why if found.fit == "wrong dimension" else ""
     polar = (_reading(found.polar[0], unit), _reading(found.polar[1], unit)) if found.polar else None
     figures = (sure(found.least, found.figures),)
-    return Numbers((value,), figures, found.shown, missing, misfit, sizes=size, polar=polar)
+    return Numbers((value,), figures, found.as_read, missing, misfit, sizes=size, polar=polar)
 
 
 def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:

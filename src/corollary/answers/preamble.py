@@ -34,10 +34,10 @@ GRAVITY = re.compile(
 )
 
 
-def answer_in(plain: str) -> tuple[str, int]:
-    """The answer itself, and how many signs stood before it, in a text translated by PLAIN (of bounded length)."""
-    found = GRAVITY.search(plain)
-    text, before = (plain[: found.start()] if found and found.start() else plain), 0
+def answer_in(normalized: str) -> tuple[str, int]:
+    """The answer itself, and how many signs stood before it, in a text translated by TO_ASCII (of bounded length)."""
+    found = GRAVITY.search(normalized)
+    text, before = (normalized[: found.start()] if found and found.start() else normalized), 0
     while True:
         shorter = ENDING.sub("", text)
         if shorter != text and shorter:

@@ -10,10 +10,10 @@ from fractions import Fraction
 from typing import Literal
 
 from corollary.answers.arithmetic_answer import worked_out
-from corollary.answers.components import length_and_angle, pieces_of, plain_answer
+from corollary.answers.components import length_and_angle, pieces_of, without_preamble
 from corollary.answers.preamble import SIDES, answer_in
 from corollary.formula.errors import ParseError, refused, sentence
-from corollary.formula.numerals import LONGEST, PLAIN, Written, decimal_text, scan_number
+from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.formula.tex import without_tex
 from corollary.messages import catalogue
 from corollary.units.table import UNSUGGESTED
@@ -35,7 +35,7 @@ class Reading:
     """A quantity as it was read. `unit` is None when none was written.
 
     `si` is the value in SI as a ratio times a power of pi, a bare number taken in the expected unit; `fit` compares it with
-    what was expected, and `why` says what is amiss ("" when it fits); `shown` is what the student sees: `8.6 N s`.
+    what was expected, and `why` says what is amiss ("" when it fits); `as_read` is what the student sees: `8.6 N s`.
     `polar` are the length and the angle that this is a component of, where the vector was written so.
     """
 
@@ -47,7 +47,7 @@ class Reading:
     si: tuple[Fraction, int]
     fit: Literal["fits", "wrong dimension", "unit missing"]
     why: str
-    shown: str
+    as_read: str
     polar: tuple[Reading, Reading] | None = None
 
 
@@ -56,25 +56,25 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = without_tex(text)
-    plain, skipped = answer_in(typed.translate(PLAIN))
-    found = _number_and_unit(text, plain, expected)
+    normalized, skipped = answer_in(typed.translate(TO_ASCII))
+    found = _number_and_unit(text, normalized, expected)
     if (
         skipped
         and isinstance(found, Reading)
-        and (other := _otherwise(typed.translate(PLAIN)[:skipped], found, expected))
+        and (other := _otherwise(typed.translate(TO_ASCII)[:skipped], found, expected))
     ):
         return refused(
-            _("{one} and {other} are not the same", one=other.shown, other=found.shown),
+            _("{one} and {other} are not the same", one=other.as_read, other=found.as_read),
             None,
             _("write one number and a unit"),
         )
     if (
         isinstance(found, ParseError)
         and found.status == "refused"
-        and not isinstance(worked := _worked(text, plain, expected), ParseError)
+        and not isinstance(worked := _worked(text, normalized, expected), ParseError)
     ):
         return worked
-    if isinstance(found, ParseError) and (twice := _same_twice(plain, expected)) is not None:
+    if isinstance(found, ParseError) and (twice := _same_twice(normalized, expected)) is not None:
         return twice
     return _placed(found, skipped, rewritten=text != typed) if isinstance(found, ParseError) else found
 
@@ -97,9 +97,9 @@ def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | N
     )
 
 
-def _same_twice(plain: str, expected: Unit | None) -> Reading | None:
+def _same_twice(normalized: str, expected: Unit | None) -> Reading | None:
     """`0.4 (40 %)`, `20 m/s (72 km/h)`: the first of the two, when both say the same."""
-    both = TWICE.fullmatch(plain)
+    both = TWICE.fullmatch(normalized)
     if both is None:
         return None
     first, second = (_number_and_unit(each, each, expected) for each in both.groups())
@@ -113,15 +113,15 @@ def _same_twice(plain: str, expected: Unit | None) -> Reading | None:
     return first if math.isclose(in_si(first), in_si(second), rel_tol=0.01) else None
 
 
-def _number_and_unit(text: str, plain: str, expected: Unit | None) -> Reading | ParseError:
-    found = scan_number(plain)
+def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
+    found = scan_number(normalized)
     if isinstance(found, ParseError):
         return found
     number, end = found
-    rest = plain[end:].strip().rstrip(".")
+    rest = normalized[end:].strip().rstrip(".")
     if not rest:
         return _reading(text, number, None, expected)
-    at = end + plain[end:].index(rest[0])
+    at = end + normalized[end:].index(rest[0])
     if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
     unit = _meant(rest.lstrip("*").strip(), expected)
@@ -163,8 +163,8 @@ def _slip_of_case(text: str, unit: Unit, expected: Unit) -> ParseError | None:
     return ParseError("asked", why, 0, _("did you mean {near}?", near=smaller), (smaller, unit.text))
 
 
-def _worked(text: str, plain: str, expected: Unit | None) -> Reading | ParseError:
-    found = worked_out(plain)
+def _worked(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
+    found = worked_out(normalized)
     if isinstance(found, ParseError):
         return found
     number = Written(Fraction(f"{found.value:.15g}"), 0, 0)
@@ -186,7 +186,7 @@ def describe(reading: Reading | ParseError) -> str:
     """One line for the student: `read as 8.6 N s`, or what to do."""
     if isinstance(reading, ParseError):
         return _("not read: {why}", why=sentence(reading))
-    return _("read as {reading}", reading=reading.shown) + (f": {reading.why}" if reading.why else "")
+    return _("read as {reading}", reading=reading.as_read) + (f": {reading.why}" if reading.why else "")
 
 
 def read_quantities(
@@ -220,11 +220,11 @@ def components_in(
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = without_tex(text)
-    plain, skipped = plain_answer(typed.translate(PLAIN))
-    polar = length_and_angle(plain)
+    normalized, skipped = without_preamble(typed.translate(TO_ASCII))
+    polar = length_and_angle(normalized)
     if isinstance(polar, tuple) and count != 2:
         return refused(_("a length and an angle give a vector in a plane only"))
-    pieces = pieces_of(plain, count, names) if polar is None else polar
+    pieces = pieces_of(normalized, count, names) if polar is None else polar
     return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces
 
 
@@ -235,7 +235,7 @@ def _reading(
     ratio = number.value * size.factor
     if ratio and not Fraction(10) ** -305 < abs(ratio) < Fraction(10) ** 305:
         return refused(_("this quantity is too large or too small to be meant"))
-    shown = (
+    as_read = (
         f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
     )
     fit, why = "fits", ""
@@ -246,21 +246,23 @@ def _reading(
     )  # 1 and rad are
     if expected is not None and unit is None and number.value and not pure:  # 0 is 0 in every unit
         fit = "unit missing"
-        why = _("the unit is missing; write for example {example}", example=f"{shown} {show(expected)}")
+        why = _("the unit is missing; write for example {example}", example=f"{as_read} {show(expected)}")
     elif expected is not None and size.dimension != expected.dimension:
-        fit, why = "wrong dimension", _misfit(shown, size, expected)
-    return Reading(text, number.value, number.figures, number.least, unit, (ratio, size.pi), fit, why, shown)
+        fit, why = "wrong dimension", _misfit(as_read, size, expected)
+    return Reading(
+        text, number.value, number.figures, number.least, unit, (ratio, size.pi), fit, why, as_read
+    )
 
 
-def _misfit(shown: str, size: Unit, expected: Unit) -> str:
+def _misfit(as_read: str, size: Unit, expected: Unit) -> str:
     wanted, found, example = called(expected.dimension), called(size.dimension), show(expected)
     if not example:
-        return _("{wanted} is expected; {shown} is {found}", wanted=wanted, shown=shown, found=found)
+        return _("{wanted} is expected; {as_read} is {found}", wanted=wanted, as_read=as_read, found=found)
     return _(
-        "{wanted} is expected, for example in {example}; {shown} is {found}",
+        "{wanted} is expected, for example in {example}; {as_read} is {found}",
         wanted=wanted,
         example=example,
-        shown=shown,
+        as_read=as_read,
         found=found,
     )
 

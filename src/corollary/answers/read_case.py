@@ -54,7 +54,7 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     )  # without the unit it needs it is a plain number
     verdict = None if expected is None else "compatible" if fits else "wrong dimension"
     return {
-        "status": "ok", "read": found.shown, "value": value, "unit": canonical(unit) if unit else "1", "figures": found.figures,
+        "status": "ok", "read": found.as_read, "value": value, "unit": canonical(unit) if unit else "1", "figures": found.figures,
         "dimension": powers(unit.dimension if unit else Dimension()), "verdict": verdict, "why": found.why if expected else "",
     }  # fmt: skip
 

@@ -65,7 +65,7 @@ def run(
     return FAILS if done.failed or done.strangers or done.unclear else HOLDS
 
 
-SHOWN = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
+FIELDS = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
 
 
 def say_isolation(isolation: Isolation) -> None:
@@ -88,7 +88,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
         "unclear": {student: list(names) for student, names in done.unclear.items()},
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
-            student: {each: msgspec.to_builtins(getattr(record, each)) for each in SHOWN}
+            student: {each: msgspec.to_builtins(getattr(record, each)) for each in FIELDS}
             for student, record in done.records.items()
         },
     }

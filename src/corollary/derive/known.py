@@ -60,7 +60,7 @@ class Known:
 
     def __init__(self, problem: Problem):
         givens = [symbol_of(problem, given.symbol) for given in problem.givens]
-        self.closed: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
+        self.formulas: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
         self.measured: set[sympy.Symbol] = set()
         self.dimensions: dict[str, Dimension] = {
@@ -71,13 +71,13 @@ class Known:
 
     @property
     def letters(self) -> set[sympy.Symbol]:
-        return set(self.closed) | self.measured
+        return set(self.formulas) | self.measured
 
     @property
     def points(self) -> list[Point]:
         """The sample points, with the values of what has been found."""
         for each in self._points:
-            for symbol, value in self.closed.items():
+            for symbol, value in self.formulas.items():
                 if symbol not in each.values:
                     each.values[symbol] = at(value, each)
                     formula = _tree(value)
@@ -88,12 +88,12 @@ class Known:
     def found(self, finds: tuple[sympy.Symbol, ...], root: Root) -> None:
         """Closes the unknowns in the givens."""
         for symbol in finds:
-            self.closed[symbol] = simplest(self.in_givens(root[symbol]))
+            self.formulas[symbol] = simplest(self.in_givens(root[symbol]))
 
     def suppose(self, value: SupposedValue) -> None:
         """Adds a value that no given has."""
         symbol = sympy.Symbol(value.stated.name, positive=True)
-        self.closed[symbol] = symbol
+        self.formulas[symbol] = symbol
         self.dimensions[symbol.name] = value.dimension
         for each in self._points:
             each.values[symbol] = sympy.Rational(value.ratio.numerator, value.ratio.denominator)
@@ -101,7 +101,7 @@ class Known:
 
     def in_givens(self, expression: Any) -> Any:
         """An expression or relation with all that has been found put in."""
-        return substitute(expression, self.closed)
+        return substitute(expression, self.formulas)
 
     def with_asides(self, expression: Any) -> Any:
         """The same with the unknowns put in, too, that laws needed and nobody asks for."""
@@ -110,13 +110,13 @@ class Known:
     def tree_in_givens(self, expression: object) -> Expr:
         return tree(self.in_givens(as_expression(expression)))
 
-    def closed_trees(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Expr, ...] | None:
+    def formulas_of(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Expr, ...] | None:
         """The closed forms; None where they rest on what was measured."""
-        if any(self.closed[symbol].free_symbols & self.measured for symbol in finds):
+        if any(self.formulas[symbol].free_symbols & self.measured for symbol in finds):
             return None
-        return tuple(tree(self.closed[symbol]) for symbol in finds)
+        return tuple(tree(self.formulas[symbol]) for symbol in finds)
 
-    def dimensions_of(self, trees: tuple[Expr, ...], asked: Dimension | None) -> tuple[Dimension, ...]:
+    def dimensions_of(self, trees: tuple[Expr, ...], expected: Dimension | None) -> tuple[Dimension, ...]:
         """The dimension of each component; one that is 0 has what is asked for, or what the others have.
 
         Raises ValueError where a formula adds what cannot be added.
@@ -127,7 +127,11 @@ class Known:
             if isinstance(dimension, ParseError):
                 raise ValueError(f"the dimensions do not fit: {dimension.why}")
             found.append(None if isinstance(formula, Number) and formula.value == 0 else dimension)
-        zero = asked if asked is not None else next((each for each in found if each is not None), Dimension())
+        zero = (
+            expected
+            if expected is not None
+            else next((each for each in found if each is not None), Dimension())
+        )
         return tuple(zero if each is None else each for each in found)
 
 

@@ -66,8 +66,8 @@ def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
     elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (
         len(part.components) or 1
     ):
-        asked = f"components {', '.join(part.components)}" if part.components else "one number"
-        yield f"part {name} asks for {asked}, but {', '.join(map(str, entry.finds))} is found"
+        numbers = f"components {', '.join(part.components)}" if part.components else "one number"
+        yield f"part {name} asks for {numbers}, but {', '.join(map(str, entry.finds))} is found"
 
 
 def _stated_by(part: Part) -> list[str]:

@@ -68,7 +68,7 @@ class SolvedRoute:
 class Unknown:
     """Something found (one name for each component). `local` computes it from givens and earlier unknowns.
 
-    `closed` computes it from givens alone (None: simulated); `rejected` says why each other root is not meant; `note` how an
+    `in_givens` computes it from givens alone (None: simulated); `rejected` says why each other root is not meant; `note` how an
     extremum was found.
     """
 
@@ -76,7 +76,7 @@ class Unknown:
     names: tuple[str, ...]
     laws: tuple[AppliedLaw, ...]
     local: Rule
-    closed: tuple[Expr, ...] | None
+    in_givens: tuple[Expr, ...] | None
     routes: tuple[SolvedRoute, ...]
     mistakes: tuple[Mistake[Rule], ...]
     rejected: tuple[str, ...]

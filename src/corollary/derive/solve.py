@@ -141,7 +141,7 @@ class _Solver:
             names=_names(entry.finds),
             laws=tuple(map(applied, entry.laws)),
             local=local,
-            closed=known.closed_trees(entry.finds),
+            in_givens=known.formulas_of(entry.finds),
             routes=routes,
             mistakes=mistakes,
             rejected=picked.refused,
@@ -163,7 +163,7 @@ class _Solver:
             names=_names(entry.finds),
             laws=(),
             local=local,
-            closed=known.closed_trees(entry.finds),
+            in_givens=known.formulas_of(entry.finds),
             routes=(),
             mistakes=mistakes,
             rejected=(),
@@ -189,7 +189,7 @@ class _Solver:
             names=_names(entry.finds),
             laws=(),
             local=Measured(entry.scene, settings, entry.observe),
-            closed=None,
+            in_givens=None,
             routes=(),
             mistakes=mistakes,
             rejected=(),
@@ -276,7 +276,7 @@ class _Solver:
             for root in sympy.solve(left, others, dict=True) if others else [{}]:
                 whole = fixed | root
                 if all(
-                    symbol in whole and not whole[symbol].free_symbols - set(known.closed)
+                    symbol in whole and not whole[symbol].free_symbols - set(known.formulas)
                     for symbol in entry.finds
                 ) and all(at(value, each).is_real for value in whole.values() for each in known.points):
                     return tuple(tree(simplest(whole[symbol])) for symbol in entry.finds)

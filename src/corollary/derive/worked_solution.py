@@ -103,7 +103,7 @@ def _neglected(
     for law in find.laws:
         lines += [_law(law), ""]
     bracketed = {name: f"({text})" for name, text in texts.items()}
-    lines += _result(replace(find, closed=None), (most,), part, {**known, **bracketed})
+    lines += _result(replace(find, in_givens=None), (most,), part, {**known, **bracketed})
     size = (
         _("{percent} % of the answer", percent=decimal_text(100 * share, 2)) if share else _("nothing at all")
     )
@@ -145,9 +145,9 @@ def _result(
         match find.local:
             case ClosedForms(trees):
                 steps = [letter(name), latex(trees[place])]
-                closed = find.closed[place] if find.closed else None
-                if closed is not None and closed != trees[place] and names(closed):
-                    steps.append(latex(closed))
+                in_givens = find.in_givens[place] if find.in_givens else None
+                if in_givens is not None and in_givens != trees[place] and names(in_givens):
+                    steps.append(latex(in_givens))
                 if names(trees[place]) - {"pi"}:
                     steps.append(latex(trees[place], known))
                 steps.append(answer)

@@ -27,7 +27,7 @@ from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS, ball_root
 
 Step = Callable[[Sequence[arb]], arb]
-MOST_KEPT = 1024
+MOST_CACHED = 1024
 ROOTS_UP_TO = 64
 
 
@@ -40,19 +40,19 @@ class Program:
 
 
 # Kept by identity: to hash a formula costs as much as to evaluate it. The formula is held, so its id stays its own.
-_KEPT: dict[int, tuple[Expr, Program]] = {}
+_CACHE: dict[int, tuple[Expr, Program]] = {}
 
 
 def program(tree: Expr) -> Program:
     """The program of a formula, made once."""
-    kept = _KEPT.get(id(tree))
-    if kept is not None and kept[0] is tree:
-        return kept[1]
+    cached = _CACHE.get(id(tree))
+    if cached is not None and cached[0] is tree:
+        return cached[1]
     letters = tuple(sorted(names(tree)))
     made = Program(letters, _step(tree, {name: place for place, name in enumerate(letters)}))
-    if len(_KEPT) >= MOST_KEPT:
-        _KEPT.clear()
-    _KEPT[id(tree)] = (tree, made)
+    if len(_CACHE) >= MOST_CACHED:
+        _CACHE.clear()
+    _CACHE[id(tree)] = (tree, made)
     return made
 
 

@@ -85,9 +85,9 @@ def _product(expr: sympy.Mul) -> Expr:
     if expr.could_extract_minus_sign() and not isinstance(-expr, sympy.Add):
         return Negative(tree(cast(sympy.Expr, -expr)))
     top, bottom = sympy.fraction(expr)
-    root, plain = _roots_together(top, bottom)
+    root, cofactor = _roots_together(top, bottom)
     if root is not None:
-        return root if plain == 1 else _with_root(plain, root)
+        return root if cofactor == 1 else _with_root(cofactor, root)
     if bottom != 1:
         return Quotient(tree(top), tree(bottom))
     coefficient, rest = expr.as_coeff_Mul()
@@ -102,13 +102,13 @@ def _product(expr: sympy.Mul) -> Expr:
 
 def _roots_together(top: sympy.Expr, bottom: sympy.Expr) -> tuple[Expr | None, sympy.Expr]:
     """Two square roots or more as one, `sqrt(2*g*h)`, and what stands beside it; None when there are fewer."""
-    above, plain_above = _square_roots(top)
-    below, plain_below = _square_roots(bottom)
+    above, cofactors_above = _square_roots(top)
+    below, cofactors_below = _square_roots(bottom)
     if len(above) + len(below) < 2:
         return None, top / bottom
-    return Call("sqrt", (tree(sympy.Mul(*above) / sympy.Mul(*below)),)), sympy.Mul(*plain_above) / sympy.Mul(
-        *plain_below
-    )
+    return Call("sqrt", (tree(sympy.Mul(*above) / sympy.Mul(*below)),)), sympy.Mul(
+        *cofactors_above
+    ) / sympy.Mul(*cofactors_below)
 
 
 def _square_roots(product: sympy.Expr) -> tuple[list[sympy.Expr], list[sympy.Expr]]:
@@ -119,8 +119,8 @@ def _square_roots(product: sympy.Expr) -> tuple[list[sympy.Expr], list[sympy.Exp
     return under, [factor for factor in factors if not (isinstance(factor, sympy.Pow) and factor.exp == half)]
 
 
-def _with_root(plain: sympy.Expr, root: Expr) -> Expr:
-    top, bottom = sympy.fraction(plain)
+def _with_root(cofactor: sympy.Expr, root: Expr) -> Expr:
+    top, bottom = sympy.fraction(cofactor)
     above = root if top == 1 else Product((tree(top), root))
     return above if bottom == 1 else Quotient(above, tree(bottom))
 

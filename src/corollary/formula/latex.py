@@ -66,8 +66,8 @@ def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
             return _sum([(minus, within(term, TIMES)) for minus, term in signed]), ADD
         case Product(factors):
             *before, last = factors
-            closed = [_closed(factor, letters) or within(factor, TIMES) for factor in before]
-            return _product([*closed, within(last, TIMES)]), TIMES
+            bracketed = [_bracketed(factor, letters) or within(factor, TIMES) for factor in before]
+            return _product([*bracketed, within(last, TIMES)]), TIMES
         case Quotient(top, bottom):
             if bottom == Number(Fraction(180)) and top == Name("pi"):
                 return DEGREE, TIMES
@@ -116,7 +116,7 @@ def _product(factors: list[str]) -> str:
     return written
 
 
-def _closed(factor: Expr, letters: Mapping[str, str]) -> str:
+def _bracketed(factor: Expr, letters: Mapping[str, str]) -> str:
     """A function with factors behind it shows where it ends; "" for other factors."""
     match factor:
         case Call(function, (Name() as argument,)) if "#" not in FUNCTIONS[function].tex:

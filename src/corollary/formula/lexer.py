@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Literal
 
 from corollary.formula.errors import ParseError, refused
-from corollary.formula.numerals import PLAIN, RAISED, VULGAR
+from corollary.formula.numerals import RAISED, TO_ASCII, VULGAR
 from corollary.formula.symbols import RUN, Piece
 from corollary.messages import N_, catalogue
 
@@ -80,15 +80,15 @@ def tokens(
     """
     if len(text) > longest:
         return refused(_("this is longer than {most} characters", most=longest), longest)
-    plain = text.translate(PLAIN)
+    normalized = text.translate(TO_ASCII)
     found: list[Token] = []
     at, tight = 0, True
-    while at < len(plain):
-        if plain[at] == " ":
+    while at < len(normalized):
+        if normalized[at] == " ":
             at, tight = at + 1, False
             continue
-        own = read_first(plain, at, found) if read_first is not None else None
-        step = own or _next(plain, at, tight, read_run)
+        own = read_first(normalized, at, found) if read_first is not None else None
+        step = own or _next(normalized, at, tight, read_run)
         if isinstance(step, ParseError):
             return step
         more, at = step
@@ -99,13 +99,13 @@ def tokens(
     return [*found, Token("end", "", len(text), False)]
 
 
-def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> Found | ParseError:
-    letter = plain[at]
-    number = NUMBER.match(plain, at)
+def _next(normalized: str, at: int, tight: bool, read_run: ReadRun) -> Found | ParseError:
+    letter = normalized[at]
+    number = NUMBER.match(normalized, at)
     if number:
         token = _number(number, tight)
         return token if isinstance(token, ParseError) else ([token], number.end())
-    run = RUN.match(plain, at)
+    run = RUN.match(normalized, at)
     if run:
         pieces = read_run(run[0], at)
         if isinstance(pieces, ParseError):
@@ -113,13 +113,13 @@ def _next(plain: str, at: int, tight: bool, read_run: ReadRun) -> Found | ParseE
         return [
             Token(piece.kind, piece.name, piece.at, tight or place > 0) for place, piece in enumerate(pieces)
         ], run.end()
-    raised = RAISED_RUN.match(plain, at)
+    raised = RAISED_RUN.match(normalized, at)
     if raised:
         return _raised(raised, tight)
-    compare = COMPARE.match(plain, at)
+    compare = COMPARE.match(normalized, at)
     if compare:
         return [Token("compare", COMPARED.get(compare[0], compare[0]), at, tight)], compare.end()
-    if plain.startswith("**", at):
+    if normalized.startswith("**", at):
         return [Token("sign", "^", at, tight)], at + 2
     if letter in "+-*/^":
         return [Token("sign", letter, at, tight)], at + 1
@@ -144,8 +144,8 @@ def _number(found: re.Match[str], tight: bool) -> Token | ParseError:
     whole = "." not in mantissa and not found["power"]
     value = Fraction(mantissa.rstrip(".")) if mantissa[0] != "." else Fraction("0" + mantissa)
     value *= Fraction(10) ** int(found["power"] or 0)
-    shown = mantissa.replace(".", "").lstrip("0")
-    return Token("number", found[0], found.start(), tight, value, 0 if whole else len(shown))
+    significant = mantissa.replace(".", "").lstrip("0")
+    return Token("number", found[0], found.start(), tight, value, 0 if whole else len(significant))
 
 
 def _vulgar(value: Fraction, at: int, tight: bool) -> list[Token]:
@@ -161,11 +161,11 @@ def _vulgar(value: Fraction, at: int, tight: bool) -> list[Token]:
 
 
 def _raised(found: re.Match[str], tight: bool) -> Found | ParseError:
-    plain, at = found[0].translate(RAISED), found.start()
-    digits = plain.lstrip("+-")
+    normalized, at = found[0].translate(RAISED), found.start()
+    digits = normalized.lstrip("+-")
     if len(digits) > 4:
         return refused(_("this exponent is too large"), at)
-    minus = [Token("sign", "-", at, True)] if plain[0] == "-" else []
+    minus = [Token("sign", "-", at, True)] if normalized[0] == "-" else []
     return [
         Token("sign", "^", at, tight),
         *minus,

@@ -21,8 +21,8 @@ FANCY = {
     "-": "−–—‐‑﹣", "*": "·×∙⋅•∗⨯✕✖‧・", "/": "∕⁄÷", "≈": "∼≃≅≒", "'": "’",
     " ": "\u00a0\u2002\u2003\u2009\u200a\u202f\u2007\u200b\u2060\u2062\u3000\ufeff\t\n\r",
 }  # fmt: skip
-PLAIN = {ord(fancy): plain for plain, several in FANCY.items() for fancy in several}
-PLAIN |= {
+TO_ASCII = {ord(fancy): sign for sign, several in FANCY.items() for fancy in several}
+TO_ASCII |= {
     wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)
 }  # as typed on a keyboard for Chinese or Japanese
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
@@ -60,7 +60,7 @@ def read_number(text: str) -> Written | ParseError:
     """The number a whole text stands for; refuses anything beside it but a percent sign."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    found = scan_number(text.translate(PLAIN))
+    found = scan_number(text.translate(TO_ASCII))
     if isinstance(found, ParseError):
         return found
     number, end = found
@@ -77,7 +77,7 @@ def read_number(text: str) -> Written | ParseError:
 
 
 def scan_number(text: str) -> tuple[Written, int] | ParseError:
-    """The number a text (translated by PLAIN) begins with, and where it ends."""
+    """The number a text (translated by TO_ASCII) begins with, and where it ends."""
     start = SIGN.match(text)
     assert start is not None  # the pattern matches the empty string
     sign, at = (-1 if start[1] == "-" else 1), start.end()
@@ -103,7 +103,7 @@ def scan_number(text: str) -> tuple[Written, int] | ParseError:
 
 
 def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
-    """The number without a sign that stands at one place of a text (translated by PLAIN), and where it ends."""
+    """The number without a sign that stands at one place of a text (translated by TO_ASCII), and where it ends."""
     bare = BARE_TEN.match(text, at)
     if bare:
         power = _exponent(bare)
@@ -118,17 +118,17 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
     if sum(letter in "0123456789" for letter in body[0]) > MOST_DIGITS:
         return refused(_("this number has more than {most} digits", most=MOST_DIGITS), at)
     ten = TEN.match(text, end)
-    digits = _plain_digits(body[0], at, scientific=ten is not None)
+    digits = _with_one_point(body[0], at, scientific=ten is not None)
     if isinstance(digits, ParseError):
         return digits
     power = _exponent(ten) if ten else 0
     if isinstance(power, ParseError):
         return power
     whole, _point, decimals = digits.partition(".")
-    shown = (whole + decimals).lstrip("0")
-    least = len(shown) if decimals or digits.endswith(".") else len(shown.rstrip("0"))
+    significant = (whole + decimals).lstrip("0")
+    least = len(significant) if decimals or digits.endswith(".") else len(significant.rstrip("0"))
     value = Fraction(int(whole + decimals or "0"), 10 ** len(decimals)) * Fraction(10) ** power
-    return Written(value, max(len(shown), 1), max(least, 1)), ten.end() if ten else end
+    return Written(value, max(len(significant), 1), max(least, 1)), ten.end() if ten else end
 
 
 def _exponent(found: re.Match[str]) -> int | ParseError:
@@ -138,7 +138,7 @@ def _exponent(found: re.Match[str]) -> int | ParseError:
     return int(written)
 
 
-def _plain_digits(body: str, at: int, *, scientific: bool) -> str | ParseError:
+def _with_one_point(body: str, at: int, *, scientific: bool) -> str | ParseError:
     """The digits with one point or none; a comma is a decimal comma unless it may part thousands."""
     body = body.replace(" ", "").replace("'", "")
     marks = [mark for mark in body if mark in ".,"]

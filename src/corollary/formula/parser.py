@@ -112,8 +112,8 @@ def _implicit(line: Line, tree: Expr, grows: type | None) -> tuple[Expr, type]:
     if not line.student:
         refuse(_("a product sign is missing here"), token.at, _("write * for every product"))
     if token.kind == "number":
-        shown = f"{before.text}^{token.text}", f"{before.text}*{token.text}"
-        raise Stop(ambiguous(_("a number behind a factor can be a power or a product"), token.at, *shown))
+        readings = f"{before.text}^{token.text}", f"{before.text}*{token.text}"
+        raise Stop(ambiguous(_("a number behind a factor can be a power or a product"), token.at, *readings))
     half = (
         isinstance(tree, Quotient)
         and (isinstance(tree.top, Number) or line.numbers)
@@ -284,9 +284,9 @@ def _bare_argument(line: Line, function: str) -> Expr:
         if line.lean == "far":
             line.at = start
             return _formula(line, ADD)
-        shown = text(argument)
+        inside = text(argument)
         more = {"/": "/…", "^": "^…"}.get(behind.text, "*…")
-        choices = f"{function}({shown}{more})", f"{function}({shown}){more}"
+        choices = f"{function}({inside}{more})", f"{function}({inside}){more}"
         raise Stop(
             ambiguous(_("it is not clear where {function} ends", function=function), behind.at, *choices)
         )

@@ -80,15 +80,15 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
         return refused(_("this word is too long"), at)
     if run in ("deg", "degree", "degrees"):
         return [Piece("degree", run, at)]
-    plain, places, joints = _plain(run)
-    if plain in known.exact:
-        kind, name = known.exact[plain]
+    latin, places, joints = _latin(run)
+    if latin in known.exact:
+        kind, name = known.exact[latin]
         return _two_meanings(name, at, known) or [Piece(kind, name, at)]
-    exact_cuts = _cuts(plain, joints, known, loosely=False)
+    exact_cuts = _cuts(latin, joints, known, loosely=False)
     if (
-        _loosened(plain) in known.loose
+        _loosened(latin) in known.loose
     ):  # `ma` may be the letter m_A, or m times a: only when both exist is there a question
-        kind, name = known.loose[_loosened(plain)]
+        kind, name = known.loose[_loosened(latin)]
         if exact_cuts:
             return ambiguous(
                 _("{run} can be read in two ways", run=run),
@@ -97,7 +97,7 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
                 "*".join(word[1] for _, word in exact_cuts[0]),
             )
         return [Piece(kind, name, at)]
-    cuts = exact_cuts or _cuts(plain, joints, known, loosely=True)
+    cuts = exact_cuts or _cuts(latin, joints, known, loosely=True)
     if len(cuts) > 1:
         return ambiguous(
             _("{run} can be read in several ways", run=run),
@@ -112,12 +112,12 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
             )
             or pieces
         )
-    if plain.startswith("log"):
+    if latin.startswith("log"):
         return ambiguous(_("log can be the natural or the decimal logarithm"), at, "ln(…)", "log10(…)")
     return refused(
         _("{run} is not among the letters here ({letters})", run=run, letters=", ".join(sorted(known.names))),
         at,
-        _near(plain, known),
+        _near(latin, known),
     )
 
 
@@ -134,23 +134,23 @@ def _two_meanings(name: str, at: int, known: Letters) -> ParseError | None:
 
 def _spellings(name: str) -> set[str]:
     """Other ways to write one name, underscores left out."""
-    plain = name.replace("_", "")
-    found = {plain}
-    if len(plain) > 1 and plain[0] == "d" and plain[1].isalpha() and not plain.startswith("delta"):
-        found |= {"Delta" + plain[1:], "delta" + plain[1:]}
-    if plain.startswith("Delta") and len(plain) > 5:
-        found |= {"d" + plain[5:], "delta" + plain[5:]}
-    if plain.startswith("eps") and not plain.startswith("epsilon"):
-        found.add("epsilon" + plain[3:])
-    if plain.startswith("epsilon"):
-        found.add("eps" + plain[7:])
+    latin = name.replace("_", "")
+    found = {latin}
+    if len(latin) > 1 and latin[0] == "d" and latin[1].isalpha() and not latin.startswith("delta"):
+        found |= {"Delta" + latin[1:], "delta" + latin[1:]}
+    if latin.startswith("Delta") and len(latin) > 5:
+        found |= {"d" + latin[5:], "delta" + latin[5:]}
+    if latin.startswith("eps") and not latin.startswith("epsilon"):
+        found.add("epsilon" + latin[3:])
+    if latin.startswith("epsilon"):
+        found.add("eps" + latin[7:])
     return found
 
 
-def _loosened(plain: str) -> str:
+def _loosened(latin: str) -> str:
     """The head as written, the index in small letters."""
-    head = next((word for word in WORDS if plain.startswith(word)), plain[:1])
-    return head + plain[len(head) :].lower()
+    head = next((word for word in WORDS if latin.startswith(word)), latin[:1])
+    return head + latin[len(head) :].lower()
 
 
 def _unshared(pairs: Iterable[tuple[str, str]]) -> dict[str, Meaning]:
@@ -160,36 +160,36 @@ def _unshared(pairs: Iterable[tuple[str, str]]) -> dict[str, Meaning]:
     return {key: ("name", found.pop()) for key, found in meanings.items() if len(found) == 1}
 
 
-def _plain(run: str) -> tuple[str, list[int], set[int]]:
+def _latin(run: str) -> tuple[str, list[int], set[int]]:
     """The run in plain letters; the place of each in the run; the places where it must not be cut."""
-    plain, places, joints, braced = "", [], set(), False
+    latin, places, joints, braced = "", [], set(), False
     for place, letter in enumerate(run):
         if letter == "_" or letter in "{},":
             braced = letter == "{" or (braced and letter != "}")
-            joints.add(len(plain))
+            joints.add(len(latin))
         elif letter != " ":
             word = GREEK.get(letter) or LOWERED.get(letter, letter)
-            first = len(plain) if braced or letter in LOWERED else len(plain) + 1
-            joints |= set(range(first, len(plain) + len(word)))
-            plain, places = plain + word, places + [place] * len(word)
-    joints.discard(len(plain))
-    return plain, places, joints
+            first = len(latin) if braced or letter in LOWERED else len(latin) + 1
+            joints |= set(range(first, len(latin) + len(word)))
+            latin, places = latin + word, places + [place] * len(word)
+    joints.discard(len(latin))
+    return latin, places, joints
 
 
 Cut = list[tuple[int, Meaning]]
 
 
-def _cuts(plain: str, joints: set[int], known: Letters, *, loosely: bool) -> list[Cut]:
+def _cuts(latin: str, joints: set[int], known: Letters, *, loosely: bool) -> list[Cut]:
     """The cuts into fewest words, at most two of them, found from the end (the number of all cuts grows exponentially)."""
-    best: list[tuple[int, list[Cut]]] = [(0, [[]])] * (len(plain) + 1)
-    for start in range(len(plain) - 1, -1, -1):
-        fewest, found = len(plain) + 1, []
-        for end in range(start + 1, len(plain) + 1) if start not in joints else ():
+    best: list[tuple[int, list[Cut]]] = [(0, [[]])] * (len(latin) + 1)
+    for start in range(len(latin) - 1, -1, -1):
+        fewest, found = len(latin) + 1, []
+        for end in range(start + 1, len(latin) + 1) if start not in joints else ():
             if end in joints or not best[end][1]:
                 continue
-            piece = plain[start:end]
+            piece = latin[start:end]
             word = known.exact.get(piece) or (known.loose.get(_loosened(piece)) if loosely else None)
-            if word is None or (word[0] == "e" and end < len(plain)) or best[end][0] + 1 > fewest:
+            if word is None or (word[0] == "e" and end < len(latin)) or best[end][0] + 1 > fewest:
                 continue
             longer = [[(start, word), *rest] for rest in best[end][1]]
             found = longer if best[end][0] + 1 < fewest else found + longer
@@ -198,9 +198,9 @@ def _cuts(plain: str, joints: set[int], known: Letters, *, loosely: bool) -> lis
     return best[0][1]
 
 
-def _near(plain: str, known: Letters) -> str:
+def _near(latin: str, known: Letters) -> str:
     """A letter that differs by its case, by the order of its index, or by one sign."""
-    parted = re.fullmatch(r"([A-Za-z]+)([0-9]+)", plain)
+    parted = re.fullmatch(r"([A-Za-z]+)([0-9]+)", latin)
     if parted and parted[1] in known.exact:
         return _(
             "write {letter}^{number} for a power, {number}*{letter} for a multiple",
@@ -208,10 +208,10 @@ def _near(plain: str, known: Letters) -> str:
             number=parted[2],
         )
     for key, (kind, name) in sorted(known.exact.items()):
-        if kind == "name" and sorted(key.lower()) == sorted(plain.lower()):  # V for v, v0A for vA0
+        if kind == "name" and sorted(key.lower()) == sorted(latin.lower()):  # V for v, v0A for vA0
             return _("did you mean {near}?", near=name)
-    near = sorted(key for key in known.exact if abs(len(key) - len(plain)) <= 1 and _one_apart(key, plain))
-    near = [key for key in near if key[0] == plain[0]] or [key for key in near if len(key) > 2]
+    near = sorted(key for key in known.exact if abs(len(key) - len(latin)) <= 1 and _one_apart(key, latin))
+    near = [key for key in near if key[0] == latin[0]] or [key for key in near if len(key) > 2]
     if near:
         return _("did you mean {near}?", near=known.exact[near[0]][1])
     return _("use only the letters of the exercise")

@@ -12,7 +12,7 @@ from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.functions import SPELLINGS
 from corollary.formula.lexer import LONGEST, MOST_TOKENS, tokens
 from corollary.formula.line import Lean
-from corollary.formula.numerals import PLAIN
+from corollary.formula.numerals import TO_ASCII
 from corollary.formula.parser import formula
 from corollary.formula.symbols import APART, RUN, Piece, letters, read_run
 from corollary.formula.tex import without_tex
@@ -33,10 +33,10 @@ def parse(
     """
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    if (plain := without_tex(text)) != text:
-        tree = parse(plain, names, degrees=degrees, left=left, lean=lean)
+    if (typed := without_tex(text)) != text:
+        tree = parse(typed, names, degrees=degrees, left=left, lean=lean)
         return tree.without_place() if isinstance(tree, ParseError) else tree
-    found = LEFT.match(text.translate(PLAIN))
+    found = LEFT.match(text.translate(TO_ASCII))
     start = 0
     if found:
         start = found.end()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-SAID = {
+REPLACEMENTS = {
     "cdot": "*", "times": "*", "ast": "*", "div": "/", "pm": "±", "approx": "≈", "simeq": "≈", "sim": "≈", "circ": "°", "degree": "°",
     "langle": "(", "rangle": ")", "lvert": "|", "rvert": "|", "vert": "|", "quad": " ", "qquad": " ", "left": "", "right": "", "big": "",
     "Big": "", "bigl": "", "bigr": "", "displaystyle": "", "limits": "", "varphi": "phi", "varepsilon": "epsilon", "vartheta": "theta",
@@ -18,7 +18,7 @@ WRAPPED = frozenset({
 COMMAND = re.compile(r"\\([A-Za-z]+)\*?\s*|\\(.)")
 SPACES = re.compile(r"\\[,;:!> ]|~|\$|\\\(|\\\)|\\\[|\\\]|\\(?:begin|end)\{[pbv]?(?:matrix|array)\}")
 INDEX = re.compile(r"_\{([^{}]*)\}")
-PLAIN_POWER = re.compile(r"\s*(?:[0-9]+|°)\s*")
+NUMERIC_POWER = re.compile(r"\s*(?:[0-9]+|°)\s*")
 DEEPEST = 20
 
 
@@ -26,9 +26,9 @@ def without_tex(text: str) -> str:
     """The text as it would be typed without TeX; as it is where it holds none."""
     if "\\" not in text and "$" not in text and "^{" not in text:
         return text
-    plain = text.replace("{,}", ",").replace("\\\\", ";")
-    plain = _plain(SPACES.sub(lambda found: _bracket(found[0]), plain), 0)
-    return re.sub(r"\^\s*°", "°", re.sub(r"\s+", " ", plain)).strip()
+    expanded = text.replace("{,}", ",").replace("\\\\", ";")
+    expanded = _expanded(SPACES.sub(lambda found: _bracket(found[0]), expanded), 0)
+    return re.sub(r"\^\s*°", "°", re.sub(r"\s+", " ", expanded)).strip()
 
 
 def _bracket(found: str) -> str:
@@ -43,7 +43,7 @@ def _bracket(found: str) -> str:
     )
 
 
-def _plain(text: str, depth: int) -> str:
+def _expanded(text: str, depth: int) -> str:
     if depth > DEEPEST:
         return text
     done = ""
@@ -53,28 +53,30 @@ def _plain(text: str, depth: int) -> str:
             case "frac" | "dfrac" | "tfrac":
                 above, rest = _argument(rest)
                 below, rest = _argument(rest)
-                above, below = _plain(above, depth + 1), _plain(below, depth + 1)
+                above, below = _expanded(above, depth + 1), _expanded(below, depth + 1)
                 done += f"(({above})/{below if below.isalnum() else f'({below})'})"
             case "sqrt":
                 inner, rest = _argument(rest)
-                done += f"sqrt({_plain(inner, depth + 1)})"
+                done += f"sqrt({_expanded(inner, depth + 1)})"
             case "hat":
                 inner, rest = _argument(rest)
-                done += {"i": "î", "j": "ĵ", "x": "x̂", "y": "ŷ"}.get(_plain(inner, depth + 1).strip(), inner)
+                done += {"i": "î", "j": "ĵ", "x": "x̂", "y": "ŷ"}.get(
+                    _expanded(inner, depth + 1).strip(), inner
+                )
             case "dot":
                 inner, rest = _argument(rest)
-                done += f"{_plain(inner, depth + 1)}dot"
+                done += f"{_expanded(inner, depth + 1)}dot"
             case "SI" | "qty":
                 inner, rest = _argument(rest)
                 its_unit, rest = _argument(rest)
-                done += f"{_plain(inner, depth + 1)} {_plain(its_unit, depth + 1)}"
+                done += f"{_expanded(inner, depth + 1)} {_expanded(its_unit, depth + 1)}"
             case None:
                 done += found[2] if found[2] in "%|{}" else " "
             case _ if name in WRAPPED:
                 inner, rest = _argument(rest)
-                done += _plain(inner, depth + 1)
+                done += _expanded(inner, depth + 1)
             case _:
-                word = SAID.get(name, name)
+                word = REPLACEMENTS.get(name, name)
                 apart = word[:1].isalpha() and done[-1:].isalnum()
                 done += (
                     f"{' ' if apart else ''}{word}{' ' if word[-1:].isalpha() and rest[:1].isalnum() else ''}"
@@ -88,7 +90,7 @@ def _round_brackets(text: str) -> str:
     text = INDEX.sub("_\0\\1\1", text.replace("\0", "").replace("\1", ""))
     text = re.sub(
         r"\^\s*\{([^{}]*)\}",
-        lambda found: f"^{found[1]} " if PLAIN_POWER.fullmatch(found[1]) else f"^({found[1]})",
+        lambda found: f"^{found[1]} " if NUMERIC_POWER.fullmatch(found[1]) else f"^({found[1]})",
         text,
     )
     return re.sub(r"(?<!\^)\{([^{}]*)\}", r"\1", text).replace("\0", "{").replace("\1", "}")

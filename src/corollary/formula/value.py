@@ -56,10 +56,10 @@ class Items:
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """A value no answer can be read from; `why` is a predicate (`is a set`), `shown` a short picture of it."""
+    """A value no answer can be read from; `why` is a predicate (`is a set`), `excerpt` a short picture of it."""
 
     why: str
-    shown: str = ""
+    excerpt: str = ""
 
 
 Value = Nothing | Real | Exact | Complex | Text | Measured | Items | Refused

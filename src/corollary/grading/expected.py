@@ -61,7 +61,7 @@ def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity
         truth.tolerance,
         truth.uncertain,
         lambda: key.variant.exact,
-        key.find(truth).closed,
+        key.find(truth).in_givens,
         partial(domain, key.variant.problem),
         partial(wrong_formulas, key, truth.place),
         partial(_follow_through, key, truth, {}),

@@ -94,8 +94,8 @@ def answer(
     solution: Solution, find: Unknown, variant: Variant, before: Sequence[Values]
 ) -> tuple[Values, bool, float]:
     """An unknown's values from its closed form, certified; or from its scene, with the error the run states."""
-    if find.closed is not None:
-        found = [certified(tree, variant.exact) for tree in find.closed]
+    if find.in_givens is not None:
+        found = [certified(tree, variant.exact) for tree in find.in_givens]
         return tuple(each.value for each in found), all(each.proven for each in found), 0.0
     known = variant.exact | named(solution, before)
     match find.local:

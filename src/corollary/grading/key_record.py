@@ -31,8 +31,8 @@ def part_key(key: Key, part: Part) -> dict[str, Any]:
     if part.id in key.truths:
         truth = key.truths[part.id]
         entry: dict[str, Any] = {"value": _one(truth.values, finite, part), "unit": si_name(part)}
-        if (closed := key.find(truth).closed) is not None:
-            entry["expression"] = _one(closed, text, part)
+        if (in_givens := key.find(truth).in_givens) is not None:
+            entry["expression"] = _one(in_givens, text, part)
             return entry | {"certified": truth.proven}
         return entry | {"certified": False, "error": truth.error}
     if part.id in key.choices:

@@ -38,9 +38,9 @@ def wrong_formulas(key: Key, place: int) -> Iterator[tuple[tuple[Expr, ...], str
     """Closed forms of an unknown by each misconception, at its own step and at those it is made of."""
     for at in sorted(ancestors(key.solution, place) | {place}, reverse=True):
         for mistake in key.solution.finds[at].mistakes:
-            closed = _closed(key, place, at, mistake.rule)
-            if closed is not None:
-                yield closed, mistake.text
+            in_givens = _in_givens(key, place, at, mistake.rule)
+            if in_givens is not None:
+                yield in_givens, mistake.text
 
 
 def slips_of_input(key: Key, truth: Truth, base: Consequence) -> Iterator[tuple[Values, str]]:
@@ -76,7 +76,7 @@ def _replayed(
         return
 
 
-def _closed(key: Key, place: int, at: int, rule: Rule) -> tuple[Expr, ...] | None:
+def _in_givens(key: Key, place: int, at: int, rule: Rule) -> tuple[Expr, ...] | None:
     """The unknown at `place` in givens alone, when the rule at `at` is exchanged; None where a scene is on the way."""
     meaning: dict[str, Expr] = {}
     for index, find in enumerate(key.solution.finds[: place + 1]):

@@ -91,7 +91,7 @@ class JudgedOutside(Execute):
         return nbformat.reads(graded.notebook, as_version=4), resources
 
 
-class MarksKept(SaveAutoGrades):
+class RecordMarks(SaveAutoGrades):
     """The marks as the judge gave them, in one transaction; with the history, the record and the feedback page."""
 
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:
@@ -106,7 +106,7 @@ class MarksKept(SaveAutoGrades):
         return nb, resources
 
 
-class LatenessKept(AssignLatePenalties):
+class LatenessInMarks(AssignLatePenalties):
     """What the set says of late work is in the marks already."""
 
     def preprocess(self, nb: NotebookNode, resources: ResourcesDict) -> Converted:

@@ -35,7 +35,7 @@ check = corollary()"""
 
 def check_source(sheet: Worksheet) -> str:
     """The cell for one worksheet: it holds what is asked, and nothing of what is right. Raises NotCarried."""
-    asked = [prompt for prompt in sheet.prompts if prompt.answer_types[0].found_in != "cell"]
+    prompts = [prompt for prompt in sheet.prompts if prompt.answer_types[0].found_in != "cell"]
     return CELL.format(
         first=_(
             'Run this cell first: it defines check("..."), which says how an answer of yours is read, never whether it is right.'
@@ -44,7 +44,7 @@ def check_source(sheet: Worksheet) -> str:
             "No answer is hidden in it, only the code that reads yours when they are marked, compressed; print(check.source) shows it."
         ),
         too_old=_("check needs Python 3.11 or newer; what you write counts all the same"),
-        carried=_carried(tuple(prompt.question for prompt in asked)),
+        carried=_carried(tuple(prompt.question for prompt in prompts)),
     )
 
 

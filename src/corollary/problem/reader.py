@@ -19,7 +19,7 @@ from corollary.units.unit import unit
 
 CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
-TAKEN = {*SPELLINGS, *keyword.kwlist, "pi", "log", "answer"}
+RESERVED = {*SPELLINGS, *keyword.kwlist, "pi", "log", "answer"}
 """Words that formulas and solutions need for themselves."""
 
 
@@ -101,7 +101,7 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
     row = Reader(path, node, symbol, complaints)
     if not SYMBOL.match(symbol):
         row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
-    elif symbol in TAKEN:
+    elif symbol in RESERVED:
         row.complain(
             node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter"
         )

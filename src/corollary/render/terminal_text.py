@@ -34,7 +34,7 @@ def terminal_text(text: str, *, width: int = 80) -> str:
     """The text in lines of at most `width` characters; code, tables and display formulas keep their lines."""
     out, bullet, depth, cells = "", "", 0, None
     for token in parser().parse(text):
-        block, close = "", False
+        block, tight = "", False
         match token.type:
             case "bullet_list_open" | "ordered_list_open" | "blockquote_open":
                 depth += 1
@@ -48,12 +48,12 @@ def terminal_text(text: str, *, width: int = 80) -> str:
             case "tr_open":
                 cells = []
             case "tr_close":
-                block, close, cells = " | ".join(cells or []), True, None
+                block, tight, cells = " | ".join(cells or []), True, None
             case "inline" if cells is not None:
                 cells.append(_line(token.children or []).replace("\N{NO-BREAK SPACE}", " "))
             case "inline":
                 first = "  " * max(0, depth - bool(bullet)) + bullet
-                block, close = _wrapped(_line(token.children or []), width, first), bool(bullet)
+                block, tight = _wrapped(_line(token.children or []), width, first), bool(bullet)
                 bullet = ""
             case "math_block":
                 block = "    " + formula_text(token.content.strip())
@@ -62,7 +62,7 @@ def terminal_text(text: str, *, width: int = 80) -> str:
             case "table_close":
                 out += "\n"
         if block:
-            out += block + ("\n" if close else "\n\n")
+            out += block + ("\n" if tight else "\n\n")
     return out.strip("\n")
 
 

@@ -50,7 +50,7 @@ class EncodedItems(msgspec.Struct, array_like=True, tag="items", frozen=True, fo
 
 class EncodedRefused(msgspec.Struct, array_like=True, tag="refused", frozen=True, forbid_unknown_fields=True):
     why: _Words
-    shown: _Words
+    excerpt: _Words
 
 
 Encoded = (

@@ -19,7 +19,7 @@ DEEPEST = 60
 # 20 MB of "{}," would become ten million objects, a gigabyte and minutes. These bounds keep any file below about 300 MB and
 # two seconds; a thousand cells with their outputs have some 20 000 values, a plot of plotly's some 100 000.
 MOST_VALUES = 500_000
-MOST_VALUES_KEPT = 100_000  # without the outputs, which nobody needs: all cells are run again
+MOST_INPUT_VALUES = 100_000  # without the outputs, which nobody needs: all cells are run again
 
 _STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"', re.DOTALL)
 _HALF_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
@@ -66,9 +66,9 @@ def notebook_of(content: bytes) -> Notebook | Unreadable:
     depth, count = _measure(raw)
     if depth > DEEPEST:
         return Unreadable("The file is nested too deeply to be a notebook.")
-    if count > MOST_VALUES_KEPT:
+    if count > MOST_INPUT_VALUES:
         return Unreadable(
-            f"The file holds more than {MOST_VALUES_KEPT} values beside the outputs of its cells."
+            f"The file holds more than {MOST_INPUT_VALUES} values beside the outputs of its cells."
         )
     if _HALF_SURROGATE.search(text):
         raw = _whole_texts(raw)
@@ -170,7 +170,7 @@ def _drop_outputs(raw: dict) -> None:
 def _measure(raw: object) -> tuple[int, int]:
     """How deeply lists and dictionaries lie in one another, and how many values there are; counted without recursion."""
     deepest, count, waiting = 0, 0, [(raw, 1)]
-    while waiting and deepest <= DEEPEST and count <= MOST_VALUES_KEPT:
+    while waiting and deepest <= DEEPEST and count <= MOST_INPUT_VALUES:
         value, depth = waiting.pop()
         deepest, count = max(deepest, depth), count + 1
         if isinstance(value, dict):

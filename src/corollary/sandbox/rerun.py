@@ -47,7 +47,9 @@ def _without_culprit(job: Job, state: WorkerState) -> Job | None:
 
 def _together(job: Job, result: ExecutionResult, rest: Job, later: ExecutionResult) -> ExecutionResult:
     """What the run of the rest gave, with what is known already of all that was left out of it."""
-    left_out = [cell.source != kept.source for cell, kept in zip(job.cells, rest.cells, strict=True)]
+    left_out = [
+        cell.source != remaining.source for cell, remaining in zip(job.cells, rest.cells, strict=True)
+    ]
     cells = tuple(
         known if out else run for known, run, out in zip(result.cells, later.cells, left_out, strict=True)
     )

@@ -38,7 +38,7 @@ def value_of(tagged: Sequence[Any], depth: int = DEEPEST) -> Value:
             if prod(shape) != len(items):
                 return Refused("is an array whose shape does not fit its numbers")
             return Items(tuple(value_of(each, depth - 1) for each in items), tuple(shape))
-        case ["refused", why, shown]:
-            return Refused(why, shown)
+        case ["refused", why, excerpt]:
+            return Refused(why, excerpt)
         case _:
             return Refused("could not be read")

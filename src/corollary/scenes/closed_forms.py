@@ -70,7 +70,7 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
         "energy": energy(apart, 0.0, after),
     }
     error = max(played.errors["velocities"], ROUNDING)
-    return _asked(replace(played, observed=known, errors=dict.fromkeys(known, error)), observe)
+    return _observed_only(replace(played, observed=known, errors=dict.fromkeys(known, error)), observe)
 
 
 def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -103,15 +103,15 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
         case "escaped":
             gone = played.observed["duration"]
             # One that starts across the radius turns at once, which these integrals do not count.
-            asked = (
+            observable = (
                 {Observable.VELOCITIES, Observable.TURNING_POINTS}
                 if played.observed["turning_points"]
                 else {Observable.VELOCITIES}
             )
-            fits = set(observe) <= asked and isinstance(gone, float) and until >= gone
+            fits = set(observe) <= observable and isinstance(gone, float) and until >= gone
         case _:
             fits = set(observe) <= {Observable.VELOCITIES}
-    return _asked(played, observe) if fits else None
+    return _observed_only(played, observe) if fits else None
 
 
 def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -139,17 +139,19 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
         turns: Observed = (found.nearest,) if x * u + y * v < 0.0 else ()
         known: dict[str, Observed] = {"turning_points": turns}
         why = "it comes and goes: energy and angular momentum give the nearest distance, the root of a quadratic"
-        return _asked(
+        return _observed_only(
             Run(known, dict.fromkeys(known, 4.0 * ROUNDING), "conservation", why, 0, "escaped"), observe
         )
     if scene.until is not None and scene.until < SEEN * found.period:
         return None
     known = {"turning_points": (found.nearest, found.farthest), "period": found.period}
     why = "bound to a fixed centre: energy and angular momentum give the orbit, Kepler's third law its period"
-    return _asked(Run(known, dict.fromkeys(known, 8.0 * ROUNDING), "conservation", why, 0, "bound"), observe)
+    return _observed_only(
+        Run(known, dict.fromkeys(known, 8.0 * ROUNDING), "conservation", why, 0, "bound"), observe
+    )
 
 
-def _asked(played: Run, observe: Collection[Observable]) -> Run:
+def _observed_only(played: Run, observe: Collection[Observable]) -> Run:
     names = [o.value for o in observe]
     return replace(
         played, observed={n: played.observed[n] for n in names}, errors={n: played.errors[n] for n in names}

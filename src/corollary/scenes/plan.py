@@ -48,8 +48,8 @@ def plan(
     if not left and (scene.until is not None or parts_undamped(scene)):
         why = "all that is asked is conserved: the start says it"
         return Plan("conservation", why, lambda: _at_the_start(scene, known, why))
-    for closed in (on_a_line, in_a_plane, in_a_well, round_a_centre):
-        found = closed(scene, observe, tolerance)
+    for special_case in (on_a_line, in_a_plane, in_a_well, round_a_centre):
+        found = special_case(scene, observe, tolerance)
         if found is not None:
             return Plan(found.model, found.why, lambda found=found: found)
     why = "no integral of the motion gives what is asked: Newton's second law, step by step"

@@ -159,10 +159,10 @@ class Scene:
     @property
     def conserves(self) -> Conserves:
         """What all forces together leave as it is; a moving wall or a wall at all is not looked at."""
-        kept = Conserves.MOMENTUM | Conserves.ENERGY
+        conserved = Conserves.MOMENTUM | Conserves.ENERGY
         for force in self.forces:
-            kept &= force.conserves
-        return kept
+            conserved &= force.conserves
+        return conserved
 
     def has_only(self, *kinds: type[Force]) -> bool:
         """Whether every force is of one of these kinds."""

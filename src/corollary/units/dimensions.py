@@ -76,28 +76,28 @@ def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], unlike: str) -> 
         if common is None:
             common, first = found, term
         elif found is not None and found != common:
-            raise _Mismatch(_(unlike, one=_shown(first, common), other=_shown(term, found)))
+            raise _Mismatch(_(unlike, one=_described(first, common), other=_described(term, found)))
     return common
 
 
-def _shown(tree: Expr, dimension: Dimension) -> str:
+def _described(tree: Expr, dimension: Dimension) -> str:
     bare = tree.term if isinstance(tree, Negative) else tree
     return f"{text(bare)} ({show(si_unit(dimension)) or _('a plain number')})"
 
 
-def _plain(tree: Expr, of: Mapping[str, Dimension], misplaced: str, function: str = "") -> None:
+def _check_dimensionless(tree: Expr, of: Mapping[str, Dimension], misplaced: str, function: str = "") -> None:
     found = _dimension(tree, of)
     if found is not None and found != ONE:
-        raise _Mismatch(_(misplaced, part=_shown(tree, found), function=function))
+        raise _Mismatch(_(misplaced, part=_described(tree, found), function=function))
 
 
 def _power(base: Expr, exponent: Expr, of: Mapping[str, Dimension]) -> Found:
-    _plain(exponent, of, EXPONENT)
+    _check_dimensionless(exponent, of, EXPONENT)
     below, power = _dimension(base, of), constant(exponent)
     if below is None or below == ONE:
         return None if below is None and power != 0 else ONE
     if power is None:
-        raise _Mismatch(_("{part} can only have a number as its exponent", part=_shown(base, below)))
+        raise _Mismatch(_("{part} can only have a number as its exponent", part=_described(base, below)))
     return below**power
 
 
@@ -105,7 +105,7 @@ def _call(function: str, arguments: tuple[Expr, ...], of: Mapping[str, Dimension
     power = FUNCTIONS[function].dimension
     if power is None:
         for argument in arguments:
-            _plain(argument, of, INSIDE, function)
+            _check_dimensionless(argument, of, INSIDE, function)
         return ONE
     common = _same(arguments, of, COMPARED)
     return ONE if power == 0 else None if common is None else common**power

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from corollary.formula.errors import ParseError, ambiguous, refused
-from corollary.formula.numerals import PLAIN, RAISED
+from corollary.formula.numerals import RAISED, TO_ASCII
 from corollary.messages import catalogue
 from corollary.units.dimension import BASE, ONE, PURE, Dimension, Unit
 from corollary.units.table import CALLED, NAMED, UNITS, UNSUGGESTED
@@ -35,7 +35,7 @@ _ = catalogue(__name__)
 LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 LARGEST_POWER = 9
-MOST_KEPT = 1024
+MOST_CACHED = 1024
 SIGNS = {"deg": "°", "ohm": "Ω"}
 """How units are shown that files spell out."""
 IN_TEX = {"deg": r"{}^{\circ}", "ohm": r"\Omega", "%": r"\%"}
@@ -59,7 +59,7 @@ def read_unit(text: str) -> Unit | ParseError:
         return known
     found = _read(text)
     if isinstance(found, Unit):
-        if len(_READ) >= MOST_KEPT:
+        if len(_READ) >= MOST_CACHED:
             _READ.clear()
         _READ[text, len(UNITS)] = found
     return found
@@ -71,19 +71,19 @@ _READ: dict[tuple[str, int], Unit] = {}
 
 
 def _read(text: str) -> Unit | ParseError:
-    plain = in_signs(text.translate(PLAIN))
-    if temperature := TEMPERATURE.search(plain):
-        written = plain[temperature.start() : temperature.end()]
+    normalized = in_signs(text.translate(TO_ASCII))
+    if temperature := TEMPERATURE.search(normalized):
+        written = normalized[temperature.start() : temperature.end()]
         why = _("{written} is not a unit known here", written=written)
         return refused(why, temperature.start(), _("write a temperature in K"))
     marks: list[re.Match[str]] = []
-    at, end = 0, len(plain.rstrip())
+    at, end = 0, len(normalized.rstrip())
     while at < end:
-        mark = MARK.match(plain, at)
+        mark = MARK.match(normalized, at)
         if mark is None:
-            at += len(plain[at:]) - len(plain[at:].lstrip())
+            at += len(normalized[at:]) - len(normalized[at:].lstrip())
             return refused(
-                _("{sign} does not belong in a unit", sign=repr(plain[at])),
+                _("{sign} does not belong in a unit", sign=repr(normalized[at])),
                 at,
                 _("write a unit such as kg m/s"),
             )
@@ -192,9 +192,9 @@ def _splits(run: str) -> list[tuple[Unit, ...]]:
 
 
 def _power(text: str) -> Fraction | None:
-    plain = text.translate(RAISED).strip("^*(){} ")
+    normalized = text.translate(RAISED).strip("^*(){} ")
     try:
-        return Fraction(plain or 1) if len(plain) < 8 else None
+        return Fraction(normalized or 1) if len(normalized) < 8 else None
     except (ValueError, ZeroDivisionError):
         return None
 

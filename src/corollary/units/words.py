@@ -14,12 +14,12 @@ ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
 GROUP = re.compile(r"(?<![/^])\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not below a slash, and not raised
 
 
-def in_signs(plain: str) -> str:
+def in_signs(text: str) -> str:
     """The unit with a sign for every word and mark; a place in it stays a place in what was typed, but for whole brackets."""
-    if whole := ALL.fullmatch(plain):
-        plain = whole[1] or whole[2] or ""
-    plain = SPEED.sub(lambda found: SPEEDS[found[0]], plain)
-    plain = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), plain))
+    if whole := ALL.fullmatch(text):
+        text = whole[1] or whole[2] or ""
+    text = SPEED.sub(lambda found: SPEEDS[found[0]], text)
+    text = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), text))
     for _ in range(3):
-        plain = GROUP.sub(r" \1 ", plain)
-    return plain
+        text = GROUP.sub(r" \1 ", text)
+    return text

@@ -51,7 +51,7 @@ def push(solution: Solution) -> Pushed:
     for label, givens in pushed(chapter(solution.problem)):
         replayed = replay_in_doubles(solution, givens)
         for find in solution.finds:
-            for i, tree in enumerate(find.closed or ()):
+            for i, tree in enumerate(find.in_givens or ()):
                 try:
                     true = certified(tree, givens)
                 except Undefined as reason:

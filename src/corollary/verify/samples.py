@@ -61,8 +61,8 @@ def _truth(key: Key, part: Part) -> Truth | None:
         return ""
     if not answer_type(part.kind).in_symbols:
         return key.truths[part.id].values
-    closed = key.find(key.truths[part.id]).closed
-    return text(closed[0]) if closed else None
+    in_givens = key.find(key.truths[part.id]).in_givens
+    return text(in_givens[0]) if in_givens else None
 
 
 def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:

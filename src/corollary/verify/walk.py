@@ -125,12 +125,12 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
 
 def own_answer(key: Key, part: str) -> Value:
     """The key's answer as a student would hand it in: numbers in the part's unit, or the formula where that is asked for."""
-    asked, truth = key.variant.problem.part(part), key.truths[part]
-    closed = key.find(truth).closed
-    if answer_type(asked.kind).in_symbols and closed is not None:
-        texts = tuple(Text(text(tree)) for tree in closed)
+    question, truth = key.variant.problem.part(part), key.truths[part]
+    in_givens = key.find(truth).in_givens
+    if answer_type(question.kind).in_symbols and in_givens is not None:
+        texts = tuple(Text(text(tree)) for tree in in_givens)
         return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
-    return machine_numbers(tuple(value / asked.unit.si for value in truth.values))
+    return machine_numbers(tuple(value / question.unit.si for value in truth.values))
 
 
 def machine_numbers(values: tuple[float, ...]) -> Value:

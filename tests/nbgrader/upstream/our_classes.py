@@ -6,13 +6,13 @@ import nbgrader.preprocessors
 from nbgrader.converters import autograde
 from nbgrader.converters.autograde import Autograde
 
-from corollary.nbgrader.autograde import JudgedOutside, LatenessKept, MarksKept, OwnNumbers, OwnSheet
+from corollary.nbgrader.autograde import JudgedOutside, LatenessInMarks, OwnNumbers, OwnSheet, RecordMarks
 
 OURS = {
     "Execute": JudgedOutside,
     "OverwriteCells": OwnNumbers,
-    "SaveAutoGrades": MarksKept,
-    "AssignLatePenalties": LatenessKept,
+    "SaveAutoGrades": RecordMarks,
+    "AssignLatePenalties": LatenessInMarks,
 }
 
 for step in (Autograde.sanitize_preprocessors, Autograde.autograde_preprocessors):

@@ -9,7 +9,7 @@ from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
-from corollary.formula.numerals import PLAIN
+from corollary.formula.numerals import TO_ASCII
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
 
@@ -46,7 +46,7 @@ class ChoiceType(AnswerType):
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
             case Text(text):
-                found = LETTER.fullmatch(text.translate(PLAIN)) if len(text) <= LONGEST else None
+                found = LETTER.fullmatch(text.translate(TO_ASCII)) if len(text) <= LONGEST else None
                 if found and (letter := found["letter"].lower()) in question.options:
                     return Letter(letter, f"({letter})")
                 return Unclear(wanted, text.strip()[:40])

@@ -40,8 +40,8 @@ def _equations(line: str, names: Sequence[str], before: Expr | None) -> list[Rel
             if re.search(r"[^\W\d]{3}", line) and not re.search(r"[*^/+<>]", line)
             else _(" must be one equation, with one = sign")
         )
-    plain = without_tex(line.replace("&=", "=").replace("&", ""))
-    sides = BEHIND.sub("", LEADING.sub("", plain, count=1)).split("=")
+    typed = without_tex(line.replace("&=", "=").replace("&", ""))
+    sides = BEHIND.sub("", LEADING.sub("", typed, count=1)).split("=")
     trees: list[Expr] = []
     for place, side in enumerate(sides):
         if not side.strip() and place == 0 and before is not None:

@@ -85,9 +85,9 @@ def formulas(sheet: Worksheet, keys: Keys) -> Hand:
     """Formulas instead of numbers, wherever one exists; numpy numbers elsewhere, and warnings on stderr, which cost nothing."""
 
     def write(prompt: Prompt, values: tuple[float, ...]) -> str:
-        closed = keys[prompt.problem.code].find(keys[prompt.problem.code].truths[prompt.part.id]).closed
-        if closed is not None and len(closed) == 1 and text(closed[0])[0] not in "0123456789p":
-            return repr(text(closed[0]))
+        in_givens = keys[prompt.problem.code].find(keys[prompt.problem.code].truths[prompt.part.id]).in_givens
+        if in_givens is not None and len(in_givens) == 1 and text(in_givens[0])[0] not in "0123456789p":
+            return repr(text(in_givens[0]))
         numbers = repr(list(values)) if prompt.part.components else repr(values[0])
         return (
             f"__import__('numpy').array({numbers})"

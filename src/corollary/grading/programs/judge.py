@@ -66,26 +66,26 @@ def inputs_of(
 
 
 def verdicts_on_runs(
-    solution: Solution, variant: Variant, part: Part, shown: ProgramRun, secret: bytes, student: str
+    solution: Solution, variant: Variant, part: Part, run: ProgramRun, secret: bytes, student: str
 ) -> dict[str, Callable[[], Verdict]]:
     """How a part's function and figures are judged, by answer type; empty where nothing was run."""
-    if not shown.ran:
+    if not run.ran:
         return {}
     return {
-        "code": lambda: judge_code(solution, variant, part, shown, secret, student),
-        "plot": lambda: judge_plot(solution, variant, part, shown),
+        "code": lambda: judge_code(solution, variant, part, run, secret, student),
+        "plot": lambda: judge_plot(solution, variant, part, run),
     }
 
 
 def judge_code(
-    solution: Solution, variant: Variant, part: Part, shown: ProgramRun, secret: bytes, student: str
+    solution: Solution, variant: Variant, part: Part, run: ProgramRun, secret: bytes, student: str
 ) -> Verdict:
     """Every call must have come back; then the solution's judge looks at all of them together."""
     code = code_of(solution, part)
     assert code is not None
     called = []
     for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
-        answered = shown.calls.get(f"{variant.problem.answer_name(part)}/{place}")
+        answered = run.calls.get(f"{variant.problem.answer_name(part)}/{place}")
         if answered is None:
             return Unread(f"There is no function {part.signature} to call.")
         if answered.trouble:
@@ -99,18 +99,18 @@ def judge_code(
     return _verdict(code.judge(variant.si, called))
 
 
-def judge_plot(solution: Solution, variant: Variant, part: Part, shown: ProgramRun) -> Verdict:
+def judge_plot(solution: Solution, variant: Variant, part: Part, run: ProgramRun) -> Verdict:
     """The figures of the plot cell, axes by axes."""
     plot = plot_of(solution, part)
     assert plot is not None
-    axes = [each for figure in shown.figures for each in figure.axes]
+    axes = [each for figure in run.figures for each in figure.axes]
     if not axes:
         return Unread("No figure was drawn.", blank=True)
     return _verdict(plot.judge(variant.si, axes))
 
 
-def _verdict(said: Fault | Remark | None) -> Verdict:
-    match said:
+def _verdict(finding: Fault | Remark | None) -> Verdict:
+    match finding:
         case None:
             return Right()
         case Remark(sentence):
@@ -118,7 +118,7 @@ def _verdict(said: Fault | Remark | None) -> Verdict:
         case Fault(sentence, known):
             return Mistaken(sentence) if known else Wrong(sentence)
         case _:
-            assert_never(said)
+            assert_never(finding)
 
 
 def _argument(value: object) -> Argument:

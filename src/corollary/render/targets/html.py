@@ -11,13 +11,13 @@ from corollary.render.page import drawing, page
 from corollary.render.wording import facts, wanted
 
 
-def write_exercise(asked: Exercise, student: Student, solution: str) -> str:
-    problem = asked.problem
+def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
+    problem = exercise.problem
     return page(
         "exercise.html",
         title=f"{problem.code} {problem.title}",
-        exercise=asked,
-        drawing=drawing(asked),
+        exercise=exercise,
+        drawing=drawing(exercise),
         wanted=wanted,
         solution=solution,
     )

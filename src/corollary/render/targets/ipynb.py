@@ -11,10 +11,10 @@ from corollary.problem.roster import Student
 from corollary.render.exports import Target
 
 
-def write_exercise(asked: Exercise, student: Student, solution: str) -> str:
-    problem = asked.problem
+def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
+    problem = exercise.problem
     alone = ProblemSet(problem.name, problem.title, "", (problem,), (1.0,), None, Scheme(), False)
-    return write_worksheet(worksheet(alone, student, [asked.variant]), {})
+    return write_worksheet(worksheet(alone, student, [exercise.variant]), {})
 
 
 def write_worksheet(sheet: Worksheet, solutions: Mapping[str, str]) -> str:

@@ -14,34 +14,34 @@ from corollary.render.wording import facts, wanted
 _ = catalogue(__name__)
 
 
-def write_exercise(asked: Exercise, student: Student, solution: str) -> str:
-    return _written(asked, solution, "#", "figure")
+def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
+    return _written(exercise, solution, "#", "figure")
 
 
 def write_worksheet(sheet: Worksheet, solutions: Mapping[str, str]) -> str:
     about = sheet.problem_set
     pieces = [f"# {about.title}", " · ".join(facts(sheet)), about.introduction]
-    for asked in sheet.exercises:
-        code = asked.problem.code
-        pieces.append(_written(asked, solutions.get(code, ""), "##", f"figure {code}").rstrip("\n"))
+    for exercise in sheet.exercises:
+        code = exercise.problem.code
+        pieces.append(_written(exercise, solutions.get(code, ""), "##", f"figure {code}").rstrip("\n"))
     return "\n\n".join(filter(None, pieces)) + "\n"
 
 
-def _written(asked: Exercise, solution: str, level: str, label: str) -> str:
+def _written(exercise: Exercise, solution: str, level: str, label: str) -> str:
     """`label` names the figure: two references of one file must not share theirs."""
-    problem = asked.problem
-    pieces = [f"{level} {problem.code} {problem.title}", asked.statement]
-    if asked.figure:
-        alt = asked.figure_alt.replace("[", r"\[").replace("]", r"\]")
+    problem = exercise.problem
+    pieces = [f"{level} {problem.code} {problem.title}", exercise.statement]
+    if exercise.figure:
+        alt = exercise.figure_alt.replace("[", r"\[").replace("]", r"\]")
         pieces.append(f"![{alt}][{label}]")
-    for prompt in asked.prompts:
+    for prompt in exercise.prompts:
         pieces += [f"{level}# ({prompt.part.id}) {prompt.part.title}", prompt.text]
         pieces.append("\n".join(f"- ({option.letter}) {option.text}" for option in prompt.options))
         pieces.append(f"*{wanted(prompt)}*")
     if solution:
         pieces += [f"{level}# {_('Worked solution')}", solution]
-    if asked.figure:
-        pieces.append(f"[{label}]: {drawing_address(asked)}")
+    if exercise.figure:
+        pieces.append(f"[{label}]: {drawing_address(exercise)}")
     return "\n\n".join(filter(None, pieces)) + "\n"
 
 

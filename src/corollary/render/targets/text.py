@@ -15,12 +15,12 @@ _ = catalogue(__name__)
 WIDTH = 80
 
 
-def write_exercise(asked: Exercise, student: Student, solution: str) -> str:
-    problem = asked.problem
-    pieces = [f"{problem.code}  {problem.title}", terminal_text(asked.statement, width=WIDTH)]
-    if asked.figure:
-        pieces.append(terminal_text(_("[Figure: {alt}]", alt=asked.figure_alt), width=WIDTH))
-    for prompt in asked.prompts:
+def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
+    problem = exercise.problem
+    pieces = [f"{problem.code}  {problem.title}", terminal_text(exercise.statement, width=WIDTH)]
+    if exercise.figure:
+        pieces.append(terminal_text(_("[Figure: {alt}]", alt=exercise.figure_alt), width=WIDTH))
+    for prompt in exercise.prompts:
         heading = f"({prompt.part.id}) {terminal_text(prompt.part.title)}  [{wanted(prompt)}]"
         options = "\n".join(
             terminal_text(f"- ({option.letter}) {option.text}", width=WIDTH) for option in prompt.options
@@ -38,8 +38,8 @@ def write_worksheet(sheet: Worksheet, solutions: Mapping[str, str]) -> str:
         " · ".join(facts(sheet)),
         terminal_text(about.introduction, width=WIDTH),
         *(
-            write_exercise(asked, sheet.student, solutions.get(asked.problem.code, "")).rstrip("\n")
-            for asked in sheet.exercises
+            write_exercise(exercise, sheet.student, solutions.get(exercise.problem.code, "")).rstrip("\n")
+            for exercise in sheet.exercises
         ),
     ]
     return "\n\n\n".join(filter(None, pieces)) + "\n"

@@ -95,14 +95,14 @@ def _kind(value):
     return (module if type(module) is str else ""), name[:60]
 
 
-def _refused(why, shown=""):
-    return ("refused", why, shown)
+def _refused(why, excerpt=""):
+    return ("refused", why, excerpt)
 
 
 def _unfit(value, name):
-    shown = repr(value) if type(value) is bool else name
+    excerpt = repr(value) if type(value) is bool else name
     return _refused(
-        _KINDS.get(name, f"is an object of the kind {name}, from which no answer can be read"), shown
+        _KINDS.get(name, f"is an object of the kind {name}, from which no answer can be read"), excerpt
     )
 
 

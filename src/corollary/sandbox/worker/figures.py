@@ -31,8 +31,8 @@ class FigureCanvas(FigureCanvasAgg):
 def show_all():
     """Describes every open figure and closes it, as a notebook shows them at `plt.show()` and at the end of each cell."""
     for manager in Gcf.get_all_fig_managers():
-        for describe_shown in on_show:
-            describe_shown(manager.canvas.figure)
+        for describe_open in on_show:
+            describe_open(manager.canvas.figure)
     Gcf.destroy_all()
 
 

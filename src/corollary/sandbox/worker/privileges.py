@@ -20,8 +20,8 @@ def hide_memory():
     libc.prctl(libc.PR_SET_DUMPABLE, 0)
 
 
-def keep_descriptors(channel, kept):
-    """Standard input is empty; 1 and 2 go to a file in memory; `channel` becomes descriptor 3; all but `kept` others close.
+def keep_descriptors(channel, inherited):
+    """Standard input is empty; 1 and 2 go to a file in memory; `channel` becomes descriptor 3; all but `inherited` others close.
 
     What C code prints past Python's streams can be read back from descriptor 1.
     """
@@ -33,7 +33,7 @@ def keep_descriptors(channel, kept):
     os.dup2(printed, 1)
     os.dup2(printed, 2)
     start = 4
-    for descriptor in sorted(kept):
+    for descriptor in sorted(inherited):
         os.closerange(start, descriptor)
         start = descriptor + 1
     os.closerange(start, _MOST_DESCRIPTORS)

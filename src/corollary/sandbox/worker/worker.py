@@ -33,8 +33,8 @@ def run(isolation, shell, outputs, channel):
 
 def _confine(isolation, channel, baseline):
     os.setsid()
-    kept = [isolation.ruleset.fileno()] if isolation.ruleset else []
-    privileges.keep_descriptors(channel, kept)
+    inherited = [isolation.ruleset.fileno()] if isolation.ruleset else []
+    privileges.keep_descriptors(channel, inherited)
     # Without seccomp nothing stops a fork but RLIMIT_NPROC, which counts all processes that a user has anywhere: an
     # ordinary user's own programs must still fit below it.
     processes = None if isolation.filter else 1024 if isolation.user is None else 64

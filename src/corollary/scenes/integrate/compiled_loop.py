@@ -13,7 +13,7 @@ from numba import njit  # pyright: ignore[reportMissingImports]
 
 from corollary.scenes.integrate import controller
 from corollary.scenes.integrate.compiled_step import STAGES, TIME, slope, step
-from corollary.scenes.integrate.contact_events import CLOSE
+from corollary.scenes.integrate.contact_events import NEAR_CONTACT
 from corollary.scenes.integrate.regularised import (
     FIRST_STRIDE,
     LEAST_STRIDE,
@@ -122,7 +122,7 @@ def _crossing(variable, state, base, after, touching, terms, noise, tolerance):
     for j in range(len(touching)):
         old, new, sign = state[1 + j], after[1 + j], 1.0 if touching[j] else -1.0
         before, then = sign * _closing(state, j), sign * _closing(after, j)
-        near = variable == TIME and terms[j, 2] > 1.0 and then < 0.0 and new < CLOSE * old
+        near = variable == TIME and terms[j, 2] > 1.0 and then < 0.0 and new < NEAR_CONTACT * old
         near = (
             near
             and terms[j, 0] * old ** terms[j, 1] * (after[0] - state[0]) > tolerance

@@ -11,7 +11,7 @@ from corollary.scenes.integrate.time_variable import TIME, TimeVariable
 
 # A step in time must leave so much of an overlap whose force is not smooth where it ends: nearer to the end the error of the step
 # would not be known. The contact's own variable takes over.
-CLOSE = 0.3
+NEAR_CONTACT = 0.3
 
 
 def first_crossing(
@@ -32,7 +32,7 @@ def first_crossing(
         near = (
             before > 0.0
             and speeds[j] < 0.0
-            and after < CLOSE * before
+            and after < NEAR_CONTACT * before
             and _rough(problem, state, step, j)
             and not turns(state, base, j)
         )
