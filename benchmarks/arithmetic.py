@@ -13,7 +13,7 @@ from fractions import Fraction
 from corollary.answers.quantity import read_quantity
 from corollary.formula.ball import RationalPi, certified
 from corollary.formula.syntax import author_formula, parse
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import read_unit, unit
 
 FORMULA = "2*m*v*sin(theta)/dt"

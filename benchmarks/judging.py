@@ -63,7 +63,7 @@ def main() -> None:
     result["times"] = times(solutions, problems, simplify)
     if not asked.no_students:
         numeric = [solutions.of(problem) for problem in problems if size(problem) > 1]
-        numeric = [solution for solution in numeric if any(find.part for find in solution.finds)]
+        numeric = [solution for solution in numeric if any(find.part for find in solution.unknowns)]
         tallies = {
             each.problem.code: _told(each.problem.code, lambda each=each: simulate(each, asked.students))
             for each in numeric
@@ -171,7 +171,7 @@ def times(solutions: Solutions, problems: Sequence[Problem], simplify: list[floa
 def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
     """Answers of each sort to a part with one quantity."""
     truth = key.truths.get(part.id)
-    if truth is None or part.components or part.kind != "value":
+    if truth is None or part.components or part.answer_type != "value":
         return []
     value, closed = (
         truth.values[0] / part.unit.si,
@@ -194,7 +194,7 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
 def one_verdict(key: Key, part: Part, answer: Value) -> object:
     """Reading and judging, without the other parts."""
     expected = expected_of(key, part)
-    return verdict_on(part.kind, read(part, answer, expected), expected)
+    return verdict_on(part.answer_type, read(part, answer, expected), expected)
 
 
 def _median(run: Callable[[], object]) -> float:

@@ -138,7 +138,7 @@ def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> 
 def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> None:
     """Each listed mistake once, by a student who rounds to three figures; looked at where it shows first."""
     solution = key.solution
-    for place, find in enumerate(solution.finds):
+    for place, find in enumerate(solution.unknowns):
         for wrong in find.mistakes:
             asked = first_asked(solution, place)
             shown = [part for part in asked if differs(solution, place, wrong.rule, key.truths[part].place)]
@@ -209,7 +209,7 @@ def by_operation(solution: Solution, givens: Mapping[str, RationalPi], figures: 
     """The derivation by a student who writes down every intermediate result rounded."""
     short = rounded(figures)
     values, found = dict(givens), []
-    for find in solution.finds:
+    for find in solution.unknowns:
         if isinstance(find.local, ClosedForms):
             numbers = tuple(short(number(_worked(tree, values, short), values)) for tree in find.local.trees)
         else:

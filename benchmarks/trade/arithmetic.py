@@ -58,7 +58,7 @@ def _formulas(quick: bool) -> Iterator[Formula]:
             continue
         solution = known.of(problem)
         variants = list(islice(sample(solution.problem, VARIANTS), VARIANTS))
-        for place in solution.finds:
+        for place in solution.unknowns:
             for name, tree in zip(place.names, place.in_givens or (), strict=False):
                 if not names(tree) - {"pi"}:
                     continue

@@ -40,7 +40,7 @@ from corollary.derive.statements import (
 from corollary.grading.programs import member
 from corollary.laws.law import Law, as_expression
 
-Finds = sympy.Symbol | tuple[sympy.Symbol, ...]
+Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
 
 
@@ -65,7 +65,7 @@ def vector(name: str, components: str = "x y") -> tuple[sympy.Symbol, ...]:
 
 
 def step(
-    finds: Finds,
+    unknowns: Unknowns,
     because: str,
     *laws: Law,
     answers: str = "",
@@ -80,7 +80,7 @@ def step(
     """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
     return Step(
         Statement(answers, because, _line(), check),
-        _tuple(finds),
+        _tuple(unknowns),
         laws,
         tuple(also),
         where,
@@ -107,7 +107,7 @@ def reject(reason: str, **roots: object) -> Rejected:
 
 
 def optimum(
-    finds: Finds,
+    unknowns: Unknowns,
     because: str,
     *,
     of: sympy.Expr,
@@ -121,11 +121,11 @@ def optimum(
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
     low, high = map(as_expression, between)
     words = Statement(answers, because, _line(), check)
-    return Optimum(words, _tuple(finds), of, over, (low, high), largest, tuple(mistakes))
+    return Optimum(words, _tuple(unknowns), of, over, (low, high), largest, tuple(mistakes))
 
 
 def simulated(
-    finds: Finds,
+    unknowns: Unknowns,
     because: str,
     *,
     scene: str,
@@ -138,7 +138,7 @@ def simulated(
     """Unknowns that are measured in a run of a ready-made scene."""
     formulas = {name: as_expression(value) for name, value in settings.items()}
     words = Statement(answers, because, _line(), check)
-    return Simulated(words, _tuple(finds), scene, formulas, observe, tuple(mistakes))
+    return Simulated(words, _tuple(unknowns), scene, formulas, observe, tuple(mistakes))
 
 
 def choice(
@@ -150,7 +150,7 @@ def choice(
 
 def example(
     part: str,
-    finds: Finds,
+    unknowns: Unknowns,
     because: str,
     *laws: Law,
     apart: Sequence[tuple[tuple[object, ...], str]] = (),
@@ -160,7 +160,7 @@ def example(
     """Any numbers that satisfy the laws and are none of the `apart` ones; `free` unknowns must stay free, which is checked."""
     away = tuple((tuple(map(as_expression, values)), why) for values, why in apart)
     words = Statement(part, because, _line())
-    return Example(words, _tuple(finds), laws, away, free, as_expression(scale))
+    return Example(words, _tuple(unknowns), laws, away, free, as_expression(scale))
 
 
 def code(
@@ -247,8 +247,8 @@ def __getattr__(name: str) -> Any:
     return found
 
 
-def _tuple(finds: Finds) -> tuple[sympy.Symbol, ...]:
-    return finds if isinstance(finds, tuple) else (finds,)
+def _tuple(unknowns: Unknowns) -> tuple[sympy.Symbol, ...]:
+    return unknowns if isinstance(unknowns, tuple) else (unknowns,)
 
 
 def _line() -> int:

@@ -19,17 +19,17 @@ from corollary.units.unit import unit
 
 PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
 VALUE = PROBLEM.part("a")
-PLANE = replace(VALUE, kinds=("vector",), components=("x", "y"))
+PLANE = replace(VALUE, answer_types=("vector",), components=("x", "y"))
 LINE = replace(PLANE, components=("A", "B", "C"))
-FORMULA = replace(VALUE, kinds=("expression",))
-LETTER = replace(VALUE, kinds=("choice",), options=(Option("a", "one"), Option("b", "two")))
-OWN = replace(PLANE, kinds=("example",))
-PROOF = replace(VALUE, kinds=("proof",), components=("p",))
-WORDS = replace(VALUE, kinds=("explain",))
+FORMULA = replace(VALUE, answer_types=("expression",))
+LETTER = replace(VALUE, answer_types=("choice",), options=(Option("a", "one"), Option("b", "two")))
+OWN = replace(PLANE, answer_types=("example",))
+PROOF = replace(VALUE, answer_types=("proof",), components=("p",))
+WORDS = replace(VALUE, answer_types=("explain",))
 
 
 def read(given, part=VALUE):
-    return answer_type(part.kind).read(given, question_of(PROBLEM, part))
+    return answer_type(part.answer_type).read(given, question_of(PROBLEM, part))
 
 
 def items(*each):
@@ -225,7 +225,7 @@ def test_lists_in_lists_however_deep():
 def test_samples_are_read_as_they_are_named(part, truth):
     from corollary.grading.from_json import from_json
 
-    samples = judging(part.kind).samples(truth, question_of(PROBLEM, part))
+    samples = judging(part.answer_type).samples(truth, question_of(PROBLEM, part))
     assert {"unread"} < {sample.verdict for sample in samples}
     for sample in samples:
         found = read(from_json(sample.answer), part)

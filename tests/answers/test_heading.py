@@ -19,7 +19,7 @@ VALUE = PROBLEM.part("a")
 
 
 def read(typed, part=VALUE):
-    return answer_type(part.kind).read(Text(typed), question_of(PROBLEM, part))
+    return answer_type(part.answer_type).read(Text(typed), question_of(PROBLEM, part))
 
 
 @pytest.mark.parametrize(

@@ -96,7 +96,7 @@ import sys
 from corollary.derive.solve import solve
 from corollary.problem.bank import chapter_bank, find
 for code in ("X12.5", "S12.6"):
-    assert solve(chapter_bank(), find(chapter_bank(), code)).finds
+    assert solve(chapter_bank(), find(chapter_bank(), code)).unknowns
 print(*sys.modules)
 """
 

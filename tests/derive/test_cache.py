@@ -73,7 +73,7 @@ def test_each_change_is_seen(make, folder, solvings, monkeypatch):
     bank = make(BODY)
     solution_of(bank, problem_of(bank))
     doubled = solution_of(make(TIMES), problem_of(bank))
-    assert doubled.finds[0].in_givens == (author_formula("2*m*v"),)
+    assert doubled.unknowns[0].in_givens == (author_formula("2*m*v"),)
     front = (bank.problems / "carts" / "cart.md").read_text()
     (bank.problems / "carts" / "cart.md").write_text(front.replace("  - m > 0\n", ""))
     assert solution_of(bank, problem_of(bank)).problem.conditions != doubled.problem.conditions
@@ -123,7 +123,7 @@ def test_programs_come_from_the_file(make, folder, solvings):
     bank = make(PROGRAMS, asks=EXPLAINED)
     first, second = (solution_of(bank, problem_of(bank)) for _ in range(2))
     assert solvings == ["X1.1"]
-    assert first.finds == second.finds
+    assert first.unknowns == second.unknowns
     assert [type(entry).__name__ for entry in second.entries] == ["Explain", "Code"]
     assert second.entries[1].inputs({}, None) == [{"x": 1.0}]
 
@@ -164,7 +164,7 @@ def test_many_at_once(make, folder):
 
 
 def _texts(bank: Bank) -> str:
-    return json.dumps(to_data([solution_of(bank, problem_of(bank)).finds for _ in range(3)]))
+    return json.dumps(to_data([solution_of(bank, problem_of(bank)).unknowns for _ in range(3)]))
 
 
 @pytest.mark.parametrize("code", ["X12.2", "X12.13", "X12.11", "E12.3.1"])

@@ -37,7 +37,7 @@ def test_a_step_after_a_step(solved):
     )
     assert local(found, "a") == ["p/t"]
     assert closed(found, "a") == ["m*v/t"]
-    assert [find.names for find in found.finds] == [("p",), ("F",)]
+    assert [find.names for find in found.unknowns] == [("p",), ("F",)]
 
 
 def test_laws_too_few(refused):
@@ -93,7 +93,7 @@ def test_two_answers(refused):
 def test_the_root_that_is_meant(solved, more):
     found = solved(ELASTIC.format(more=more), asks=TWO_CARTS)
     assert closed(found, "a") == ["0", "v"]
-    (refused,) = found.finds[0].rejected
+    (refused,) = found.unknowns[0].rejected
     assert "no collision" in refused or "<" in refused or ">" in refused
 
 
@@ -247,7 +247,7 @@ def test_unknowns_nobody_asks_for(solved):
     found = solved("""
         return derivation(step(p, "With q.", momentum(p, q, v), law("Two", "q = 2*m", q=q, m=m), also=[q], answers="a"))""")
     assert closed(found, "a") == ["2*m*v"]
-    assert [find.names for find in found.finds] == [("p",)]
+    assert [find.names for find in found.unknowns] == [("p",)]
 
 
 @pytest.mark.parametrize(
@@ -272,7 +272,7 @@ def derive(m, v):
 """
     found = solved(whole=whole, front=front, asks="## Best {#a .value}\n")
     assert closed(found, "a") == [answer]
-    assert words in found.finds[0].note
+    assert words in found.unknowns[0].note
 
 
 def test_an_optimum_that_moves_with_the_givens(refused):

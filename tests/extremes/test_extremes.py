@@ -70,7 +70,7 @@ def test_certified_values_are_the_nearest_doubles(solutions, code):
     solution, met = solutions[code], 0
     with mp.workdps(900):
         for label, givens in pushed(chapter(solution.problem)):
-            for place in solution.finds:
+            for place in solution.unknowns:
                 for tree in place.in_givens or ():
                     try:
                         found = certified(tree, givens)
@@ -92,7 +92,7 @@ def test_a_push_counts_every_value(solutions):
     found = push(solutions["X12.5"])
     assert isinstance(found, Pushed)
     assert found.ok
-    assert found.proven == 4 * 4 * sum(len(place.in_givens) for place in solutions["X12.5"].finds)
+    assert found.proven == 4 * 4 * sum(len(place.in_givens) for place in solutions["X12.5"].unknowns)
     # Products and quotients, one rounding a find: a few last places at most.
     assert 0.0 <= found.worst <= 4.0
 

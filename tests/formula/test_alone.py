@@ -15,7 +15,7 @@ from corollary.answers.quantity import describe, read_quantity
 from corollary.formula.latex import latex
 from corollary.formula.syntax import parse
 from corollary.formula.text import text
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import unit
 of = {"m": unit("kg").dimension, "g": unit("m/s^2").dimension, "h": unit("m").dimension}
 tree = parse("m√(2gh)", of)

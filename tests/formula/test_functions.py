@@ -26,7 +26,7 @@ from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text
 from corollary.formula.to_sympy import expression
 from corollary.problem.interval_filter import INTERVALS, Interval
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, unit
 
 # What each function is, said once more by other people's libraries.

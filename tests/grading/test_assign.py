@@ -108,7 +108,7 @@ def test_what_is_dealt_is_admitted(solution):
 def mistakes_off(solved, variant) -> list[float]:
     """How far each mistake of an asked step takes its part from the truth, relative to the length of the answer (that of a zero is none)."""
     truth, off = replay(solved, variant.exact), []
-    for place, find in enumerate(solved.finds):
+    for place, find in enumerate(solved.unknowns):
         for wrong in find.mistakes if find.part and any(truth[place]) else ():
             values = replay(solved, variant.exact, WhatIf(rules={place: wrong.rule}), place)[place]
             off.append(math.dist(values, truth[place]) / math.hypot(*truth[place]))
@@ -204,7 +204,7 @@ def test_no_listed_mistake_is_right_on_what_is_dealt(solution, code):
         key, _ = admitted(solved, variant)
         if key is None:
             continue
-        for place, find in enumerate(solved.finds):
+        for place, find in enumerate(solved.unknowns):
             for wrong in find.mistakes if find.part and len(find.names) == 1 else ():
                 value = replay(solved, variant.exact, WhatIf(rules={place: wrong.rule}), place)[place][0]
                 ((verdict,), _) = judge(

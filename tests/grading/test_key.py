@@ -69,7 +69,7 @@ def test_what_is_held_is_carried_on(solution, key):
 
 def test_a_rule_exchanged_changes_what_comes_after(solution, key):
     solved, own = solution("X12.5"), key("X12.5")
-    wrong = solved.finds[0].mistakes[0].rule  # the kinetic energy in the place of the momentum
+    wrong = solved.unknowns[0].mistakes[0].rule  # the kinetic energy in the place of the momentum
     assert isinstance(wrong, ClosedForms)
     found = replay(solved, own.variant.exact, WhatIf(rules={0: wrong}))
     assert found[2][0] == pytest.approx(0.43 * 20**2 / 2 / 0.1)

@@ -18,7 +18,7 @@ from corollary.formula.syntax import author_formula
 from corollary.formula.text import text
 from corollary.laws import Law, law
 from corollary.laws.law import component, sides, symbols
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import Dimension, unit
 
 m, v, p, t, x, y = sympy.symbols("m v p t x y", real=True)

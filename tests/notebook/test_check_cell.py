@@ -143,7 +143,7 @@ def test_without_a_name_it_goes_through_all_answers_but_the_written_ones(
     space["check"]()
     lines = capsys.readouterr().out.splitlines()
     assert [line.partition(":")[0] for line in lines] == [
-        prompt.key for prompt in ada.prompts if prompt.part.kind != "explain"
+        prompt.key for prompt in ada.prompts if prompt.part.answer_type != "explain"
     ]
 
 

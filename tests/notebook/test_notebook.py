@@ -143,7 +143,9 @@ def test_it_runs_in_a_real_kernel_from_top_to_bottom(ada: Worksheet):
     }
     assert said["X12_5_a"] == "X12_5_a: read as 8.6 N s (2 figures)\n"
     assert said["X12_5_f"] == "X12_5_f: force(t, dt, J) is there\n"
-    assert said["check_all"].count("\n") == sum(prompt.part.kind != "explain" for prompt in ada.prompts)
+    assert said["check_all"].count("\n") == sum(
+        prompt.part.answer_type != "explain" for prompt in ada.prompts
+    )
     assert not any(output.output_type == "error" for each in nb.cells for output in each.get("outputs", []))
 
 

@@ -97,7 +97,7 @@ def own_samples(prompt: Prompt) -> list[Any]:
         truth = "*".join(symbols)
     elif not prompt.answer_types[0].lists_components:
         truth = f"{symbols[0]} = {'*'.join(symbols)}\n{symbols[-1]}^2 = {symbols[0]}"
-    return [sample.answer for sample in judging(prompt.part.kind).samples(truth, question)]
+    return [sample.answer for sample in judging(prompt.part.answer_type).samples(truth, question)]
 
 
 def sent(value: Any) -> Value:
@@ -108,7 +108,7 @@ def sent(value: Any) -> Value:
 def marked(prompt: Prompt, value: Any) -> str:
     """What `check` has to say, by the marker's reading."""
     plain = sent(value)
-    answer = answer_type(prompt.part.kind).read(plain, prompt.question)
+    answer = answer_type(prompt.part.answer_type).read(plain, prompt.question)
     return f"{prompt.name}: {in_words(answer)}\n"
 
 
@@ -158,10 +158,10 @@ def _chain(line: str, wanted: str) -> bool:
 def one_of_each(prompts: dict[str, Prompt]) -> list[str]:
     """The question with most components, or most symbols, of each answer type."""
     sizes = {name: (len(each.part.components), len(each.problem.givens)) for name, each in prompts.items()}
-    types = sorted({each.part.kind for each in prompts.values()})
+    types = sorted({each.part.answer_type for each in prompts.values()})
     return [
         max(
-            (name for name, each in prompts.items() if each.part.kind == its_type),
+            (name for name, each in prompts.items() if each.part.answer_type == its_type),
             key=lambda name: sizes[name],
         )
         for its_type in types
@@ -181,7 +181,7 @@ def test_on_samples_of_every_question(sheet: Worksheet, prompts: dict[str, Promp
 
 def test_on_every_text_of_the_corpora(sheet: Worksheet, prompts: dict[str, Prompt]):
     names = one_of_each(prompts)
-    assert {prompts[name].part.kind for name in names} == {
+    assert {prompts[name].part.answer_type for name in names} == {
         "value", "vector", "expression", "choice", "example", "proof"
     }  # fmt: skip
     tries: list[Try] = [(name, text) for text in typed() for name in names]
@@ -222,7 +222,7 @@ def _one(dice: random.Random, prompt: Prompt) -> Any:
 
 def test_the_marker_says_it_in_the_same_words(prompts: dict[str, Prompt]):
     """A list of what is no text, and a value from which no answer can be read."""
-    vector = next(prompt for prompt in prompts.values() if prompt.part.kind == "vector")
+    vector = next(prompt for prompt in prompts.values() if prompt.part.answer_type == "vector")
     assert isinstance(
         vector.answer_types[0].read(Items((Nothing(), Nothing()), (2,)), vector.question), Blank
     )

@@ -138,7 +138,7 @@ def part(read, attributes: str, text: str = "How much?", title: str = "A part"):
 
 def test_a_part(read):
     found = part(read, '#c_2 .vector unit="kg*m/s" components="x y" points=2.5')
-    assert (found.id, found.kind, found.points, found.components, found.line) == (
+    assert (found.id, found.answer_type, found.points, found.components, found.line) == (
         "c_2",
         "vector",
         2.5,
@@ -165,7 +165,7 @@ def test_a_choice_has_its_options(read):
 
 def test_code_and_plot_go_together(read):
     found = part(read, '#a .code .plot function="motion(N, m)"')
-    assert found.kinds == ("code", "plot")
+    assert found.answer_types == ("code", "plot")
     assert found.function == "motion"
 
 

@@ -20,7 +20,7 @@ from corollary.formula.lexer import Found, Token, tokens
 from corollary.formula.numerals import VULGAR, unsigned
 from corollary.formula.parser import formula
 from corollary.messages import catalogue
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Unit, read_unit, si_unit
 
 _ = catalogue(__name__)

@@ -13,7 +13,7 @@ from corollary.formula.syntax import parse
 from corollary.formula.tex import without_tex
 from corollary.formula.text import text as formula_text
 from corollary.messages import catalogue
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import Dimension, Unit, called, show
 
 _ = catalogue(__name__)

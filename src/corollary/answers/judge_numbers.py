@@ -127,7 +127,7 @@ def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
 def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
     """What may be said without giving the value away."""
     sort, unit = called(question.unit.dimension), show(question.unit)
-    close = _("Close, but outside what rounding explains: carry four figures and round at the end.")
+    off_by_rounding = _("Close, but outside what rounding explains: carry four figures and round at the end.")
     if len(answer.values) == 1 and wanted.values[0] and answer.values[0]:
         ratio = answer.values[0] / wanted.values[0]
         if abs(ratio) > 100 or abs(ratio) < 0.01:
@@ -135,13 +135,13 @@ def _hint(answer: Numbers, wanted: Quantity, question: Question) -> str:
         if ratio < 0:
             return _("Neither the sign nor the size fits.")
         if abs(ratio - 1) < 0.05:
-            return close
+            return off_by_rounding
     if len(answer.values) > 1:
         off = wanted.tolerance * wanted.scale
         triples = zip(question.components, answer.values, wanted.values, strict=True)
         right = [name for name, x, target in triples if abs(x - target) <= off]
         if len(right) == len(answer.values):
-            return close
+            return off_by_rounding
         if right:
             return _components_fit(right, len(answer.values) - len(right))
     if unit:

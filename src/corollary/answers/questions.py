@@ -19,7 +19,7 @@ def question_of(problem: Problem, part: Part) -> Question:
     return Question(
         part.id,
         problem.answer_name(part),
-        part.kinds,
+        part.answer_types,
         part.unit,
         part.title,
         part.components,
@@ -40,18 +40,18 @@ def checked(problem: Problem) -> Problem:
 
 def _misfits(part: Part) -> Iterator[str]:
     names = known()
-    if not _possible(part.kinds, names):
+    if not _possible(part.answer_types, names):
         types = ", ".join(f".{name}" for name in names)
         yield f"part {part.id} needs one kind of {types} (or .code .plot together)"
         return
-    types = [answer_type(name) for name in part.kinds]
+    types = [answer_type(name) for name in part.answer_types]
     accepted = frozenset[str]().union(*(each.accepts for each in types))
     needed = frozenset[str]().union(*(each.needs for each in types))
     if part.components and "components" not in accepted:
         having = [f".{name}" for name in names if "components" in answer_type(name).accepts]
         yield f"part {part.id}: only {', '.join(having[:-1])} and {having[-1]} parts have components"
     if not part.components and "components" in needed:
-        yield f'part {part.id} is a {part.kind}; name its components: components="x y"'
+        yield f'part {part.id} is a {part.answer_type}; name its components: components="x y"'
     if ("function" in needed) != bool(part.signature) or (
         part.signature and not SIGNATURE.match(part.signature)
     ):

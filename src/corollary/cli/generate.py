@@ -45,7 +45,7 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, as_json: bool)
     print(
         f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/"
     )
-    print(f"Each student has numbers of their own; {sum(made.redrawn.values())} draws were passed over.")
+    print(f"Each student has numbers of their own; {sum(made.redrawn.values())} draws were rejected.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"
     )

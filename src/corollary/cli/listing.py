@@ -70,7 +70,7 @@ def _given(given: Given) -> dict[str, Any]:
 def _part(part: Part) -> dict[str, Any]:
     return {
         "title": part.title,
-        "kind": "+".join(part.kinds),
+        "kind": "+".join(part.answer_types),
         "unit": canonical(part.unit),
         "points": part.points,
         "components": list(part.components),

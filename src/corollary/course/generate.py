@@ -27,7 +27,7 @@ NOBODY = Student("everybody", "Chapter's own", "numbers")
 @dataclass(frozen=True, slots=True)
 class Generated:
     """What was made: where each student's notebook lies, the indices of their variants by code of the problem, how many
-    draws were passed over for each problem, and whether nbgrader knows of the set."""
+    draws were rejected for each problem, and whether nbgrader knows of the set."""
 
     course: Course
     notebooks: dict[str, Path]

@@ -19,7 +19,7 @@ from corollary.laws.law import as_expression, substitute
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
-from corollary.units.dimensions import Dimension, dimension_of
+from corollary.units.dimensional_analysis import Dimension, dimension_of
 
 DIGITS, BITS = 30, 128
 ENOUGH = 100  # bits: 30 digits; a ball that knows fewer is left to sympy, which adds precision until it knows
@@ -85,9 +85,9 @@ class Known:
                         each.balls[symbol.name] = ball
         return self._points
 
-    def found(self, finds: tuple[sympy.Symbol, ...], root: Root) -> None:
+    def found(self, unknowns: tuple[sympy.Symbol, ...], root: Root) -> None:
         """Closes the unknowns in the givens."""
-        for symbol in finds:
+        for symbol in unknowns:
             self.formulas[symbol] = simplest(self.in_givens(root[symbol]))
 
     def suppose(self, value: SupposedValue) -> None:
@@ -110,11 +110,11 @@ class Known:
     def tree_in_givens(self, expression: object) -> Expr:
         return tree(self.in_givens(as_expression(expression)))
 
-    def formulas_of(self, finds: tuple[sympy.Symbol, ...]) -> tuple[Expr, ...] | None:
+    def formulas_of(self, unknowns: tuple[sympy.Symbol, ...]) -> tuple[Expr, ...] | None:
         """The closed forms; None where they rest on what was measured."""
-        if any(self.formulas[symbol].free_symbols & self.measured for symbol in finds):
+        if any(self.formulas[symbol].free_symbols & self.measured for symbol in unknowns):
             return None
-        return tuple(tree(self.formulas[symbol]) for symbol in finds)
+        return tuple(tree(self.formulas[symbol]) for symbol in unknowns)
 
     def dimensions_of(self, trees: tuple[Expr, ...], expected: Dimension | None) -> tuple[Dimension, ...]:
         """The dimension of each component; one that is 0 has what is asked for, or what the others have.
@@ -135,9 +135,9 @@ class Known:
         return tuple(zero if each is None else each for each in found)
 
 
-def forms(finds: tuple[sympy.Symbol, ...], root: Root) -> ClosedForms:
+def forms(unknowns: tuple[sympy.Symbol, ...], root: Root) -> ClosedForms:
     """The root of some laws as formulas."""
-    return ClosedForms(tuple(tree(simplest(root[symbol])) for symbol in finds))
+    return ClosedForms(tuple(tree(simplest(root[symbol])) for symbol in unknowns))
 
 
 def simplest(expr: sympy.Expr) -> sympy.Expr:

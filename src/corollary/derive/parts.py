@@ -60,24 +60,26 @@ def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
     part = problem.part(name)
     wanted = _stated_by(part)
     if isinstance(entry, Neglected) and wanted != ["step"]:
-        yield f"part {name} is .{part.kind}; only of a number can be said what is neglected in it"
+        yield f"part {name} is .{part.answer_type}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
-        yield f"part {name} is .{' .'.join(part.kinds)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
-    elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.finds) != (
+        yield f"part {name} is .{' .'.join(part.answer_types)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
+    elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.unknowns) != (
         len(part.components) or 1
     ):
         numbers = f"components {', '.join(part.components)}" if part.components else "one number"
-        yield f"part {name} asks for {numbers}, but {', '.join(map(str, entry.finds))} is found"
+        yield f"part {name} asks for {numbers}, but {', '.join(map(str, entry.unknowns))} is found"
 
 
 def _stated_by(part: Part) -> list[str]:
     """The author's words that answer a part: one, or `code` and `plot`."""
-    return [answer_type(name).stated_by for name in part.kinds]
+    return [answer_type(name).stated_by for name in part.answer_types]
 
 
 def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:
     found = {
-        entry.statement.part: len(entry.finds) for entry in derivation.entries if isinstance(entry, Finding)
+        entry.statement.part: len(entry.unknowns)
+        for entry in derivation.entries
+        if isinstance(entry, Finding)
     }
     for entry in derivation.entries:
         if isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(

@@ -22,7 +22,7 @@ from corollary.derive.statements import (
 )
 from corollary.formula.ast import Expr, Relation
 from corollary.problem.problem import Problem
-from corollary.units.dimensions import Dimension
+from corollary.units.dimensional_analysis import Dimension
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,10 +108,10 @@ Unsolved = Code | Plot | Explain | Printed  # entries that are used as they stan
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """All that is true of a problem; `finds` in the order in which they are found, choices and the like by part."""
+    """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part."""
 
     problem: Problem
-    finds: tuple[Unknown, ...]
+    unknowns: tuple[Unknown, ...]
     choices: Mapping[str, SolvedChoice]
     examples: Mapping[str, SolvedExample]
     proofs: Mapping[str, SolvedProof]
@@ -120,4 +120,4 @@ class Solution:
 
     def answer(self, part: str) -> Unknown | None:
         """What answers a part."""
-        return next((find for find in self.finds if find.part == part), None)
+        return next((find for find in self.unknowns if find.part == part), None)

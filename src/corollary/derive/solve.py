@@ -43,7 +43,7 @@ from corollary.formula.from_sympy import relation, tree
 from corollary.laws.law import Law, as_expression, sides, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
-from corollary.units.dimensions import Dimension
+from corollary.units.dimensional_analysis import Dimension
 from corollary.units.unit import called, show
 
 
@@ -81,7 +81,7 @@ class _Solver:
         entries = self.loaded.derivation.entries
         for sentence, line in misfits(self.problem, self.loaded.derivation):
             raise self.failing(sentence, line)
-        finds: list[Unknown] = []
+        unknowns: list[Unknown] = []
         choices: dict[str, SolvedChoice] = {}
         examples: dict[str, SolvedExample] = {}
         proofs: dict[str, SolvedProof] = {}
@@ -90,7 +90,7 @@ class _Solver:
             try:
                 match entry:
                     case Step() | Optimum() | Simulated():
-                        finds.append(self.find(entry))
+                        unknowns.append(self.find(entry))
                     case Choice():
                         choices[part] = self.choice(entry)
                     case Example():
@@ -100,14 +100,20 @@ class _Solver:
                     case _:
                         continue  # code, plot, explain, printed need no solving; what is neglected comes last
             except ValueError as error:  # NoRoot and NoTree among them
-                names = ", ".join(map(str, entry.finds)) if isinstance(entry, Finding) else ""
+                names = ", ".join(map(str, entry.unknowns)) if isinstance(entry, Finding) else ""
                 about = f"part {part}" if part else names
                 at_fault = error.line if isinstance(error, NoRoot) else 0
                 raise self.failing(f"{about}: {error}", at_fault or entry.statement.line) from error
         # after all that is found, so that nothing can lean on what is only supposed
         left_out = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         return Solution(
-            self.problem, tuple(finds), choices, examples, proofs, unsolved(self.loaded.derivation), left_out
+            self.problem,
+            tuple(unknowns),
+            choices,
+            examples,
+            proofs,
+            unsolved(self.loaded.derivation),
+            left_out,
         )
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
@@ -115,7 +121,7 @@ class _Solver:
         return NotDerivable(self.loaded.path, line or self.loaded.line, sentence)
 
     def find(self, entry: Step | Optimum | Simulated) -> Unknown:
-        for symbol in entry.finds:
+        for symbol in entry.unknowns:
             if symbol.name in self.known.dimensions:
                 raise NoRoot(f"{symbol} is given or found already; give the new find another letter")
         match entry:
@@ -131,17 +137,17 @@ class _Solver:
     def step(self, entry: Step) -> Unknown:
         known = self.known
         picked = pick(self.roots(entry, entry.laws), known.points, entry.where, entry.rejected)
-        local = forms(entry.finds, picked.root)
+        local = forms(entry.unknowns, picked.root)
         routes = tuple(SolvedRoute(applied_route(route), self.route(entry, route)) for route in entry.routes)
         mistakes = tuple(self.wrong(entry, mistake, entry.where) for mistake in entry.mistakes)
-        known.found(entry.finds, picked.root)
+        known.found(entry.unknowns, picked.root)
         known.aside |= {symbol: simplest(known.in_givens(picked.root[symbol])) for symbol in entry.also}
         return Unknown(
             statement=entry.statement,
-            names=_names(entry.finds),
+            names=_names(entry.unknowns),
             laws=tuple(map(applied, entry.laws)),
             local=local,
-            in_givens=known.formulas_of(entry.finds),
+            in_givens=known.formulas_of(entry.unknowns),
             routes=routes,
             mistakes=mistakes,
             rejected=picked.refused,
@@ -154,16 +160,16 @@ class _Solver:
         known = self.known
         goal = known.in_givens(as_expression(entry.of))
         value, note = best(goal, entry.over, entry.between, entry.largest, known.points)
-        root = {entry.finds[0]: value}
-        local = forms(entry.finds, root)
+        root = {entry.unknowns[0]: value}
+        local = forms(entry.unknowns, root)
         mistakes = tuple(self.wrong(entry, mistake, True) for mistake in entry.mistakes)
-        known.found(entry.finds, root)
+        known.found(entry.unknowns, root)
         return Unknown(
             statement=entry.statement,
-            names=_names(entry.finds),
+            names=_names(entry.unknowns),
             laws=(),
             local=local,
-            in_givens=known.formulas_of(entry.finds),
+            in_givens=known.formulas_of(entry.unknowns),
             routes=(),
             mistakes=mistakes,
             rejected=(),
@@ -183,17 +189,17 @@ class _Solver:
             raise NoRoot(f"scene {entry.scene} has no setting {', '.join(sorted(strange))}")
         settings = {name: tree(value) for name, value in entry.settings.items()}
         mistakes = tuple(self.wrong(entry, mistake, True) for mistake in entry.mistakes)
-        self.known.measured |= set(entry.finds)
+        self.known.measured |= set(entry.unknowns)
         return Unknown(
             statement=entry.statement,
-            names=_names(entry.finds),
+            names=_names(entry.unknowns),
             laws=(),
             local=Measured(entry.scene, settings, entry.observe),
             in_givens=None,
             routes=(),
             mistakes=mistakes,
             rejected=(),
-            dimensions=(self.problem.part(entry.statement.part).unit.dimension,) * len(entry.finds),
+            dimensions=(self.problem.part(entry.statement.part).unit.dimension,) * len(entry.unknowns),
             scale=None,
             note="",
         )
@@ -201,7 +207,7 @@ class _Solver:
     def route(self, entry: Step, route: Route[Law]) -> Rule:
         try:
             found = self.roots(entry, route.laws)
-            return forms(entry.finds, pick(found, self.known.points, entry.where, ()).root)
+            return forms(entry.unknowns, pick(found, self.known.points, entry.where, ()).root)
         except ValueError as error:
             raise NoRoot(str(error), route.line) from error
 
@@ -213,13 +219,13 @@ class _Solver:
             laws = exchanged(entry.laws, mistake) if isinstance(entry, Step) else mistake.rule.laws
             found = self.roots(entry, laws)
             root = found[0] if len(found) == 1 else pick(found, self.known.points, where, ()).root
-            return Mistake(mistake.text, forms(entry.finds, root), mistake.line)
+            return Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
         except ValueError as error:
             raise NoRoot(str(error), mistake.line) from error
 
     def roots(self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]) -> list[Root]:
         also = entry.also if isinstance(entry, Step) else ()
-        return roots(laws, [*entry.finds, *also], self.known.letters)
+        return roots(laws, [*entry.unknowns, *also], self.known.letters)
 
     def dimensions(self, entry: Step | Optimum, trees: tuple[Expr, ...]) -> tuple[Dimension, ...]:
         """The dimension of each component; raises ValueError when it is not what the part asks for."""
@@ -250,13 +256,13 @@ class _Solver:
         equations = [
             sympy.simplify(known.in_givens(left - right)) for law in entry.laws for left, right in sides(law)
         ]
-        unknowns = len(entry.finds)
-        free = unknowns - sympy.Matrix(equations).jacobian(list(entry.finds)).rank()
+        unknowns = len(entry.unknowns)
+        free = unknowns - sympy.Matrix(equations).jacobian(list(entry.unknowns)).rank()
         if free != entry.free:
             raise NoRoot(f"{len(equations)} laws for {unknowns} unknowns leave {free} free, not {entry.free}")
         return Example(
             entry.statement,
-            _names(entry.finds),
+            _names(entry.unknowns),
             tuple(map(applied, entry.laws)),
             tuple((tuple(map(known.tree_in_givens, values)), why) for values, why in entry.apart),
             entry.free,
@@ -269,7 +275,7 @@ class _Solver:
     ) -> tuple[Expr, ...] | None:
         """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
         known, scale = self.known, self.known.in_givens(entry.scale)
-        chosen, others = entry.finds[: entry.free], list(entry.finds[entry.free :])
+        chosen, others = entry.unknowns[: entry.free], list(entry.unknowns[entry.free :])
         for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
             fixed: dict[sympy.Symbol, Any] = dict.fromkeys(chosen, share * scale)
             left = [substitute(equation, fixed) for equation in equations]
@@ -277,9 +283,9 @@ class _Solver:
                 whole = fixed | root
                 if all(
                     symbol in whole and not whole[symbol].free_symbols - set(known.formulas)
-                    for symbol in entry.finds
+                    for symbol in entry.unknowns
                 ) and all(at(value, each).is_real for value in whole.values() for each in known.points):
-                    return tuple(tree(simplest(whole[symbol])) for symbol in entry.finds)
+                    return tuple(tree(simplest(whole[symbol])) for symbol in entry.unknowns)
         return None
 
     def neglected(self, entry: Neglected[Step, Supposed]) -> SolvedNeglected:
@@ -293,5 +299,5 @@ class _Solver:
             raise self.failing(sentence, entry.statement.line) from error
 
 
-def _names(finds: tuple[sympy.Symbol, ...]) -> tuple[str, ...]:
-    return tuple(symbol.name for symbol in finds)
+def _names(unknowns: tuple[sympy.Symbol, ...]) -> tuple[str, ...]:
+    return tuple(symbol.name for symbol in unknowns)

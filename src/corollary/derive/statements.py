@@ -100,7 +100,7 @@ class Step:
     """Unknowns found because of laws. `also` are unknowns that the laws need and nobody asks for."""
 
     statement: Statement
-    finds: tuple[sympy.Symbol, ...]
+    unknowns: tuple[sympy.Symbol, ...]
     laws: tuple[Law, ...]
     also: tuple[sympy.Symbol, ...]
     where: Boolean | bool
@@ -115,7 +115,7 @@ class Optimum:
     """The value of one letter, between bounds, that makes something as large (or small) as it can be."""
 
     statement: Statement
-    finds: tuple[sympy.Symbol, ...]
+    unknowns: tuple[sympy.Symbol, ...]
     of: sympy.Expr
     over: sympy.Symbol
     between: tuple[sympy.Expr, sympy.Expr]
@@ -128,7 +128,7 @@ class Simulated:
     """Unknowns measured in a simulated scene, where no closed form is at hand. Settings are formulas of givens and unknowns."""
 
     statement: Statement
-    finds: tuple[sympy.Symbol, ...]
+    unknowns: tuple[sympy.Symbol, ...]
     scene: str
     settings: Mapping[str, sympy.Expr]
     observe: str
@@ -152,7 +152,7 @@ class Example(Generic[Symbol, Expression, LawT]):
     """
 
     statement: Statement
-    finds: tuple[Symbol, ...]
+    unknowns: tuple[Symbol, ...]
     laws: tuple[LawT, ...]
     apart: tuple[tuple[tuple[Expression, ...], str], ...]
     free: int

@@ -49,7 +49,7 @@ def worked_solution(
     problem = solution.problem
     known = _given_numbers(variant)
     lines: list[str] = []
-    for find, numbers in zip(solution.finds, values, strict=True):
+    for find, numbers in zip(solution.unknowns, values, strict=True):
         part = problem.part(find.part) if find.part else None
         heading = _heading(part) if part else _("**First find {names}.**", names=_names(find))
         lines += [heading, "", *_unknown(find, numbers, part, known), ""]

@@ -85,7 +85,7 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
     through such steps only. One that never changes a part is no mistake for it.
     """
     solution, givens = key.solution, key.variant.exact
-    for place, find in enumerate(solution.finds):
+    for place, find in enumerate(solution.unknowns):
         for mistake in find.mistakes:
             for part in first_asked(solution, place):
                 truth = key.truths[part]
@@ -103,11 +103,11 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
 
 def first_asked(solution: Solution, place: int) -> list[str]:
     """The parts where a mistake at a step shows first."""
-    find = solution.finds[place]
+    find = solution.unknowns[place]
     if find.part:
         return [find.part]
     parts: list[str] = []
-    for later, other in enumerate(solution.finds[place + 1 :], place + 1):
+    for later, other in enumerate(solution.unknowns[place + 1 :], place + 1):
         if other.part and place in ancestors(solution, later) and _unasked_way(solution, place, later):
             parts.append(other.part)
     return parts
@@ -137,16 +137,16 @@ def _changes(problem: Problem, solution: Solution, place: int, rule: Rule, at: i
 def _unasked_way(solution: Solution, start: int, end: int) -> bool:
     """Whether a way of rules leads from one find to another over finds nobody is asked about."""
     names_of: Mapping[str, int] = {
-        name: place for place, find in enumerate(solution.finds) for name in find.names
+        name: place for place, find in enumerate(solution.unknowns) for name in find.names
     }
     todo, seen = [end], set[int]()
     while todo:
         place = todo.pop()
-        for name in _letters(solution.finds[place]):
+        for name in _letters(solution.unknowns[place]):
             above = names_of.get(name)
             if above == start:
                 return True
-            if above is not None and above not in seen and not solution.finds[above].part:
+            if above is not None and above not in seen and not solution.unknowns[above].part:
                 seen.add(above)
                 todo.append(above)
     return False

@@ -82,7 +82,7 @@ def _follow_through(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> It
 def _requirement(key: Key, part: str) -> Requirement:
     example = key.solution.examples[part]
     known = key.variant.exact | named(key.solution, list(key.values))
-    return Requirement(example.finds, tuple(map(_law, example.laws)), known, example.apart, example.scale)
+    return Requirement(example.unknowns, tuple(map(_law, example.laws)), known, example.apart, example.scale)
 
 
 def _law(law: AppliedLaw) -> NamedLaw:
@@ -115,7 +115,7 @@ def lawful_points(key: Key) -> list[Point]:
             continue
         found = {
             name: as_exact(value)
-            for find, numbers in zip(solution.finds, values, strict=True)
+            for find, numbers in zip(solution.unknowns, values, strict=True)
             for name, value in zip(find.names, numbers, strict=True)
         }
         points.append(variant.exact | found)

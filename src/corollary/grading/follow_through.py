@@ -44,7 +44,7 @@ def consequences(key: Key, truth: Truth, answers: Mapping[str, Values]) -> Itera
             right[other.place] = values
         elif not degenerate(values, other):
             wrong[part] = other.place, values
-    rules: list[Rule | None] = [None, *(route.rule for route in solution.finds[truth.place].routes)]
+    rules: list[Rule | None] = [None, *(route.rule for route in solution.unknowns[truth.place].routes)]
     for count in range(min(len(wrong), MOST) + 1):
         for parts in combinations(list(wrong)[-MOST:], count):
             held = dict(wrong[part] for part in parts)

@@ -39,7 +39,7 @@ def judge(
         runs = verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
         expected = expected_of(key, part, earlier, runs)
         answer = read(part, answers.get(part.id, Nothing()), expected)
-        verdicts = tuple(verdict_on(name, answer, expected) for name in part.kinds)
+        verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
         result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.as_read
         values = values_in(answer, expected)
         if values is not None:
@@ -49,7 +49,7 @@ def judge(
 
 def read(part: Part, value: Value, expected: Expected) -> Answer:
     """The answer to a part; of a function or a figure its signature, for it is judged by what it does when run."""
-    its_type = answer_type(part.kind)
+    its_type = answer_type(part.answer_type)
     if its_type.found_in in ("function", "figure"):
         return Prose(part.signature)
     return its_type.read(value, expected.question)
@@ -60,7 +60,7 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
     match answer:
         case Blank():
             return Unread(_("No answer was given."), blank=True)
-        case Unclear(why, _shown, readings):
+        case Unclear(why, _excerpt, readings):
             if any(isinstance(verdict_on(name, each, expected), Right | Follows) for each in readings):
                 reason = f"{why[0].upper()}{why[1:]}."
                 return Unmarked(

@@ -57,7 +57,7 @@ class Key:
         return self.truths[part]
 
     def find(self, truth: Truth) -> Unknown:
-        return self.solution.finds[truth.place]
+        return self.solution.unknowns[truth.place]
 
 
 def make_key(solution: Solution, variant: Variant) -> Key:
@@ -65,7 +65,7 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     givens = variant.exact
     values: list[Values] = []
     stated: dict[int, tuple[bool, float]] = {}
-    for place, find in enumerate(solution.finds):
+    for place, find in enumerate(solution.unknowns):
         try:
             numbers, proven, error = answer(solution, find, variant, values)
         except Undefined as why:
@@ -75,7 +75,7 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         stated[place] = proven, error
     noise = noise_of(solution, givens, values)
     truths: dict[str, Truth] = {}
-    for place, find in enumerate(solution.finds):
+    for place, find in enumerate(solution.unknowns):
         if find.part:
             proven, error = stated[place]
             scale = scale_of(find, values[place], givens | named(solution, values))
@@ -111,7 +111,7 @@ def named(solution: Solution, values: Sequence[Values]) -> dict[str, RationalPi]
     """The unknowns found so far, by their letters, as exact numbers."""
     return {
         name: as_exact(value)
-        for find, numbers in zip(solution.finds, values, strict=False)
+        for find, numbers in zip(solution.unknowns, values, strict=False)
         for name, value in zip(find.names, numbers, strict=True)
         if math.isfinite(value)
     }

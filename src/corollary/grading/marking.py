@@ -53,7 +53,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
     calls = [
         ask
         for prompt in sheet.prompts
-        if answer_type(prompt.part.kind).found_in == "function"
+        if answer_type(prompt.part.answer_type).found_in == "function"
         for ask in asks(
             keys[prompt.problem.code].solution,
             keys[prompt.problem.code].variant,
@@ -64,7 +64,7 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
     ]
     cells = tuple(Cell(name, source) for name, source in code_to_run(notebook.node, handed_out(sheet)))
     names = tuple(
-        prompt.name for prompt in sheet.prompts if answer_type(prompt.part.kind).found_in == "variable"
+        prompt.name for prompt in sheet.prompts if answer_type(prompt.part.answer_type).found_in == "variable"
     )
     return Job(cells, names, tuple(calls))
 
@@ -102,7 +102,7 @@ def _grade(
 
 
 def _answer(prompt: Prompt, notebook: Notebook, executed: ExecutionResult) -> Value:
-    if answer_type(prompt.part.kind).found_in == "cell":
+    if answer_type(prompt.part.answer_type).found_in == "cell":
         text = written_text(notebook.node, prompt)
         return Text(text) if text else Nothing()
     return executed.values.get(prompt.name, Nothing())

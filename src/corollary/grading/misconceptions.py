@@ -29,7 +29,7 @@ def wrong_values(key: Key, truth: Truth, base: Consequence) -> Iterator[tuple[Va
     for place in sorted(ancestors(solution, truth.place) | {truth.place}, reverse=True):
         if place in base.what_if.held:
             continue
-        for mistake in solution.finds[place].mistakes:
+        for mistake in solution.unknowns[place].mistakes:
             what_if = WhatIf(base.what_if.held, {**base.what_if.rules, place: mistake.rule})
             yield from _replayed(key, truth, what_if, key.variant.exact, mistake.text)
 
@@ -37,7 +37,7 @@ def wrong_values(key: Key, truth: Truth, base: Consequence) -> Iterator[tuple[Va
 def wrong_formulas(key: Key, place: int) -> Iterator[tuple[tuple[Expr, ...], str]]:
     """Closed forms of an unknown by each misconception, at its own step and at those it is made of."""
     for at in sorted(ancestors(key.solution, place) | {place}, reverse=True):
-        for mistake in key.solution.finds[at].mistakes:
+        for mistake in key.solution.unknowns[at].mistakes:
             in_givens = _in_givens(key, place, at, mistake.rule)
             if in_givens is not None:
                 yield in_givens, mistake.text
@@ -59,7 +59,7 @@ def slips_of_input(key: Key, truth: Truth, base: Consequence) -> Iterator[tuple[
     if any(_is_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
             place: ClosedForms(tuple(map(_swapped, find.local.trees)))
-            for place, find in enumerate(key.solution.finds)
+            for place, find in enumerate(key.solution.unknowns)
             if isinstance(find.local, ClosedForms)
         }
         what_if = WhatIf(base.what_if.held, swapped | dict(base.what_if.rules))
@@ -79,7 +79,7 @@ def _replayed(
 def _in_givens(key: Key, place: int, at: int, rule: Rule) -> tuple[Expr, ...] | None:
     """The unknown at `place` in givens alone, when the rule at `at` is exchanged; None where a scene is on the way."""
     meaning: dict[str, Expr] = {}
-    for index, find in enumerate(key.solution.finds[: place + 1]):
+    for index, find in enumerate(key.solution.unknowns[: place + 1]):
         local = rule if index == at else find.local
         if not isinstance(local, ClosedForms):
             return None

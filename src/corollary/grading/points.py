@@ -47,17 +47,17 @@ def grade(
         out_of = part.points * weight
         points = out_of * sum(share(verdict, scheme) for verdict in verdicts) / len(verdicts)
         decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
-        feedback = _feedback(part.kinds, verdicts)
+        feedback = _feedback(part.answer_types, verdicts)
         if reveal and not isinstance(decisive, Right) and (solution := revealed(key, part)):
             feedback = f"{feedback} {solution}"
         parts.append(PartGrade(part, decisive, round(points, 6), out_of, answer, feedback))
     return Grade(key.variant, tuple(parts))
 
 
-def _feedback(kinds: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
+def _feedback(answer_types: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:
     if len(verdicts) == 1:
         return sentence(verdicts[0])
     return " ".join(
-        f"{answer_type(kind).word}: {sentence(verdict)}"
-        for kind, verdict in zip(kinds, verdicts, strict=True)
+        f"{answer_type(name).word}: {sentence(verdict)}"
+        for name, verdict in zip(answer_types, verdicts, strict=True)
     )

@@ -35,7 +35,7 @@ def replay(
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
     values: dict[str, RationalPi] = dict(givens)
     found: list[Values] = []
-    for place, find in enumerate(solution.finds):
+    for place, find in enumerate(solution.unknowns):
         numbers = what_if.held.get(place)
         if numbers is None:
             numbers = compute(what_if.rules.get(place, find.local), values)
@@ -97,11 +97,11 @@ def ancestors(solution: Solution, place: int) -> frozenset[int]:
 
 
 def _ancestors(solution: Solution, place: int) -> frozenset[int]:
-    owner = {name: at for at, find in enumerate(solution.finds) for name in find.names}
+    owner = {name: at for at, find in enumerate(solution.unknowns) for name in find.names}
     seen: set[int] = set()
     todo = [place]
     while todo:
-        for name in uses(solution.finds[todo.pop()]):
+        for name in uses(solution.unknowns[todo.pop()]):
             at = owner.get(name)
             if at is not None and at not in seen:
                 seen.add(at)

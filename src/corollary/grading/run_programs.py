@@ -21,7 +21,7 @@ def run_programs(key: Key, answers: Mapping[str, Value]) -> dict[str, ProgramRun
     sources = {
         part.id: given.text
         for part in problem.parts
-        if answer_type(part.kind).found_in in ("function", "figure")
+        if answer_type(part.answer_type).found_in in ("function", "figure")
         and isinstance(given := answers.get(part.id), Text)
     }
     if not sources:

@@ -45,12 +45,12 @@ def cell_id(key: str, its_type: AnswerType) -> str:
 
 def answer_id(key: str, part: Part) -> str:
     """The grade_id of the cell that holds the answer; for a function with a plot, the function's."""
-    return cell_id(key, answer_type(part.kind))
+    return cell_id(key, answer_type(part.answer_type))
 
 
 def plot_id(key: str, part: Part) -> str | None:
     """The grade_id of the cell whose figures matter; None for a part without a plot."""
-    drawn = [each for each in map(answer_type, part.kinds) if each.found_in == "figure"]
+    drawn = [each for each in map(answer_type, part.answer_types) if each.found_in == "figure"]
     return cell_id(key, drawn[0]) if drawn else None
 
 

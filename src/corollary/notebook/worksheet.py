@@ -43,7 +43,7 @@ class Prompt:
     @property
     def answer_types(self) -> tuple[AnswerType, ...]:
         """One; or two, for a function and a figure drawn with it."""
-        return tuple(map(answer_type, self.part.kinds))
+        return tuple(map(answer_type, self.part.answer_types))
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +91,7 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
 
 def _text(problem: Problem, part: Part, variant: Variant) -> str:
     """The question with its numbers, and what its answer type adds."""
-    more = answer_type(part.kind).instructions(question_of(problem, part))
+    more = answer_type(part.answer_type).instructions(question_of(problem, part))
     return "\n\n".join(filter(None, (filled(part.text, variant), more)))
 
 

@@ -17,7 +17,7 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """`kinds` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order.
+    """`answer_types` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -25,7 +25,7 @@ class Part:
     id: str
     title: str
     text: str
-    kinds: tuple[str, ...]
+    answer_types: tuple[str, ...]
     unit: Unit
     points: float
     components: tuple[str, ...]
@@ -34,9 +34,9 @@ class Part:
     line: int
 
     @property
-    def kind(self) -> str:
+    def answer_type(self) -> str:
         """The answer type; of two, the one that is asked for first."""
-        return self.kinds[0]
+        return self.answer_types[0]
 
     @property
     def function(self) -> str:

@@ -12,7 +12,7 @@ from corollary.units.unit import Unit, unit
 
 HEADING = re.compile(r"""##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>(?:[^{}"]|"[^"]*")*)\})?\s*$""")
 ATTRIBUTE = re.compile(
-    r"""\#(?P<id>[\w-]+)|\.(?P<kind>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))"""
+    r"""\#(?P<id>[\w-]+)|\.(?P<type>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))"""
 )
 OPTION = re.compile(r"-\s+\((?P<letter>[a-z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
@@ -54,13 +54,13 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         complain('a part needs attributes: ## Title {#a .value unit="kg m/s" points=1}')
         return None
     ids: list[str] = []
-    kinds: list[str] = []
+    answer_types: list[str] = []
     settings: dict[str, str] = {}
     for attribute in ATTRIBUTE.finditer(match["attributes"]):
         if attribute["id"]:
             ids.append(attribute["id"])
-        elif attribute["kind"]:
-            kinds.append(attribute["kind"])
+        elif attribute["type"]:
+            answer_types.append(attribute["type"])
         else:
             settings[attribute["name"]] = (
                 attribute["quoted"] if attribute["quoted"] is not None else attribute["bare"]
@@ -81,7 +81,7 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         ids[0],
         match["title"],
         text,
-        tuple(sorted(kinds)),  # `.plot .code` is `.code .plot`
+        tuple(sorted(answer_types)),  # `.plot .code` is `.code .plot`
         measured_in,
         points,
         tuple(settings.get("components", "").split()),

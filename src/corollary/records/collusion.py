@@ -104,7 +104,7 @@ def _wrong(problem: Problem, records: Mapping[str, Record]) -> Iterator[tuple[st
             marked = record.parts.get(problem.answer_name(part))
             if marked is None or marked.verdict != "wrong":
                 continue
-            answer = answer_type(part.kind).read(Text(marked.answer), question_of(problem, part))
+            answer = answer_type(part.answer_type).read(Text(marked.answer), question_of(problem, part))
             if isinstance(answer, Numbers) and not answer.misfit and any(answer.values):
                 yield student, part, answer.values
 
@@ -114,7 +114,7 @@ def _truths(
 ) -> dict[str, dict[str, tuple[float, ...]]]:
     """The right answers of everybody, by part and student."""
     solution = solutions.of(problem)
-    places = {find.part: place for place, find in enumerate(solution.finds) if find.part in parts}
+    places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part in parts}
     truths: dict[str, dict[str, tuple[float, ...]]] = {part: {} for part in places}
     for student, row in assigned.items():
         variant = assigned_variant(problem, row)

@@ -86,7 +86,7 @@ def wanted(prompt: Prompt) -> str:
     words = [points_earned(prompt.out_of)]
     if unit := show(part.unit):
         words.append(_("in {unit}", unit=unit))
-    if part.components and answer_type(part.kind).lists_components:
+    if part.components and answer_type(part.answer_type).lists_components:
         words.append(_("as {components}", components=", ".join(part.components)))
     if part.signature:
         words.append(_("a function {signature}", signature=part.signature))

@@ -50,7 +50,7 @@ def push(solution: Solution) -> Pushed:
     worst, where = 0.0, ""
     for label, givens in pushed(chapter(solution.problem)):
         replayed = replay_in_doubles(solution, givens)
-        for find in solution.finds:
+        for find in solution.unknowns:
             for i, tree in enumerate(find.in_givens or ()):
                 try:
                     true = certified(tree, givens)
@@ -96,7 +96,7 @@ def replay_in_doubles(solution: Solution, givens: Mapping[str, RationalPi]) -> d
     """Each find from the rounded earlier ones, as marks are made; those that come from a scene, or need one, are left out."""
     known: dict[str, RationalPi] = dict(givens)
     found: dict[str, float] = {}
-    for find in solution.finds:
+    for find in solution.unknowns:
         if isinstance(find.local, Measured) or any(
             names(tree) - known.keys() - {"pi"} for tree in find.local.trees
         ):

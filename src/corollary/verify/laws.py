@@ -7,7 +7,7 @@ from corollary.derive.solve import unproven
 from corollary.formula.ast import names
 from corollary.formula.errors import ParseError, sentence
 from corollary.problem.bank import Bank
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.verify.checked import Tally
 
 
@@ -22,13 +22,13 @@ def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
 def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     """Every law of the derivation, as it stands here, has the same dimension on both sides."""
     dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
-    for find in solution.finds:
+    for find in solution.unknowns:
         dimensions |= dict(zip(find.names, find.dimensions, strict=True))
     path = bank.solution(solution.problem)
     for left in solution.neglected:
         dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))
         dimensions |= {value.stated.name: value.dimension for value in left.supposing}
-    for find in (*solution.finds, *(left.bound for left in solution.neglected)):
+    for find in (*solution.unknowns, *(left.bound for left in solution.neglected)):
         for law in (*find.laws, *(law for route in find.routes for law in route.stated.laws)):
             for relation in law.here:
                 if names(relation) - {"pi"} - dimensions.keys():

@@ -40,7 +40,7 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
     parts = [
         part
         for part in key.variant.problem.parts
-        if answer_type(part.kind).found_in in ("function", "figure")
+        if answer_type(part.answer_type).found_in in ("function", "figure")
     ]
     if not parts:
         return
@@ -49,18 +49,18 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
         with Runner() if runner is None else nullcontext(runner) as runner:
             for part in parts:
                 where = f"{path.name}:{_line(key, part)}: part {part.id}"
-                for kind, verdict in zip(
-                    part.kinds, _verdicts(runner, key, part, example(key, part)), strict=True
+                for name, verdict in zip(
+                    part.answer_types, _verdicts(runner, key, part, example(key, part)), strict=True
                 ):
                     if not tally.check(isinstance(verdict, Right), "programs run"):
                         tally.complain(
-                            f"{where}: the example's {kind} should be right and is {_described(verdict)}"
+                            f"{where}: the example's {name} should be right and is {_described(verdict)}"
                         )
-                for kind, verdict in zip(
-                    part.kinds, _verdicts(runner, key, part, bent(key, part)), strict=True
+                for name, verdict in zip(
+                    part.answer_types, _verdicts(runner, key, part, bent(key, part)), strict=True
                 ):
                     if not tally.check(isinstance(verdict, Wrong | Mistaken), "programs run"):
-                        function = answer_type(kind).found_in == "function"
+                        function = answer_type(name).found_in == "function"
                         what = (
                             "the example with its numbers bent" if function else "a figure with nothing in it"
                         )

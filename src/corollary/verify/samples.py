@@ -44,7 +44,7 @@ def samples(key: Key, part: Part) -> tuple[Sample, ...]:
     """What the part's answer type makes of its truth; programs and figures have theirs run elsewhere."""
     truth = _truth(key, part)
     question = question_of(key.variant.problem, part)
-    return () if truth is None else tuple(judging(part.kind).samples(truth, question))
+    return () if truth is None else tuple(judging(part.answer_type).samples(truth, question))
 
 
 def _truth(key: Key, part: Part) -> Truth | None:
@@ -59,7 +59,7 @@ def _truth(key: Key, part: Part) -> Truth | None:
         return None if instance is None else [number(tree, known) for tree in instance]
     if part.id not in key.truths:
         return ""
-    if not answer_type(part.kind).in_symbols:
+    if not answer_type(part.answer_type).in_symbols:
         return key.truths[part.id].values
     in_givens = key.find(key.truths[part.id]).in_givens
     return text(in_givens[0]) if in_givens else None

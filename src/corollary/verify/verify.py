@@ -31,7 +31,7 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
     try:
         solution = solve(bank, problem)
         tally.count("parts", len(problem.parts))
-        tally.count("mistakes", sum(len(find.mistakes) for find in solution.finds))
+        tally.count("mistakes", sum(len(find.mistakes) for find in solution.unknowns))
         check_laws(bank, solution, tally)
         check_dimensions(bank, solution, tally)
         own = make_key(solution, chapter(problem))

@@ -77,7 +77,7 @@ def check_right(key: Key, tally: Tally) -> None:
                 f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}: "
                 f"the key's own answer is judged {word(verdict)}"
             )
-    tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.finds))
+    tally.count("mistakes apart", sum(len(find.mistakes) for find in key.solution.unknowns))
     for part, slip in collisions(key):
         where = f"{problem.path.name}:{problem.part(part).line}: part {part} of {key.variant.label}"
         tally.complain(f"{where}: {slip!r} cannot be told from the truth")
@@ -127,7 +127,7 @@ def own_answer(key: Key, part: str) -> Value:
     """The key's answer as a student would hand it in: numbers in the part's unit, or the formula where that is asked for."""
     question, truth = key.variant.problem.part(part), key.truths[part]
     in_givens = key.find(truth).in_givens
-    if answer_type(question.kind).in_symbols and in_givens is not None:
+    if answer_type(question.answer_type).in_symbols and in_givens is not None:
         texts = tuple(Text(text(tree)) for tree in in_givens)
         return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
     return machine_numbers(tuple(value / question.unit.si for value in truth.values))

@@ -8,7 +8,7 @@ from typing import final
 
 from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
-from corollary.answers.explain.reading import TYPE as WORDS
+from corollary.answers.explain import reading as explain
 from corollary.answers.preview import Preview
 from corollary.answers.question import Question
 from corollary.formula.value import Value
@@ -36,7 +36,7 @@ class CodeType(AnswerType):
 
     def read(self, value: Value, question: Question) -> Answer:
         """The source of a program, as text."""
-        return WORDS.read(value, question)
+        return explain.TYPE.read(value, question)
 
     def preview_function(self, function: object, question: Question) -> Preview:
         call = f"({', '.join(question.arguments)})"

@@ -6,7 +6,7 @@ from typing import final
 
 from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
-from corollary.answers.explain.reading import TYPE as WORDS
+from corollary.answers.explain import reading as explain
 from corollary.answers.question import Question
 from corollary.formula.value import Value
 from corollary.messages import N_, catalogue
@@ -27,7 +27,7 @@ class PlotType(AnswerType):
 
     def read(self, value: Value, question: Question) -> Answer:
         """The source of a program that draws, as text."""
-        return WORDS.read(value, question)
+        return explain.TYPE.read(value, question)
 
 
 TYPE = PlotType()

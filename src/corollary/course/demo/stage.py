@@ -110,9 +110,9 @@ def _played(
     deserved, differences = 0.0, []
     for prompt in sheet.prompts:
         verdict = hand.deserves.get(
-            prompt.key, "unmarked" if answer_type(prompt.part.kind).found_in == "cell" else "right"
+            prompt.key, "unmarked" if answer_type(prompt.part.answer_type).found_in == "cell" else "right"
         )
-        halves = 2 if len(prompt.part.kinds) == 2 and verdict == "mistaken" else 1
+        halves = 2 if len(prompt.part.answer_types) == 2 and verdict == "mistaken" else 1
         worth = share(VERDICTS[verdict], problem_set.scheme)
         deserved += prompt.out_of * (worth + halves - 1) / halves
         got = record.parts[prompt.key].verdict

@@ -31,7 +31,7 @@ def enter_new_root(base, visible, hidden, own_users):
         os._exit(os.waitstatus_to_exitcode(os.waitpid(first, 0)[1]) & 0xFF)
     libc.prctl(libc.PR_SET_PDEATHSIG, signal.SIGKILL)
     status = os.open("/proc/self/status", os.O_RDONLY)
-    # Private, lest what is mounted below shows up outside: systemd shares all mounts (mount_namespaces(7)).
+    # Private, so that what is mounted below stays inside: systemd shares all mounts (mount_namespaces(7)).
     libc.mount(None, "/", None, libc.MS_REC | libc.MS_PRIVATE)
     libc.mount("sandbox", base, "tmpfs", libc.MS_NOSUID, "size=1m,mode=755")
     for path in (*DEVICES, *visible):

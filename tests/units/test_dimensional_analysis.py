@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula
-from corollary.units.dimensions import dimension_of
+from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, UNITS, Dimension, unit
 
 OF = {
