@@ -54,9 +54,15 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     )  # without the unit it needs it is a plain number
     verdict = None if expected is None else "compatible" if fits else "wrong dimension"
     return {
-        "status": "ok", "read": found.as_read, "value": value, "unit": canonical(unit) if unit else "1", "figures": found.figures,
-        "dimension": powers(unit.dimension if unit else Dimension()), "verdict": verdict, "why": found.why if expected else "",
-    }  # fmt: skip
+        "status": "ok",
+        "read": found.as_read,
+        "value": value,
+        "unit": canonical(unit) if unit else "1",
+        "figures": found.figures,
+        "dimension": powers(unit.dimension if unit else Dimension()),
+        "verdict": verdict,
+        "why": found.why if expected else "",
+    }
 
 
 def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
@@ -71,9 +77,15 @@ def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
         else f"{called(expected.dimension)} is expected, for example in {show(expected) or '1'}; {show(found)} is {called(found.dimension)}"
     )
     return {
-        "status": "ok", "read": show(found) or "1", "value": found.si, "unit": canonical(found), "figures": None,
-        "dimension": powers(found.dimension), "verdict": None if expected is None else "compatible" if fits else "wrong dimension", "why": why,
-    }  # fmt: skip
+        "status": "ok",
+        "read": show(found) or "1",
+        "value": found.si,
+        "unit": canonical(found),
+        "figures": None,
+        "dimension": powers(found.dimension),
+        "verdict": None if expected is None else "compatible" if fits else "wrong dimension",
+        "why": why,
+    }
 
 
 def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
@@ -115,9 +127,18 @@ def powers(dimension: Dimension) -> dict[str, int | float]:
 
 def _trouble(found: ParseError) -> dict[str, Any]:
     return {
-        "status": found.status, "read": None, "value": None, "unit": None, "figures": None, "dimension": None, "verdict": None,
-        "why": sentence(found), "position": found.position, "suggestion": found.suggestion, "choices": list(found.choices),
-    }  # fmt: skip
+        "status": found.status,
+        "read": None,
+        "value": None,
+        "unit": None,
+        "figures": None,
+        "dimension": None,
+        "verdict": None,
+        "why": sentence(found),
+        "position": found.position,
+        "suggestion": found.suggestion,
+        "choices": list(found.choices),
+    }
 
 
 def _expected(case: Mapping[str, Any]) -> Unit | None:

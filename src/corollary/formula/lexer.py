@@ -39,13 +39,22 @@ NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<power>[+-]?[0-9
 RAISED_RUN = re.compile(r"[⁻⁺]?[⁰¹²³⁴-⁹]+")
 COMPARE = re.compile(r"==|!=|<=|>=|[=<>≤≥≠]")
 LONE: dict[str, tuple[Kind, str]] = {
-    "(": ("open", "("), "[": ("open", "["), ")": ("close", ")"), "]": ("close", "]"),
-    "°": ("degree", "°"), "º": ("degree", "°"), "√": ("function", "sqrt"), "|": ("bar", "|"), ",": ("comma", ","),
-}  # fmt: skip
+    "(": ("open", "("),
+    "[": ("open", "["),
+    ")": ("close", ")"),
+    "]": ("close", "]"),
+    "°": ("degree", "°"),
+    "º": ("degree", "°"),
+    "√": ("function", "sqrt"),
+    "|": ("bar", "|"),
+    ",": ("comma", ","),
+}
 HINTS = {
-    "\\": N_("write it without TeX, such as m*v/dt"), "{": N_("use round brackets"), "}": N_("use round brackets"),
+    "\\": N_("write it without TeX, such as m*v/dt"),
+    "{": N_("use round brackets"),
+    "}": N_("use round brackets"),
     ";": N_("write one formula"),
-}  # fmt: skip
+}
 COMPARED = {"==": "=", "≤": "<=", "≥": ">=", "≠": "!="}
 
 

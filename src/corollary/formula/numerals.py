@@ -18,9 +18,13 @@ LARGEST_EXPONENT = 300
 
 # One character for another, so that a position in the plain text is a position in what was typed.
 FANCY = {
-    "-": "−–—‐‑﹣", "*": "·×∙⋅•∗⨯✕✖‧・", "/": "∕⁄÷", "≈": "∼≃≅≒", "'": "’",
+    "-": "−–—‐‑﹣",
+    "*": "·×∙⋅•∗⨯✕✖‧・",
+    "/": "∕⁄÷",
+    "≈": "∼≃≅≒",
+    "'": "’",
     " ": "\u00a0\u2002\u2003\u2009\u200a\u202f\u2007\u200b\u2060\u2062\u3000\ufeff\t\n\r",
-}  # fmt: skip
+}
 TO_ASCII = {ord(fancy): sign for sign, several in FANCY.items() for fancy in several}
 TO_ASCII |= {
     wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)

@@ -14,13 +14,15 @@ from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
-GREEK = {
-    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "ϵ": "epsilon", "ζ": "zeta", "η": "eta", "θ": "theta",
-    "ϑ": "theta", "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "µ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho",
-    "ϱ": "rho", "σ": "sigma", "τ": "tau", "υ": "upsilon", "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega",
-    "Γ": "Gamma", "Δ": "Delta", "∆": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma", "Φ": "Phi",
-    "Ψ": "Psi", "Ω": "Omega",
-}  # fmt: skip
+# Each letter, and what it is called on a keyboard; some have two code points (µ the sign for micro, μ the letter).
+KEYBOARD_NAMES = """
+    α alpha  β beta  γ gamma  δ delta  ε epsilon  ϵ epsilon  ζ zeta  η eta  θ theta
+    ϑ theta  ι iota  κ kappa  λ lambda  μ mu  µ mu  ν nu  ξ xi  π pi  ρ rho
+    ϱ rho  σ sigma  τ tau  υ upsilon  φ phi  ϕ phi  χ chi  ψ psi  ω omega
+    Γ Gamma  Δ Delta  ∆ Delta  Θ Theta  Λ Lambda  Ξ Xi  Π Pi  Σ Sigma  Φ Phi
+    Ψ Psi  Ω Omega
+"""
+GREEK = dict(zip(KEYBOARD_NAMES.split()[::2], KEYBOARD_NAMES.split()[1::2], strict=True))
 LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
 WORDS = tuple(sorted(set(GREEK.values()) - {"pi", "Pi"}, key=len, reverse=True))
 

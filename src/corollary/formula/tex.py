@@ -5,16 +5,57 @@ from __future__ import annotations
 import re
 
 REPLACEMENTS = {
-    "cdot": "*", "times": "*", "ast": "*", "div": "/", "pm": "±", "approx": "≈", "simeq": "≈", "sim": "≈", "circ": "°", "degree": "°",
-    "langle": "(", "rangle": ")", "lvert": "|", "rvert": "|", "vert": "|", "quad": " ", "qquad": " ", "left": "", "right": "", "big": "",
-    "Big": "", "bigl": "", "bigr": "", "displaystyle": "", "limits": "", "varphi": "phi", "varepsilon": "epsilon", "vartheta": "theta",
-    "imath": "i", "jmath": "j", "per": "/", "newton": "N", "joule": "J", "watt": "W", "metre": "m", "meter": "m", "second": "s",
-    "kilogram": "kg", "gram": "g", "radian": "rad", "squared": "^2", "kilo": "k", "milli": "m", "centi": "c", "percent": "%",
-}  # fmt: skip
-WRAPPED = frozenset({
-    "mathrm", "text", "textrm", "textit", "textbf", "mathit", "mathbf", "mathsf", "rm", "operatorname", "unit", "si", "num", "boxed",
-    "underline", "vec", "overrightarrow", "bar",
-})  # fmt: skip
+    "cdot": "*",
+    "times": "*",
+    "ast": "*",
+    "div": "/",
+    "pm": "±",
+    "approx": "≈",
+    "simeq": "≈",
+    "sim": "≈",
+    "circ": "°",
+    "degree": "°",
+    "langle": "(",
+    "rangle": ")",
+    "lvert": "|",
+    "rvert": "|",
+    "vert": "|",
+    "quad": " ",
+    "qquad": " ",
+    "left": "",
+    "right": "",
+    "big": "",
+    "Big": "",
+    "bigl": "",
+    "bigr": "",
+    "displaystyle": "",
+    "limits": "",
+    "varphi": "phi",
+    "varepsilon": "epsilon",
+    "vartheta": "theta",
+    "imath": "i",
+    "jmath": "j",
+    "per": "/",
+    "newton": "N",
+    "joule": "J",
+    "watt": "W",
+    "metre": "m",
+    "meter": "m",
+    "second": "s",
+    "kilogram": "kg",
+    "gram": "g",
+    "radian": "rad",
+    "squared": "^2",
+    "kilo": "k",
+    "milli": "m",
+    "centi": "c",
+    "percent": "%",
+}
+TEXT_COMMANDS = (
+    "mathrm text textrm textit textbf mathit mathbf mathsf rm operatorname unit "
+    "si num boxed underline vec overrightarrow bar"
+)
+WRAPPED = frozenset(TEXT_COMMANDS.split())
 COMMAND = re.compile(r"\\([A-Za-z]+)\*?\s*|\\(.)")
 SPACES = re.compile(r"\\[,;:!> ]|~|\$|\\\(|\\\)|\\\[|\\\]|\\(?:begin|end)\{[pbv]?(?:matrix|array)\}")
 INDEX = re.compile(r"_\{([^{}]*)\}")
