@@ -34,7 +34,9 @@ def test_a_course_made_by_an_older_version_finds_our_classes_where_they_are_now(
     path = course.folder / "nbgrader_config.py"
     path.write_text(path.read_text() + "c.ExecutePreprocessor.timeout = 77\n")
     now = path.read_bytes()
-    path.write_bytes(now.replace(b"corollary.nbgrader.autograde", b"corollary.deliver.nbgrader_autograde"))
+    former = now.replace(b"corollary.nbgrader.autograde", b"corollary.deliver.nbgrader_autograde")
+    former = former.replace(b"RecordMarks", b"MarksKept").replace(b"LatenessInMarks", b"LatenessKept")
+    path.write_bytes(former)
     assert path.read_bytes() != now
     assert settings(course).Autograde.exporter_class.__module__ == "corollary.nbgrader.autograde"
     assert path.read_bytes() == now

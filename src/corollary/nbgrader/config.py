@@ -16,7 +16,7 @@ from nbgrader.preprocessors import (
     OverwriteKernelspec, SaveCells,
 )
 
-from corollary.nbgrader.autograde import JudgedOutside, LatenessKept, MarksKept, OwnNumbers, OwnSheet
+from corollary.nbgrader.autograde import JudgedOutside, LatenessInMarks, OwnNumbers, OwnSheet, RecordMarks
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__
@@ -28,7 +28,7 @@ c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata,
 c.Autograde.exporter_class = OwnSheet
 c.Autograde.sanitize_preprocessors = [ClearOutput, DeduplicateIds, OverwriteKernelspec, OwnNumbers, CheckCellMetadata]
 c.Autograde.autograde_preprocessors = [
-    JudgedOutside, IgnorePattern, ClearMetadataPreprocessor, LimitOutput, MarksKept, LatenessKept, CheckCellMetadata,
+    JudgedOutside, IgnorePattern, ClearMetadataPreprocessor, LimitOutput, RecordMarks, LatenessInMarks, CheckCellMetadata,
 ]
 
 # Feedback is made anew each time, so that it never shows older marks than the gradebook.
@@ -36,8 +36,12 @@ c.GenerateFeedback.force = True
 """
 
 
-# Where versions up to 0.1 had the classes that a course's file imports; the file stays with the course, and they moved.
-FORMERLY = "from corollary.deliver.nbgrader_autograde import "
+# What a course's file from an earlier version calls our classes; the file stays with the course, and they were renamed.
+RENAMED = {
+    "corollary.deliver.nbgrader_autograde": "corollary.nbgrader.autograde",
+    "MarksKept": "RecordMarks",
+    "LatenessKept": "LatenessInMarks",
+}
 
 
 class NotOurs(Exception):
@@ -57,8 +61,10 @@ def renew_config(course: Course) -> None:
     """Lets a file from an older version find our classes where they are now; all else in it is left as it is."""
     path = course.folder / "nbgrader_config.py"
     text = path.read_text(encoding="utf-8", errors="surrogateescape") if path.exists() else ""
-    if FORMERLY in text:
-        renewed = text.replace(FORMERLY, "from corollary.nbgrader.autograde import ")
+    renewed = text
+    for former, name in RENAMED.items():
+        renewed = renewed.replace(former, name)
+    if renewed != text:
         write_whole(path, renewed.encode("utf-8", "surrogateescape"))
 
 
