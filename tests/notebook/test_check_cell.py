@@ -210,7 +210,7 @@ def test_it_holds_questions_and_code_that_reads_and_nothing_that_judges(ada: Wor
     packed = re.search(r"carried='([A-Za-z0-9+/=]+)'", check_source(ada))
     assert packed
     carried = json.loads(zlib.decompress(base64.b64decode(packed[1])))
-    assert set(carried) == {"loader", "versions", "folders", "questions", "modules"}
+    assert set(carried) == {"loader", "versions", "folders", "units", "questions", "modules"}
     for question in carried["questions"]:
         assert set(question) == {
             "part", "name", "types", "unit", "title", "components", "options", "signature", "symbols"
