@@ -6,8 +6,10 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from flint import arb
+
 from corollary.formula.ast import Expr, Negative, Product, Quotient, Relation, Sum
-from corollary.formula.ball import RationalPi, Undefined, evaluate
+from corollary.formula.ball import RationalPi, Undefined, evaluate, precision_of
 
 BITS = 96  # the double comes out right to its last bit but where more than 40 bits cancel
 
@@ -23,9 +25,14 @@ def as_exact(value: float) -> RationalPi:
 
 
 def holds_nearly(relation: Relation, values: Mapping[str, RationalPi], tolerance: float) -> bool:
-    """Whether both sides agree, to the tolerance of what is added up on them before anything cancels. Raises Undefined."""
-    left, right = number(relation.left, values), number(relation.right, values)
-    return abs(left - right) <= tolerance * max(_size(relation.left, values), _size(relation.right, values))
+    """Whether both sides agree, to the tolerance of what is added up on them before anything cancels. Raises Undefined.
+
+    Compared as balls, whose exponents have no bounds: as doubles, tiny numbers would be 0 on both sides and so agree.
+    """
+    with precision_of(BITS):
+        left, right = _ball(relation.left, values), _ball(relation.right, values)
+        size = _size(relation.left, values).max(_size(relation.right, values))
+        return bool(abs(left.mid() - right.mid()).mid() <= (arb(tolerance) * size).mid())
 
 
 def _finite(value: float) -> float:
@@ -34,19 +41,26 @@ def _finite(value: float) -> float:
     return value
 
 
-def _size(tree: Expr, values: Mapping[str, RationalPi]) -> float:
+def _ball(tree: Expr, values: Mapping[str, RationalPi]) -> arb:
+    ball = evaluate(tree, values, BITS)
+    if not ball.is_finite():
+        raise Undefined("no value could be worked out: too large, or at a point where it jumps")
+    return ball
+
+
+def _size(tree: Expr, values: Mapping[str, RationalPi]) -> arb:
     """The value with every subtraction made an addition: how large the terms are."""
     match tree:
         case Negative(term):
             return _size(term, values)
         case Sum(terms):
-            return sum(_size(term, values) for term in terms)
+            return sum((_size(term, values) for term in terms), arb(0))
         case Product(factors):
-            return math.prod(_size(factor, values) for factor in factors)
+            return math.prod((_size(factor, values) for factor in factors), start=arb(1))
         case Quotient(top, bottom):
-            divisor = abs(number(bottom, values))
-            if divisor == 0.0:  # not zero itself, which cannot be evaluated, but below the least double
-                raise Undefined("a divisor is smaller than the numbers of this machine")
-            return _finite(_size(top, values) / divisor)
+            size = _size(top, values) / abs(_ball(bottom, values))
+            if not size.is_finite():
+                raise Undefined("a divisor cannot be told from zero")
+            return size
         case _:
-            return abs(number(tree, values))
+            return abs(_ball(tree, values))
