@@ -7,6 +7,7 @@ looks in `corollary/answers/locale/<language>/LC_MESSAGES/corollary.answers.mo`.
 from __future__ import annotations
 
 import gettext
+import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -15,6 +16,8 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
+# Controls, marks of direction, halves of surrogates, and separators of lines, by their category in Unicode.
+HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
 _LANGUAGE: ContextVar[str] = ContextVar("language", default="en")
 
 
@@ -66,3 +69,11 @@ def _translations(domain: str, code: str) -> gettext.NullTranslations:
 def N_(message: str, /) -> str:
     """Marks a message that stands in a table; it is looked up when it is spoken."""
     return message
+
+
+def visible(text: str) -> str:
+    """The text with what is no letter written out (`\\x1b`): a file name could clear the terminal or turn the line round."""
+    return "".join(
+        each if each in "\n\t" or unicodedata.category(each) not in HIDDEN else ascii(each)[1:-1]
+        for each in text
+    )

@@ -12,6 +12,8 @@ from typing import Any, NoReturn
 import click
 
 # Done; something asked for does not hold; the request is wrong; stopped by ctrl-C (128 and the signal, as shells have it).
+from corollary.messages import visible
+
 HOLDS, FAILS, REFUSED, STOPPED = 0, 1, 2, 130
 
 # What is raised when a request or an author's file is wrong, by the module that defines it.
@@ -30,8 +32,8 @@ RAISED = {
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
-    "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "NotRegistered"],
-    "corollary.nbgrader.config": ["NotOurs"],
+    "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "GradebookUnusable", "NotRegistered"],
+    "corollary.nbgrader.config": ["NotOurs", "BrokenConfig"],
     "corollary.sandbox.isolation": ["WeakIsolation"],
     "corollary.sandbox.zygote": ["CannotStart"],
 }
@@ -100,9 +102,14 @@ def _unforeseen(error: Exception) -> int:
 
 def say(sentence: str) -> None:
     """A message for a person, on standard error."""
-    print(sentence, file=sys.stderr)
+    print(visible(sentence), file=sys.stderr)
 
 
 def answer(document: Any) -> None:
     """The one JSON document of a command, on standard output."""
-    print(json.dumps(document, ensure_ascii=False, allow_nan=False))
+    text = json.dumps(document, ensure_ascii=False, allow_nan=False)
+    try:
+        text.encode(sys.stdout.encoding or "utf-8")
+    except UnicodeEncodeError:  # a terminal without these letters, or a file name that is not UTF-8
+        text = json.dumps(document, allow_nan=False)
+    print(text)

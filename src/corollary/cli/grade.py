@@ -53,6 +53,11 @@ def run(
         say(
             f"{stranger} handed in but is not on the roster; left alone (add them to the roster and generate again)"
         )
+    if done.refilled:
+        say(
+            f"the gradebook or autograded/ lacked the marks of {', '.join(done.refilled)}, which were recorded before: they are marked and "
+            "written anew; what a person had given them is there only if the gradebook still had it"
+        )
     for student, why in done.not_run.items():
         say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
     for student, names in done.unclear.items():

@@ -65,8 +65,7 @@ def generate(
                 used.add(found.variant.index)
     write_origin(course, problem_set.name, solutions.bank, file)
     write_assigned(course, problem_set.name, assigned)
-    own = worksheet(problem_set, NOBODY, map(chapter, problem_set.problems))
-    registered = _register(course, problem_set, notebook(own), progress)
+    registered = _register(course, problem_set, source_notebook(problem_set), progress)
     notebooks: dict[str, Path] = {}
     for student in roster:
         progress(f"notebook of {student.id}")
@@ -76,6 +75,11 @@ def generate(
         notebooks[student.id] = path
     of_roster = {student.id: assigned[student.id] for student in roster}
     return Generated(course, notebooks, of_roster, redrawn, registered)
+
+
+def source_notebook(problem_set: ProblemSet) -> NotebookNode:
+    """The notebook that nbgrader knows the set by: with the chapter's own numbers."""
+    return notebook(worksheet(problem_set, NOBODY, map(chapter, problem_set.problems)))
 
 
 def _register(

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
+from corollary.course.generate import source_notebook
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, state_of
@@ -19,7 +20,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.files import Course, students
-from corollary.records.marks import Record, read_record, read_records, settle, write_marks
+from corollary.records.marks import Record, read_records, settle, write_marks
 from corollary.records.regrading import Change, changes
 from corollary.records.report_model import Report, report_of
 from corollary.records.submission import fingerprint, read_submission, submissions, unclear
@@ -37,7 +38,8 @@ class NotGenerated(LookupError):
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What a run of grading did. `not_run` are those whose notebook the machine failed to run, with a sentence: nothing is
-    recorded for them, and the next run marks them. `records` holds every student's marks, those skipped included."""
+    recorded for them, and the next run marks them. `records` holds every student's marks, those skipped included; `refilled`
+    are those who had marks on record that nbgrader no longer had."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -50,6 +52,7 @@ class Outcome:
     changed: tuple[Change, ...] = ()
     unclear: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     not_run: Mapping[str, str] = field(default_factory=dict)
+    refilled: tuple[str, ...] = ()
 
 
 def grade_set(
@@ -72,7 +75,7 @@ def grade_set(
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
     `begin` is called before the first notebook is run.
     `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
-    WeakIsolation, and what the gradebook refuses (GradebookLocked, NotRegistered).
+    WeakIsolation, and what the gradebook refuses (GradebookLocked, GradebookUnusable, NotRegistered, BrokenConfig).
     """
     name = problem_set.name
     assigned = read_assigned(course, name)
@@ -91,11 +94,13 @@ def grade_set(
         for student, path in files.items()
         if student not in strangers
     }
-    todo = [
-        student
-        for student, digest in digests.items()
-        if regrade or not _done(course, problem_set, student, digest)
-    ]
+    done = {
+        student: record
+        for student, record in read_records(course, problem_set, digests).items()
+        if record.fingerprint == digests[student]
+    }
+    written = _in_gradebook(course, problem_set, done) if has_nbgrader() and not dry_run else set(done)
+    todo = [student for student in digests if regrade or student not in written]
     waiting = (
         read_submission(course, problem_set, roster[one], files[one], assigned[one], digests[one])
         for one in todo
@@ -108,7 +113,10 @@ def grade_set(
             solutions.of(problem)  # once, before there are workers who would each do it
         context = GradingContext(problem_set, solutions, course.key, runner, has_nbgrader())
         begin()
-        with (execute or here(jobs, len(todo)))(context, waiting) as graded, _gradebook(course) as book:
+        with (
+            (execute or here(jobs, len(todo)))(context, waiting) as graded,
+            _gradebook(course, dry_run) as book,
+        ):
             for place, one in enumerate(graded, start=1):
                 if one.marked.machine_failed:
                     not_run[one.submission.student.id] = one.marked.trouble
@@ -141,19 +149,27 @@ def grade_set(
         changed=changed,
         unclear=unclear(course, name),
         not_run=not_run,
+        refilled=tuple(student for student in done if student not in written),
     )
 
 
-def _done(course: Course, problem_set: ProblemSet, student: str, digest: str) -> bool:
-    """Whether these marks are all written; nbgrader may have thrown its notebook away after they were."""
-    record = read_record(course, problem_set, student)
-    there = not has_nbgrader() or course.notebook("autograded", student, problem_set.name).exists()
-    return there and record is not None and record.fingerprint == digest
+def _in_gradebook(course: Course, problem_set: ProblemSet, records: Mapping[str, Record]) -> set[str]:
+    """Whose marks nbgrader has as they are recorded: it may have thrown its notebook away since, and the gradebook may have
+    been deleted or restored from a backup. One that does not know the set is told of it."""
+    from corollary.nbgrader.record import in_gradebook, is_registered
+    from corollary.nbgrader.register import register
+
+    with gradebook(course) as book:
+        known = is_registered(book, problem_set)
+        there = in_gradebook(course, book, problem_set, records) if known else set[str]()
+    if not known:
+        register(course, problem_set, source_notebook(problem_set))
+    return {each for each in there if course.notebook("autograded", each, problem_set.name).exists()}
 
 
-def _gradebook(course: Course) -> AbstractContextManager[Gradebook | None]:
-    """Opened once for all, and after the workers have started: nbgrader takes its time."""
-    return gradebook(course) if has_nbgrader() else nullcontext()
+def _gradebook(course: Course, dry_run: bool) -> AbstractContextManager[Gradebook | None]:
+    """Opened once for all that is written, and after the workers have started: a connection does not survive a fork."""
+    return gradebook(course) if has_nbgrader() and not dry_run else nullcontext()
 
 
 def _write(course: Course, problem_set: ProblemSet, one: GradedSubmission, book: Gradebook | None) -> None:

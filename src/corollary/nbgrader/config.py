@@ -48,6 +48,20 @@ class NotOurs(Exception):
     """A file stands in the way that somebody else wrote; one sentence says which, and what to do."""
 
 
+class BrokenConfig(Exception):
+    """The file cannot be run, or sets what nbgrader does not take; one sentence says where, and what to do."""
+
+
+def broken(course: Course, error: BaseException) -> BrokenConfig:
+    """The sentence for what running the file raised."""
+    where, why = f"{course.folder / 'nbgrader_config.py'}", f"{error}"
+    if isinstance(error, SyntaxError):
+        where, why = f"{where}, line {error.lineno}", error.msg
+    return BrokenConfig(
+        f"{where}: {type(error).__name__}: {why}; mend the file, or move it away and run corollary generate again"
+    )
+
+
 def write_config(course: Course) -> None:
     """Writes the file once. Raises NotOurs when another tool's course is already set up in the folder."""
     check_config(course.folder)

@@ -10,7 +10,7 @@ from errno import ENOSPC
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from corollary.nbgrader.config import renew_config
+from corollary.nbgrader.config import broken, renew_config
 from corollary.records.files import Course
 
 if TYPE_CHECKING:
@@ -25,6 +25,10 @@ class NoNbgrader(Exception):
 
 class GradebookLocked(Exception):
     """Another program is writing in the gradebook."""
+
+
+class GradebookUnusable(Exception):
+    """The gradebook's file is none, or is damaged; one sentence says which, and what to do."""
 
 
 class NotRegistered(LookupError):
@@ -42,7 +46,7 @@ def need_nbgrader() -> None:
 
 
 def settings(course: Course) -> Config:
-    """What the course's nbgrader_config.py sets."""
+    """What the course's nbgrader_config.py sets. Raises NotRegistered when there is none, BrokenConfig when it cannot be run."""
     from traitlets.config.loader import ConfigFileNotFound, PyFileConfigLoader
 
     renew_config(course)
@@ -52,6 +56,8 @@ def settings(course: Course) -> Config:
         raise NotRegistered(
             f"{course.folder} has no nbgrader_config.py; make it with corollary generate"
         ) from None
+    except (Exception, SystemExit) as error:  # it is a program of its owner's, and may raise anything
+        raise broken(course, error) from None
     found.CourseDirectory.root = str(course.folder)
     return found
 
@@ -59,19 +65,23 @@ def settings(course: Course) -> Config:
 def directory(course: Course) -> CourseDirectory:
     """nbgrader's own picture of the folder."""
     from nbgrader.coursedir import CourseDirectory
+    from traitlets import TraitError
 
-    return CourseDirectory(config=settings(course))
+    try:
+        return CourseDirectory(config=settings(course))
+    except TraitError as error:
+        raise broken(course, error) from None
 
 
 @contextmanager
 def gradebook(course: Course) -> Iterator[Gradebook]:
     """The open gradebook, made when there is none.
 
-    Raises NoNbgrader and NotRegistered, and GradebookLocked from whatever is done within.
+    Raises NoNbgrader, NotRegistered and BrokenConfig, and GradebookLocked and GradebookUnusable from whatever is done within.
     """
     need_nbgrader()
     from nbgrader.api import Gradebook
-    from sqlalchemy.exc import OperationalError
+    from sqlalchemy.exc import DatabaseError
 
     place = directory(course)
     try:
@@ -81,11 +91,14 @@ def gradebook(course: Course) -> Iterator[Gradebook]:
             book = Gradebook(place.db_url, place.course_id)
         with book:
             yield book
-    except OperationalError as error:
+    except DatabaseError as error:
         if "disk is full" in str(error.orig):
             raise OSError(ENOSPC, os.strerror(ENOSPC), str(course.gradebook)) from None
         if "locked" not in str(error.orig):
-            raise
+            raise GradebookUnusable(
+                f"{course.gradebook} cannot be used ({error.orig}); restore it from a backup, or move it away and grade again: "
+                "all marks are written into a new one, but for those given by hand"
+            ) from None
         raise GradebookLocked(
             f"{course.gradebook} is locked by another program; close formgrader or the other grading run, and grade again"
         ) from None

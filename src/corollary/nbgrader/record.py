@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import nbformat
 
-from corollary.answers.verdict import Unread
+from corollary.answers.verdict import Unmarked, Unread, word
 from corollary.atomic import write_whole
 from corollary.grading.grade import Marked, PartGrade
 from corollary.nbgrader.gradebook import NotRegistered
@@ -22,10 +23,67 @@ from corollary.nbgrader.safe import safe_markdown
 from corollary.notebook.locate import answer_id
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
-from corollary.records.submission import handed_in
+from corollary.records.marks import PartRecord, Record
+from corollary.records.submission import beside, handed_in
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
+
+UNMARKED = word(Unmarked(""))  # the verdict of a part that waits for a person, as it is recorded
+
+
+def is_registered(book: Gradebook, problem_set: ProblemSet) -> bool:
+    """Whether the gradebook has the set, with every part of it."""
+    from nbgrader.api import MissingEntry
+
+    try:
+        notebooks = book.find_assignment(problem_set.name).notebooks
+    except MissingEntry:
+        return False
+    cells = {cell.name for notebook in notebooks for cell in notebook.grade_cells}
+    return all(
+        problem.answer_name(part) in cells for problem in problem_set.problems for part in problem.parts
+    )
+
+
+def in_gradebook(
+    course: Course, book: Gradebook, problem_set: ProblemSet, records: Mapping[str, Record]
+) -> set[str]:
+    """Whose marks the gradebook has as they are recorded; it may have been restored from a backup since."""
+    from nbgrader.api import Assignment, BaseCell, Grade, SubmittedAssignment, SubmittedNotebook
+
+    name = problem_set.name
+    rows = (
+        book.db.query(
+            SubmittedAssignment.student_id, SubmittedAssignment.timestamp, BaseCell.name, Grade.auto_score
+        )
+        .select_from(SubmittedAssignment)
+        .join(Assignment, Assignment.id == SubmittedAssignment.assignment_id)
+        .join(SubmittedNotebook, SubmittedNotebook.assignment_id == SubmittedAssignment.id)
+        .join(Grade, Grade.notebook_id == SubmittedNotebook.id)
+        .join(BaseCell, BaseCell.id == Grade.cell_id)
+        .filter(Assignment.id == book.find_assignment(name).id)
+    )
+    scores: dict[str, dict[str, float | None]] = {}
+    moments: dict[str, datetime | None] = {}
+    for student, moment, cell, score in rows:
+        scores.setdefault(student, {})[cell] = score
+        moments[student] = moment
+    return {
+        student
+        for student, record in records.items()
+        if scores.get(student) == {part: _recorded_score(one) for part, one in record.parts.items()}
+        and moments[student] == _in_utc(handed_in(course, name, student))
+    }
+
+
+def _recorded_score(part: PartRecord) -> float | None:
+    return None if part.verdict == UNMARKED else part.points
+
+
+def _in_utc(when: datetime | None) -> datetime | None:
+    """A moment as the gradebook keeps it: UTC, without a zone."""
+    return None if when is None else when.astimezone(UTC).replace(tzinfo=None)
 
 
 def record_one(
@@ -141,27 +199,33 @@ def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime |
     when = handed_in(course, name, student)
     if when is None:
         return "", None
-    moment = when.astimezone(UTC).replace(tzinfo=None)
-    path = course.place("submitted", student, name) / "timestamp.txt"
-    text = _stamped(path, moment)
+    moment = _in_utc(when)
+    text = _stamped(beside(course, name, student, "timestamp.txt"), moment)
     if text is None:
         text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
-        write_whole(path, text)
+        # A student's folder that is a link leads into another's, one that is a file or closed takes none: it is reported as
+        # unreadable already, and must not stop the marking of all the others.
+        with suppress(OSError):
+            if course.place("submitted", student, name).resolve() == _own_place(course, name, student):
+                write_whole(course.place("submitted", student, name) / "timestamp.txt", text)
     return text, moment
 
 
-def _stamped(path: Path, moment: datetime) -> str | None:
+def _own_place(course: Course, name: str, student: str) -> Path:
+    return (course.folder / "submitted").resolve() / student / name
+
+
+def _stamped(content: bytes, moment: datetime | None) -> str | None:
     """The text of a timestamp.txt that means this moment to nbgrader too; None when it is missing or means anything else."""
     from nbgrader.utils import parse_utc
 
     try:
-        text = path.read_text(encoding="utf-8").strip()
-        return text if parse_utc(text) == moment else None
-    except (OSError, ValueError, OverflowError):
+        text = content.decode("utf-8").strip()
+        return text if text and parse_utc(text) == moment else None
+    except (OSError, ValueError, OverflowError, TypeError):
         return None
 
 
 def _secret(course: Course, name: str, student: str) -> bytes:
     """What nbgrader's exchange finds the student's feedback by, where it was used."""
-    path = course.place("submitted", student, name) / "submission_secret.txt"
-    return path.read_bytes() if path.is_file() else b""
+    return beside(course, name, student, "submission_secret.txt")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
@@ -13,15 +14,14 @@ from corollary.grading.submission import Submission
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course
-from corollary.sandbox.file import bytes_of, content_of
+from corollary.sandbox.file import bytes_of
 
 
 def submissions(course: Course, set_name: str) -> dict[str, Path]:
     """The notebook each student handed in, by student."""
-    places = sorted((course.folder / "submitted").glob("*/"))
     return {
         place.name: path
-        for place in places
+        for place in _places(course)
         if (path := _handed_in_notebook(place / set_name, set_name)) is not None
     }
 
@@ -29,11 +29,29 @@ def submissions(course: Course, set_name: str) -> dict[str, Path]:
 def unclear(course: Course, set_name: str) -> dict[str, tuple[str, ...]]:
     """Who handed in several notebooks, none of the set's name, and what they are called: nobody can guess which counts."""
     found: dict[str, tuple[str, ...]] = {}
-    for place in sorted((course.folder / "submitted").glob(f"*/{set_name}/")):
-        names = tuple(sorted(path.name for path in place.glob("*.ipynb") if path.is_file()))
+    for place in _places(course):
+        names = tuple(_notebooks(place / set_name))
         if len(names) > 1 and f"{set_name}.ipynb" not in names:
-            found[place.parent.name] = names
+            found[place.name] = names
     return found
+
+
+def _places(course: Course) -> list[Path]:
+    """The students' folders, and whatever stands in the place of one: a link, or a folder that is closed."""
+    try:
+        return sorted(
+            place for place in (course.folder / "submitted").iterdir() if place.is_symlink() or place.is_dir()
+        )
+    except FileNotFoundError:
+        return []
+
+
+def _notebooks(place: Path) -> list[str]:
+    """The names of the notebooks in a folder; of none that is closed, or no folder."""
+    try:
+        return sorted(name for name in os.listdir(place) if Path(name).match("*.ipynb"))
+    except OSError:
+        return []
 
 
 def read_submission(
@@ -55,13 +73,14 @@ def fingerprint(
 ) -> str:
     """What the marks depend on: the file, its moment, the numbers, and the `state` of everything else."""
     digest = hashlib.sha256()
-    for content in (
-        content_of(path),
+    content = bytes_of(path, within=course.folder / "submitted")
+    for each in (
+        content if isinstance(content, bytes) else content.why.encode(),
         str(handed_in(course, set_name, student)).encode(),
         json.dumps(dict(assigned), sort_keys=True).encode(),
         state.encode(),
     ):
-        digest.update(len(content).to_bytes(8, "big") + content)
+        digest.update(len(each).to_bytes(8, "big") + each)
     return digest.hexdigest()
 
 
@@ -78,12 +97,28 @@ def handed_in(course: Course, set_name: str, student: str) -> datetime | None:
     the file, to the second; None when there is nothing."""
     place = course.place("submitted", student, set_name)
     try:
-        # A stranger's file like the notebook beside it: it may be a pipe, a link to a device, or forty gigabytes.
-        content = bytes_of(place / "timestamp.txt", 1 << 10)
-        return moment(content.decode("utf-8", "replace") if isinstance(content, bytes) else "")
+        return moment(beside(course, set_name, student, "timestamp.txt").decode("utf-8", "replace"))
     except (OSError, ValueError, OverflowError, ZoneInfoNotFoundError):
-        path = _handed_in_notebook(place, set_name) or place
-        return datetime.fromtimestamp(int(path.stat().st_mtime), UTC) if path.exists() else None
+        return _age(_handed_in_notebook(place, set_name) or place)
+
+
+def beside(course: Course, set_name: str, student: str, file: str) -> bytes:
+    """What is in a small file beside the notebook; nothing when there is none that can be read.
+
+    It is a stranger's like the notebook: it may be a pipe, forty gigabytes, or a link to a device or to the course's key.
+    """
+    content = bytes_of(
+        course.place("submitted", student, set_name) / file, 1 << 10, course.folder / "submitted"
+    )
+    return content if isinstance(content, bytes) else b""
+
+
+def _age(path: Path) -> datetime | None:
+    """When it was last written, to the second; of a link itself, and not of what it leads to."""
+    try:
+        return datetime.fromtimestamp(int(path.lstat().st_mtime), UTC)
+    except (OSError, ValueError, OverflowError):
+        return None
 
 
 def moment(text: str) -> datetime:
@@ -97,9 +132,17 @@ def moment(text: str) -> datetime:
 
 
 def _handed_in_notebook(place: Path, set_name: str) -> Path | None:
-    """The notebook of the set's name; when it was renamed on its way, the only one in the folder."""
+    """The notebook of the set's name; when it was renamed on its way, the only one in the folder.
+
+    Whatever else stands in its place (a link that leads nowhere, a pipe, a folder) was handed in too, and so was what lies in
+    a folder that cannot be looked into: reading it says what is wrong.
+    """
     expected = place / f"{set_name}.ipynb"
-    if expected.is_file():
+    try:
+        expected.lstat()
         return expected
-    others = [path for path in place.glob("*.ipynb") if path.is_file()]
-    return others[0] if len(others) == 1 else None
+    except (FileNotFoundError, NotADirectoryError):
+        others = _notebooks(place)
+        return place / others[0] if len(others) == 1 else None
+    except OSError:
+        return expected

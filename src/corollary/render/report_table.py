@@ -8,6 +8,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from corollary.messages import visible
 from corollary.records.report_model import Report
 from corollary.render.wording import LOOKS, points
 
@@ -93,7 +94,7 @@ def _parts(report: Report) -> Table:
 def _table(title: str, columns: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> Table:
     table = Table(*columns, title=title, title_justify="left", title_style="bold")
     for row in rows:
-        table.add_row(*map(Text, row))
+        table.add_row(*(Text(visible(each)) for each in row))
     return table
 
 
