@@ -19,7 +19,7 @@ from corollary.course.demo.player import Hand
 from corollary.course.demo.players import PLAYERS
 from corollary.course.demo.stage import hand_in
 from corollary.course.generate import generate
-from corollary.course.grade import grade_set, read_record
+from corollary.course.grade import grade_set
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import file_text
 from corollary.notebook.worksheet import worksheet
@@ -27,7 +27,7 @@ from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.records.assigned import read_assigned
 from corollary.records.files import Course, one_writer, open_course
-from corollary.records.marks import history
+from corollary.records.marks import history, read_record
 from corollary.sandbox.runner import Runner
 
 pytestmark = pytest.mark.whole

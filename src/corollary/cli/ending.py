@@ -11,9 +11,9 @@ from typing import Any, NoReturn
 
 import click
 
-# Done; something asked for does not hold; the request is wrong; stopped by ctrl-C (128 and the signal, as shells have it).
 from corollary.messages import visible
 
+# Done; something asked for does not hold; the request is wrong; stopped by ctrl-C (128 and the signal, as shells have it).
 HOLDS, FAILS, REFUSED, STOPPED = 0, 1, 2, 130
 
 # What is raised when a request or an author's file is wrong, by the module that defines it.
