@@ -6,10 +6,8 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
-from flint import arb
-
 from corollary.formula.ast import Expr, Negative, Product, Quotient, Relation, Sum
-from corollary.formula.ball import RationalPi, Undefined, evaluate, precision_of
+from corollary.formula.ball import Ball, RationalPi, Undefined, evaluate, precision_of
 
 BITS = 96  # the double comes out right to its last bit but where more than 40 bits cancel
 
@@ -32,7 +30,7 @@ def holds_nearly(relation: Relation, values: Mapping[str, RationalPi], tolerance
     with precision_of(BITS):
         left, right = _ball(relation.left, values), _ball(relation.right, values)
         size = _size(relation.left, values).max(_size(relation.right, values))
-        return bool(abs(left.mid() - right.mid()).mid() <= (arb(tolerance) * size).mid())
+        return bool(abs(left.mid() - right.mid()).mid() <= (Ball(tolerance) * size).mid())
 
 
 def _finite(value: float) -> float:
@@ -41,22 +39,22 @@ def _finite(value: float) -> float:
     return value
 
 
-def _ball(tree: Expr, values: Mapping[str, RationalPi]) -> arb:
+def _ball(tree: Expr, values: Mapping[str, RationalPi]) -> Ball:
     ball = evaluate(tree, values, BITS)
     if not ball.is_finite():
         raise Undefined("no value could be worked out: too large, or at a point where it jumps")
     return ball
 
 
-def _size(tree: Expr, values: Mapping[str, RationalPi]) -> arb:
+def _size(tree: Expr, values: Mapping[str, RationalPi]) -> Ball:
     """The value with every subtraction made an addition: how large the terms are."""
     match tree:
         case Negative(term):
             return _size(term, values)
         case Sum(terms):
-            return sum((_size(term, values) for term in terms), arb(0))
+            return sum((_size(term, values) for term in terms), Ball(0))
         case Product(factors):
-            return math.prod((_size(factor, values) for factor in factors), start=arb(1))
+            return math.prod((_size(factor, values) for factor in factors), start=Ball(1))
         case Quotient(top, bottom):
             size = _size(top, values) / abs(_ball(bottom, values))
             if not size.is_finite():

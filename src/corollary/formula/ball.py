@@ -28,13 +28,24 @@ from corollary.formula.errors import Undefined
 from corollary.formula.exact import exactly
 from corollary.formula.rational_pi import RationalPi
 
-__all__ = ["Certified", "RationalPi", "Undefined", "certified", "evaluate", "holds", "precision_of", "sign"]
+__all__ = [
+    "Ball",
+    "Certified",
+    "RationalPi",
+    "Undefined",
+    "certified",
+    "evaluate",
+    "holds",
+    "precision_of",
+    "sign",
+]
 
 FIRST_BITS = 64  # enough for nine answers in ten, whose balls are then one double wide
 EXACT_FROM = 256  # from here on the parts known exactly are put in: smaller balls decide no tie and no zero
 MOST_BITS = 8192  # r - b of an orbit at scale 1e300 needs about 2000
 
 T = TypeVar("T")
+Ball = arb  # a value and how far it may be off
 Values = Mapping[str, RationalPi] | Mapping[str, arb] | Mapping[str, RationalPi | arb]
 _FLINT = threading.RLock()  # the working precision is one global of the library, for all threads
 
