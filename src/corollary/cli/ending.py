@@ -11,8 +11,6 @@ from typing import Any, NoReturn
 
 import click
 
-from corollary.messages import visible
-
 # Done; something asked for does not hold; the request is wrong; stopped by ctrl-C (128 and the signal, as shells have it).
 HOLDS, FAILS, REFUSED, STOPPED = 0, 1, 2, 130
 
@@ -102,6 +100,8 @@ def _unforeseen(error: Exception) -> int:
 
 def say(sentence: str) -> None:
     """A message for a person, on standard error."""
+    from corollary.messages import visible  # only now: --help loads nothing but the command line
+
     print(visible(sentence), file=sys.stderr)
 
 
