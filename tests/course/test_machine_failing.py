@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
-from typer.testing import CliRunner, Result
+from click.testing import CliRunner, Result
 
 from corollary.cli.main import app
 from corollary.course.grade import grade_set
