@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from corollary.answers.preamble import answer_in
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.messages import catalogue
+from corollary.units.unit import read_unit
 
 _ = catalogue(__name__)
 
@@ -130,12 +131,20 @@ def _listed(inside: str, unit: str, count: int) -> list[str] | ParseError:
     if pieces is None:
         return refused(_("{count} components are expected", count=count), 0, _("write them as (3; 4) m/s"))
     behind = re.fullmatch(r"[^A-Za-z°%]*?([A-Za-z°%].*)", pieces[-1].strip())
-    if not unit and behind and not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", "")):
+    alone = not re.search(r"[^\W\d_]", "".join(pieces[:-1]).replace("e", ""))
+    # In `(0, m*v)` what stands behind is a formula, and belongs to its own component alone.
+    if not unit and behind and alone and _is_unit(behind[1]):
         pieces[-1], unit = (
             pieces[-1].strip().removesuffix(behind[1]),
             behind[1],
         )  # `3; 4 m/s`: one unit for all
     return [f"{piece.strip()} {unit}".strip() for piece in pieces]
+
+
+def _is_unit(text: str) -> bool:
+    """Whether it is read as a unit, or may be one."""
+    found = read_unit(text)
+    return not isinstance(found, ParseError) or found.status == "asked"
 
 
 def _in_order(pieces: list[str], names: Sequence[str]) -> list[str] | ParseError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
@@ -48,13 +48,29 @@ def known() -> tuple[str, ...]:
 @cache
 def answer_type(name: str) -> AnswerType:
     """How such an answer is asked for and read. Raises UnknownAnswerType."""
-    return import_module(f"{folder(name)}.reading").TYPE
+    return _loaded(name, "reading", "TYPE").TYPE
 
 
 @cache
 def judging(name: str) -> Judging:
     """How such an answer is judged; loaded only when something is judged. Raises UnknownAnswerType."""
-    return import_module(f"{folder(name)}.judging")  # type: ignore[return-value]
+    return _loaded(name, "judging", "judge")  # type: ignore[return-value]
+
+
+def _loaded(name: str, module: str, wanted: str) -> Any:
+    """A module of an answer type. What is wrong with another package's is said in a sentence that names it."""
+    place = f"{folder(name)}.{module}"
+    if name in BUILT_IN:
+        return import_module(place)
+    try:
+        found = import_module(place)
+    except Exception as error:
+        raise UnknownAnswerType(
+            f"the answer type {name} is installed, but {place} cannot be loaded: {type(error).__name__}: {error}"
+        ) from error
+    if wanted not in vars(found):
+        raise UnknownAnswerType(f"the answer type {name} is installed, but {place} has no {wanted}")
+    return found
 
 
 @cache

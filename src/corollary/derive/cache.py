@@ -6,9 +6,11 @@ import hashlib
 import json
 import os
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import fields
 from functools import cache
+from importlib.metadata import entry_points
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -19,7 +21,7 @@ from corollary.derive.load import load, source
 from corollary.derive.parts import unsolved
 from corollary.derive.serialize import NotSerializable, from_data, to_data
 from corollary.derive.solution import Solution
-from corollary.problem.bank import Bank
+from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
 
 ROOMS = (
@@ -32,6 +34,7 @@ ROOMS = (
     "author.py",
 )  # what decides how a derivation is solved
 ALGEBRA = ("sympy", "mpmath")
+PLUG_INS = ("corollary.laws", "corollary.banks")
 LARGEST = 8_000_000
 
 
@@ -99,7 +102,7 @@ def _write(place: Path, origin: str, solution: Solution) -> None:
 def _origin(bank: Bank, problem: Problem) -> str:
     """Tells apart whatever could be solved differently: the problem as read, its solution, our own programs, the algebra."""
     return hashlib.sha256(
-        b"\0".join((_programs(), repr(problem).encode(), source(bank, problem)))
+        b"\0".join((_programs(), _plug_ins(bank), repr(problem).encode(), source(bank, problem)))
     ).hexdigest()
 
 
@@ -109,10 +112,25 @@ def _programs() -> bytes:
     package = Path(corollary.__file__).parent
     algebra = [Path(spec.origin) for name in ALGEBRA if (spec := find_spec(name)) and spec.origin]
     digest = hashlib.sha256(repr((corollary.__version__, sys.version)).encode())
-    for path in sorted([path for room in ROOMS for path in _sources(package / room)] + algebra):
-        state = path.stat()
-        digest.update(f"{path} {state.st_size} {state.st_mtime_ns}\n".encode())
+    digest.update(
+        _state(sorted([path for room in ROOMS for path in _sources(package / room)] + algebra)).encode()
+    )
     return digest.digest()
+
+
+def _plug_ins(bank: Bank) -> bytes:
+    """The packages that bring laws and banks, as they are now; the chapter's own bank needs none of them."""
+    if bank == chapter_bank():
+        return b""
+    names = {entry.module.partition(".")[0] for group in PLUG_INS for entry in entry_points(group=group)}
+    specs = [spec for name in sorted(names) if (spec := find_spec(name)) is not None]
+    folders = [Path(place) for spec in specs for place in spec.submodule_search_locations or ()]
+    return _state([path for folder in folders for path in sorted(folder.rglob("*.py"))]).encode()
+
+
+def _state(paths: Iterable[Path]) -> str:
+    states = [(path, path.stat()) for path in paths]
+    return "".join(f"{path} {state.st_size} {state.st_mtime_ns}\n" for path, state in states)
 
 
 def _sources(room: Path) -> list[Path]:

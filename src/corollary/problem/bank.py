@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -95,12 +95,14 @@ def _folder(name: str) -> Path:
     if (folder / "problems").is_dir():
         for entry in installed.values():
             if folder.resolve() in _folders_of(entry.module):
-                entry.load()  # a bank may bring units, which its package registers: also when it is named by its folder
+                _load(
+                    entry
+                )  # a bank may bring units, which its package registers: also when it is named by its folder
         return folder.resolve()
     if name in installed:
         for package in _folders_of(installed[name].module):
             if (package / "problems").is_dir():
-                installed[name].load()
+                _load(installed[name])
                 return package
         raise UnknownCode(
             f"the bank {name} is installed, but {installed[name].value} has no folder problems/"
@@ -111,12 +113,25 @@ def _folder(name: str) -> Path:
     raise UnknownCode(f"{folder} is no bank: it has no folder problems/, and the banks installed are {have}")
 
 
+def _load(entry: EntryPoint) -> None:
+    try:
+        entry.load()
+    except Exception as error:
+        raise UnknownCode(
+            f"the bank {entry.name} is installed, but {entry.value} cannot be loaded: {type(error).__name__}: {error}"
+        ) from error
+
+
 def _folders_of(module: str) -> list[Path]:
     """Where a package lies; nowhere, when what an entry point names is not there."""
     try:
         spec = find_spec(module)
     except ModuleNotFoundError:
         return []
+    except Exception as error:  # finding a package inside another runs the outer one
+        raise UnknownCode(
+            f"{module} is installed, but cannot be loaded: {type(error).__name__}: {error}"
+        ) from error
     places = (spec.submodule_search_locations or ()) if spec is not None else ()
     return [Path(place).resolve() for place in places]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from collections.abc import Callable
 from types import FunctionType
 from typing import final
 
@@ -39,10 +40,10 @@ class CodeType(AnswerType):
         return explain.TYPE.read(value, question)
 
     def preview_function(self, function: object, question: Question) -> Preview:
-        call = f"({', '.join(question.arguments)})"
+        call = question.signature.strip()
         if function is None:
             return Preview(False, _("no function yet; write the function above and run its cell"))
-        if not isinstance(function, FunctionType):
+        if not callable(function):
             return Preview(
                 False,
                 _(
@@ -50,19 +51,30 @@ class CodeType(AnswerType):
                     type=type(function).__name__,
                 ),
             )
-        parameters = tuple(inspect.signature(function).parameters)
-        if parameters != question.arguments:
+        if not _takes(function, question.arguments):
+            parameters = ", ".join(inspect.signature(function).parameters)
             return Preview(
                 False,
                 _(
-                    "takes ({parameters}), but it will be called with {call}",
-                    parameters=", ".join(parameters),
-                    call=call,
+                    "takes ({parameters}), but it will be called with ({arguments})",
+                    parameters=parameters,
+                    arguments=", ".join(question.arguments),
                 ),
             )
-        if _empty(function):
-            return Preview(False, _("{function} is still empty", function=function.__name__ + call))
-        return Preview(True, _("{function} is there", function=function.__name__ + call))
+        if isinstance(function, FunctionType) and _empty(function):
+            return Preview(False, _("{function} is still empty", function=call))
+        return Preview(True, _("{function} is there", function=call))
+
+
+def _takes(function: Callable[..., object], arguments: tuple[str, ...]) -> bool:
+    """Whether it can be called with these, by name, as it is when it is marked: in any order, with more that have defaults."""
+    try:
+        inspect.signature(function).bind(**dict.fromkeys(arguments))
+    except TypeError:
+        return False
+    except ValueError:  # what is written in C tells no signature; it is tried when it is marked
+        return True
+    return True
 
 
 def _empty(function: FunctionType) -> bool:
