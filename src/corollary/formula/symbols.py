@@ -22,8 +22,8 @@ KEYBOARD_NAMES = """
     Γ Gamma  Δ Delta  ∆ Delta  Θ Theta  Λ Lambda  Ξ Xi  Π Pi  Σ Sigma  Φ Phi
     Ψ Psi  Ω Omega
 """
-GREEK = dict(zip(KEYBOARD_NAMES.split()[::2], KEYBOARD_NAMES.split()[1::2], strict=True))
-LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
+GREEK: dict[str, str] = dict(zip(KEYBOARD_NAMES.split()[::2], KEYBOARD_NAMES.split()[1::2], strict=True))
+LOWERED: dict[str, str] = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
 WORDS = tuple(sorted(set(GREEK.values()) - {"pi", "Pi"}, key=len, reverse=True))
 
 APART = re.compile(r"([Δ∆]|Delta)( +)(?=[A-Za-z])")  # `Δ t`: the space goes before the change, no place moves
