@@ -22,12 +22,13 @@ import tempfile
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from queue import Queue
 
 TOP = Path(__file__).resolve().parents[1]
 ROOMS = ("grading", "formula", "answers")
+TESTED_BY = (*ROOMS, "units", "notebook", "verify", "derive", "cli", "api", "plugin", "journeys")
 RESULTS = TOP / "benchmarks" / "results"
 SEED = 12
 MOST_FILES = 12  # test files tried for one mutant, nearest first
@@ -155,20 +156,7 @@ def drawn(count: int) -> list[Mutant]:
 def covering(folder: Path, seconds: float) -> dict[str, dict[int, list[str]]]:
     """For each file of the rooms and each line, the test files that run it. Each test file is run once, alone."""
     found: dict[str, dict[int, list[str]]] = {}
-    wanted = (
-        "grading",
-        "formula",
-        "answers",
-        "units",
-        "notebook",
-        "verify",
-        "derive",
-        "cli",
-        "api",
-        "plugin",
-        "journeys",
-    )
-    files = [path for name in wanted for path in sorted((folder / "tests" / name).rglob("test_*.py"))]
+    files = [path for name in TESTED_BY for path in sorted((folder / "tests" / name).rglob("test_*.py"))]
     for path in files:
         test = path.relative_to(folder).as_posix()
         data = folder / ".coverage"
@@ -208,6 +196,12 @@ def at_line(covered: dict[str, list[str]], line: int) -> list[str]:
     return next((covered[str(near)] for near in range(line, line - 15, -1) if str(near) in covered), [])
 
 
+def in_own_room(mutant: Mutant) -> list[str]:
+    """Every test file of the room, whether it runs the line or not: what `--own-room` holds a mutant against."""
+    room = TOP / "tests" / mutant.file.split("/")[2]
+    return [path.relative_to(TOP).as_posix() for path in room.rglob("test_*.py")]
+
+
 def nearest(mutant: Mutant, tests: list[str]) -> list[str]:
     """The tests of its own room and name first."""
     room, stem = mutant.file.split("/")[2], Path(mutant.file).stem
@@ -228,7 +222,7 @@ def tried(mutant: Mutant, tests: list[str], folder: Path, seconds: float) -> dic
                 break
     finally:
         place.write_text(before, encoding="utf-8")
-    return {**asdict(mutant), "outcome": outcome, "by": by}
+    return {"file": mutant.file, "line": mutant.line, "what": mutant.what, "outcome": outcome, "by": by}
 
 
 def _run(folder: Path, command: list[str], seconds: float) -> int | None:
@@ -276,13 +270,17 @@ def main() -> None:
     options.add_argument("--count", type=int, default=300)
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--seconds", type=float, default=240, help="for one test file")
+    options.add_argument(
+        "--own-room",
+        action="store_true",
+        help="the tests of the mutant's own room, without learning what covers what",
+    )
     options.add_argument("--results", type=Path, default=RESULTS)
     asked = options.parse_args()
     asked.results.mkdir(parents=True, exist_ok=True)
     kept = asked.results / "mutants.json"
     found: list[dict[str, object]] = json.loads(kept.read_text(encoding="utf-8")) if kept.exists() else []
-    known = {(each["file"], each["line"], each["what"], each["text"]) for each in found}
-    todo = [each for each in drawn(asked.count) if (each.file, each.line, each.what, each.text) not in known]
+    todo = drawn(asked.count)[len(found) :]  # the seed gives the order, so a stopped run goes on where it was
     with tempfile.TemporaryDirectory(prefix="mutants-") as scratch:
         copies: Queue[Path] = Queue()
         for number in range(asked.jobs):
@@ -293,7 +291,9 @@ def main() -> None:
             shutil.copytree(TOP, folder, ignore=ignored)
             copies.put(folder)
         covered_file = asked.results / "covered.json"
-        if covered_file.exists():
+        if asked.own_room:
+            covered = {}
+        elif covered_file.exists():
             covered = json.loads(covered_file.read_text(encoding="utf-8"))
         else:
             first = copies.get()
@@ -307,8 +307,9 @@ def main() -> None:
         def one(mutant: Mutant) -> dict[str, object]:
             folder = copies.get()
             try:
+                at_place = at_line(covered.get(mutant.file, {}), mutant.line)
                 return tried(
-                    mutant, at_line(covered.get(mutant.file, {}), mutant.line), folder, asked.seconds
+                    mutant, in_own_room(mutant) if asked.own_room else at_place, folder, asked.seconds
                 )
             finally:
                 copies.put(folder)

@@ -258,7 +258,7 @@ def _line() -> int:
 
 def _frame() -> FrameType:
     """The innermost frame of a solution's file, even where a word is spoken by a function of another file; else the caller's."""
-    caller: FrameType | None = sys._getframe()
+    caller: FrameType | None = sys._getframe()  # pyright: ignore[reportPrivateUsage]
     while caller is not None and caller.f_globals.get("__name__") == __name__:
         caller = caller.f_back
     frame = caller

@@ -145,7 +145,7 @@ def simplest(expr: sympy.Expr) -> sympy.Expr:
     forms = [expr]
     if sympy.count_ops(expr) > 2:
         forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
-    return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))
+    return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))  # pyright: ignore[reportReturnType]
 
 
 def _ball(formula: Expr, where: Point, bits: int) -> Any:

@@ -49,7 +49,7 @@ def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
 
     known: dict[str, bool] = {}
     for condition in problem.conditions:
-        match condition.relation:
+        match condition.relation:  # pyright: ignore[reportMatchNotExhaustive]
             case Relation(sign, Name(left), Number(value)) if condition.hard and left == name and value == 0:
                 known |= {
                     ">": {"positive": True},

@@ -240,7 +240,7 @@ class _Solver:
 
     def choice(self, entry: Choice[Boolean | bool]) -> SolvedChoice:
         letters = {option.letter for option in self.problem.part(entry.statement.part).options}
-        if letters != entry.options.keys():
+        if letters != entry.options.keys():  # pyright: ignore[reportUnnecessaryComparison]
             raise NoRoot(
                 f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition"
             )

@@ -73,7 +73,7 @@ def stacked_bars(labels: Sequence[str], layers: Sequence[Layer], *, x_label: str
             number = {"ha": "center", "va": "center", "color": ink(layer.colour), "fontsize": 9}
             for at, value in enumerate(layer.values):
                 if value / total > 0.035:
-                    axes.text(left[at] + value / 2, at, f"{value:g}", **number)
+                    axes.text(left[at] + value / 2, at, f"{value:g}", **number)  # pyright: ignore[reportArgumentType]
             left = [start + value for start, value in zip(left, layer.values, strict=True)]
         axes.set_yticks(range(len(labels)), [_verbatim(label) for label in labels])
         axes.set_ylim(len(labels) - 0.4, -0.6)

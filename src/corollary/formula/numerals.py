@@ -25,10 +25,10 @@ FANCY = {
     "'": "’",
     " ": "\u00a0\u2002\u2003\u2009\u200a\u202f\u2007\u200b\u2060\u2062\u3000\ufeff\t\n\r",
 }
-TO_ASCII = {ord(fancy): sign for sign, several in FANCY.items() for fancy in several}
-TO_ASCII |= {
-    wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)
-}  # as typed on a keyboard for Chinese or Japanese
+# The full-width forms U+FF01 … U+FF5E are typed on keyboards for Chinese and Japanese.
+TO_ASCII = {wide: chr(wide - 0xFEE0) for wide in range(0xFF01, 0xFF5F)} | {
+    ord(fancy): sign for sign, several in FANCY.items() for fancy in several
+}
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 VULGAR = {
     "½": Fraction(1, 2),

@@ -38,7 +38,7 @@ class NotRegistered(LookupError):
 def need_nbgrader() -> None:
     """Raises NoNbgrader, which says how to get it."""
     try:
-        import nbgrader.api  # noqa: F401
+        import nbgrader.api  # noqa: F401  # pyright: ignore[reportUnusedImport]
     except ImportError:
         raise NoNbgrader(
             "a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'"

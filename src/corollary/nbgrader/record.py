@@ -170,14 +170,14 @@ def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Ca
 
     No answer from a notebook that could not be run to its end is no points and a flag: the machine may be to blame.
     """
-    if grade.manual_score is None:
+    if grade.manual_score is None:  # pyright: ignore[reportUnnecessaryComparison]
         return part is None or part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
     return not same(grade.name)
 
 
 def _score(grade: Grade) -> float:
-    given = grade.manual_score if grade.manual_score is not None else grade.auto_score
-    return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)
+    given = grade.manual_score if grade.manual_score is not None else grade.auto_score  # pyright: ignore[reportUnnecessaryComparison]
+    return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)  # pyright: ignore[reportUnnecessaryComparison]
 
 
 def _same_answer(before: Path, now: str, key: str) -> bool:

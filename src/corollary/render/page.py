@@ -41,7 +41,7 @@ def environment() -> Environment:
         "points": points,
         "percent": percent,
     }
-    found.globals |= {"_": _, "plural": _.plural}
+    found.globals |= {"_": _, "plural": _.plural}  # pyright: ignore[reportAttributeAccessIssue]
     return found
 
 

@@ -35,7 +35,7 @@ def terminal_text(text: str, *, width: int = 80) -> str:
     out, bullet, depth, cells = "", "", 0, None
     for token in parser().parse(text):
         block, tight = "", False
-        match token.type:
+        match token.type:  # pyright: ignore[reportMatchNotExhaustive]
             case "bullet_list_open" | "ordered_list_open" | "blockquote_open":
                 depth += 1
             case "blockquote_close":
@@ -78,7 +78,7 @@ def _line(tokens: Sequence[Token]) -> str:
     """The words of one paragraph; a line break of the source is a space, a forced one stays."""
     out = ""
     for token in tokens:
-        match token.type:
+        match token.type:  # pyright: ignore[reportMatchNotExhaustive]
             case "text" | "code_inline" | "html_inline":
                 out += token.content
             case "math_inline":

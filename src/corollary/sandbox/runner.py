@@ -23,7 +23,7 @@ _NO_JOB = Job((), ())
 def probe_isolation(require: int = 0) -> Isolation:
     """How well notebooks are isolated here, before any is run. Raises WeakIsolation below `require`, and CannotStart."""
     runner = Runner(require=require)
-    runner._probe_only = True
+    runner._probe_only = True  # pyright: ignore[reportPrivateUsage]
     with runner:
         return runner.isolation
 

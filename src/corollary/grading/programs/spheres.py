@@ -66,7 +66,7 @@ def sphere_inputs(given: Given, draw: Draw) -> list[Inputs]:
         }
         time = _played(case).observed["duration"]
         assert isinstance(time, float)
-        case["T"] = (0.2 * R + 2 * R * (1 - math.sqrt(1 - (aside / 2) ** 2)) + 0.3 * R) / case["vA"][
+        case["T"] = (0.2 * R + 2 * R * (1 - math.sqrt(1 - (aside / 2) ** 2)) + 0.3 * R) / case["vA"][  # pyright: ignore[reportIndexIssue]
             0
         ] + 1.5 * time
         cases.append(case | {"dt": _contact(case) / STEPS})
@@ -118,7 +118,7 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
     inputs = {**START, "mA": given["mA"], "mB": given["mB"]}
     force = sphere_force(given["R"], given["k"], given["eta"])
     au, aw, bu, bw = two_bodies.marched(inputs, force, EULER_CROMER, 8 * round(TIME / STEP))
-    start = given["mA"] * START["vA"][0]
+    start = given["mA"] * START["vA"][0]  # pyright: ignore[reportIndexIssue]
     for what, labels in AXES.items():
         axes = next((each for each in figures if _labelled(each, labels)), None)
         if axes is None:
@@ -133,7 +133,7 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
             case "the trajectories":
                 wanted = {START["rA"], START["rB"]}
                 met = all(
-                    any(math.dist((line.x[0], line.y[0]), place) < 0.002 for line in curves)
+                    any(math.dist((line.x[0], line.y[0]), place) < 0.002 for line in curves)  # pyright: ignore[reportArgumentType]
                     for place in wanted
                 )
                 if not met:
