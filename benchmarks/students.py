@@ -176,7 +176,7 @@ def _numbers(key: Key, found: Sequence[Values]) -> Answers:
     return {
         part: found[truth.place]
         for part, truth in key.truths.items()
-        if problem.part(part).kind != "expression"
+        if problem.part(part).answer_type != "expression"
     }
 
 

@@ -50,6 +50,7 @@ def as_ordinary_user(script: str, *arguments: str, folder: Path) -> dict[str, An
     ],
     ids=" ".join,
 )
+@pytest.mark.usefixtures("open_to_everybody")
 def test_what_is_guaranteed_to_an_ordinary_user_is_so(without: tuple[str, ...], everybodys: Path) -> None:
     found = as_ordinary_user("bystanders.py", *without, folder=everybodys)
     assert found["ran"] == ["ok", "ok"]

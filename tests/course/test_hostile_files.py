@@ -118,6 +118,7 @@ def test_names_of_folders_and_files_are_written_out(handed_in: Path) -> None:
     assert "vil<script>" not in Path(done.document["report"]).read_text(encoding="utf-8")
 
 
+@pytest.mark.usefixtures("open_to_everybody")
 def test_a_folder_that_an_ordinary_user_cannot_look_into(handed_in: Path) -> None:
     with tempfile.TemporaryDirectory() as name:  # pytest's own folders are for one user
         folder = Path(name)

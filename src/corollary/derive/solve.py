@@ -106,15 +106,8 @@ class _Solver:
                 raise self.failing(f"{about}: {error}", at_fault or entry.statement.line) from error
         # after all that is found, so that nothing can lean on what is only supposed
         left_out = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
-        return Solution(
-            self.problem,
-            tuple(unknowns),
-            choices,
-            examples,
-            proofs,
-            unsolved(self.loaded.derivation),
-            left_out,
-        )
+        by_hand = unsolved(self.loaded.derivation)
+        return Solution(self.problem, tuple(unknowns), choices, examples, proofs, by_hand, left_out)
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
         """At the author's own line, or at that of derive where the fault is of the whole."""

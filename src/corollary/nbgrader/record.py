@@ -222,7 +222,13 @@ def _stamped(content: bytes, moment: datetime | None) -> str | None:
     try:
         text = content.decode("utf-8").strip()
         return text if text and parse_utc(text) == moment else None
-    except (OSError, ValueError, OverflowError, TypeError):
+    except (
+        OSError,
+        ValueError,
+        OverflowError,
+        TypeError,
+        Warning,
+    ):  # dateutil raises a warning for some zones
         return None
 
 
