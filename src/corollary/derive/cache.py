@@ -101,8 +101,9 @@ def _write(place: Path, origin: str, solution: Solution) -> None:
 
 def _origin(bank: Bank, problem: Problem) -> str:
     """Tells apart whatever could be solved differently: the problem as read, its solution, our own programs, the algebra."""
+    plug_ins = b"" if bank == chapter_bank() else _plug_ins()  # the chapter's own bank needs none of them
     return hashlib.sha256(
-        b"\0".join((_programs(), _plug_ins(bank), repr(problem).encode(), source(bank, problem)))
+        b"\0".join((_programs(), plug_ins, repr(problem).encode(), source(bank, problem)))
     ).hexdigest()
 
 
@@ -118,10 +119,9 @@ def _programs() -> bytes:
     return digest.digest()
 
 
-def _plug_ins(bank: Bank) -> bytes:
-    """The packages that bring laws and banks, as they are now; the chapter's own bank needs none of them."""
-    if bank == chapter_bank():
-        return b""
+@cache
+def _plug_ins() -> bytes:
+    """The packages that bring laws and banks, as they are now: looked up once, however many problems a command solves."""
     names = {entry.module.partition(".")[0] for group in PLUG_INS for entry in entry_points(group=group)}
     specs = [spec for name in sorted(names) if (spec := find_spec(name)) is not None]
     folders = [Path(place) for spec in specs for place in spec.submodule_search_locations or ()]
