@@ -18,7 +18,8 @@ def test_ctrl_c_ends_a_command_with_130(tmp_path: Path) -> None:
     """A command that is at work (it has said so by making a file) is stopped, says so, and leaves no traceback."""
     begun = tmp_path / "begun"
     program = f"""
-import pathlib, time
+import pathlib, signal, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job, such as a gate, ignores it
 from corollary.cli import listing
 def run(**options):
     pathlib.Path({str(begun)!r}).touch()
