@@ -18,6 +18,7 @@ FOR_TEST := $(FOR_DEMO),dask,test$(if $(strip $(EXTRAS)),$(comma)$(strip $(EXTRA
 # One stamp for each group of packages; each group is put on top of the one before it.
 DEMO := $(VENV)/.has-demo
 TEST := $(VENV)/.has-test
+ALL := $(VENV)/.has-all
 LINT := $(VENV)/.has-lint
 
 # pip's own lines, one for each package found and one for each downloaded; what is already there is not worth a line.
@@ -46,6 +47,10 @@ $(TEST): $(DEMO)
 	$(call install,what the tests need,--no-build-isolation --editable '.[$(FOR_TEST)]')
 	@touch $@
 
+$(ALL): $(TEST)
+	$(call install,what drives a browser,--no-build-isolation --editable '.[$(FOR_TEST)$(comma)browser]')
+	@touch $@
+
 $(LINT): $(TEST)
 	$(call install,the linters,--no-build-isolation --editable '.[lint]')
 	@touch $@
@@ -57,7 +62,7 @@ demo: $(DEMO)
 test: $(TEST)
 	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -m "$(LATER)"
 
-test-all: $(TEST)
+test-all: $(ALL)
 	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile
 
 lint: $(LINT)

@@ -28,6 +28,22 @@ def pytest_unconfigure(config) -> None:
         shutil.rmtree(config.stash_folder, ignore_errors=True)
 
 
+@pytest.fixture(scope="session")
+def chromium():
+    """A browser, for tests with the marker `browser`; it may reach this machine and nothing else."""
+    from playwright.sync_api import sync_playwright
+
+    names = ("chromium", "chromium-browser", "google-chrome")
+    program = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+    quiet = "--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking"
+    alone = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
+    with sync_playwright() as player:
+        # Without a program of the system's, playwright takes its own (`playwright install chromium`), or says that it is missing.
+        browser = player.chromium.launch(executable_path=program, args=[*quiet.split(), alone])
+        yield browser
+        browser.close()
+
+
 @pytest.fixture
 def calls_of():
     """How many functions something calls, those of C included: work that does not depend on the machine."""

@@ -9,6 +9,7 @@ import pytest
 from nbformat import NotebookNode
 
 from corollary.grading.integrity import notes
+from corollary.notebook.cells import checksum
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.bank import chapter_bank
@@ -66,6 +67,16 @@ def test_an_edited_cell_is_named(cell_id: str, what: str) -> None:
     (said,) = notes(ADA, nb)
     assert said.startswith(f"The cell {cell_id} is edited")
     assert what in said
+
+
+def test_a_figure_drawn_anew_in_the_middle_of_a_term_accuses_nobody() -> None:
+    nb = notebook(ADA)
+    figure = cell(nb, "X12_5_figure")
+    figure.source = figure.source.replace("base64,", "base64,PHN2Zz4=")
+    figure.metadata["nbgrader"]["checksum"] = checksum(figure)
+    assert notes(ADA, nb) == ()
+    figure.metadata["nbgrader"]["checksum"] = "another"
+    assert "X12_5_figure is edited" in notes(ADA, nb)[0]
 
 
 @pytest.mark.parametrize("metadata", [{}, {"nbgrader": 7}, {"nbgrader": {"grade_id": ["a"], "checksum": 3}}])

@@ -110,21 +110,6 @@ def test_a_picture_cannot_break_out_of_its_markdown():
     assert picture("<svg/>", "a [b]\nc").startswith("![a (b) c](data:")
 
 
-def drawn(svg: str) -> str:
-    return base64.b64decode(picture(svg, "").partition("base64,")[2][:-1]).decode()
-
-
-def test_a_picture_has_a_size():
-    bare = '<svg xmlns="x" viewBox="0 0 520 150.5">a</svg>'
-    assert drawn(bare) == bare.replace(">a", ' width="520" height="150.5">a')
-    for sized in (
-        '<svg width="3" viewBox="0 0 5 1"/>',
-        '<svg viewBox="0 0 5 1" height="2"/>',
-        "<svg><rect width='3'/></svg>",
-    ):
-        assert drawn(sized) == sized
-
-
 def test_the_chapters_own_sheet_names_nobody(problem_set: ProblemSet):
     nb = notebook(worksheet(problem_set, Student(""), [chapter(problem) for problem in problem_set.problems]))
     assert "****" not in cell(nb, "title").source

@@ -22,7 +22,8 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
     """Sentences for the student and the instructor on what is not as it was handed out; empty when all is.
 
     A cell that is missing is no tampering. A cell that differs from the sheet's but still has the checksum it was handed out with
-    comes from another sheet (a friend's, or an older print of one's own): only a changed one is called edited.
+    comes from another sheet (a friend's, or an older print of one's own): only a changed one is called edited. A figure as it was
+    handed out says nothing about whose it is: its numbers stand in the statement too, and how it is drawn may change in a term.
     """
     found = cells_by_id(notebook)
     edited: list[str] = []
@@ -32,7 +33,10 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
         locked = cell.metadata["nbgrader"]["locked"]
         if not locked or theirs is None or _normal(theirs.source) == _normal(cell.source):
             continue
-        (foreign if as_handed_out(theirs, cell) else edited).append(cell.id)
+        if not as_handed_out(theirs, cell):
+            edited.append(cell.id)
+        elif not cell.id.endswith("_figure"):
+            foreign.append(cell.id)
     return tuple(_sentences(sheet, _owner(notebook), edited, foreign))
 
 

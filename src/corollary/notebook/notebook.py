@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -10,6 +9,7 @@ from collections.abc import Iterator, Mapping
 import nbformat
 from nbformat import NotebookNode
 
+from corollary.figure.paper import on_paper
 from corollary.messages import N_, catalogue
 from corollary.notebook.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
 from corollary.notebook.check_cell import check_source
@@ -27,10 +27,6 @@ METADATA = {
         "pygments_lexer": "ipython3",
     },
 }
-SIZELESS = re.compile(
-    r"""<svg(?![^>]*\s(?:width|height)=)[^>]*?\sviewBox=["'][\d.-]+[\s,]+[\d.-]+[\s,]+"""
-    r"""(?P<width>[\d.]+)[\s,]+(?P<height>[\d.]+)["']"""
-)
 HOW_TO_ANSWER = N_(
     """\
 **How to answer**
@@ -105,10 +101,9 @@ def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:
 
 
 def picture(svg: str, alt: str) -> str:
-    """An SVG drawing as Markdown that carries it along, in its own size: without one it would fill the page."""
+    """An SVG drawing as Markdown that carries it along, on a light sheet that is readable in a dark theme too."""
     words = " ".join(alt.replace("[", "(").replace("]", ")").split())
-    sized = SIZELESS.sub(r'\g<0> width="\g<width>" height="\g<height>"', svg, count=1)
-    return f"![{words}](data:image/svg+xml;base64,{b64encode(sized.encode()).decode()})"
+    return f"![{words}](data:image/svg+xml;base64,{b64encode(on_paper(svg).encode()).decode()})"
 
 
 def points(number: float) -> str:

@@ -9,6 +9,7 @@ from importlib.resources import files
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from corollary.figure.paper import on_paper
 from corollary.figure.svg import safe_svg
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise
@@ -53,8 +54,8 @@ def drawing(exercise: Exercise) -> Markup:
 
 
 def drawing_address(exercise: Exercise) -> str:
-    """The exercise's figure as a data URI."""
-    svg = str(drawing(exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
+    """The exercise's figure as a data URI, readable on any background."""
+    svg = on_paper(str(drawing(exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1))
     return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
 
 
