@@ -155,10 +155,16 @@ _command(
     "generate",
     "A problem set, different for each student, as an nbgrader course.",
     SET,
-    _path("--roster", text="A CSV file with the column id.", required=True),
+    _path(
+        "--roster",
+        text="A CSV file: nbgrader's, Moodle's participants, Canvas's gradebook, or ids alone.",
+        required=True,
+    ),
     COURSE,
     BANK,
     JSON,
+    _text("--id-column", "The roster's column with the ids, by name or number."),
+    _flag("--yes", "Agree to taking off the roster who is no longer in the file."),
 )
 _command(
     "grade",

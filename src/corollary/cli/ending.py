@@ -30,6 +30,7 @@ RAISED = {
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
+    "corollary.course.roster": ["OneFolder"],
     "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "GradebookUnusable", "NotRegistered"],
     "corollary.nbgrader.config": ["NotOurs", "BrokenConfig"],
     "corollary.sandbox.isolation": ["WeakIsolation"],

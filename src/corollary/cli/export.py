@@ -92,7 +92,7 @@ def _sheets(
             )
         return sheets
     if roster is not None:
-        return sheets_for(problem_set, solutions, read_roster(roster))
+        return sheets_for(problem_set, solutions, read_roster(roster).students)
     if variants is not None:
         return sheets_for(problem_set, solutions, tuple(owners(variants)))
     return [chapters_sheet(problem_set)]

@@ -4,22 +4,34 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.asking import agreed
+from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.generate import generate
+from corollary.course.roster import RosterChange, roster_change, students_before
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.config import check_config
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import find_set
-from corollary.problem.roster import read_roster
+from corollary.problem.roster import Student, read_roster
 
 
-def run(name: str, roster: Path, course: Path, bank: Path | None, as_json: bool) -> int:
+def run(
+    name: str,
+    roster: Path,
+    course: Path,
+    bank: Path | None,
+    as_json: bool,
+    id_column: str | None = None,
+    yes: bool = False,
+) -> int:
     place = open_bank(bank)
     problem_set = find_set(place, name)
-    students, solutions = read_roster(roster), Solutions(place)
     if course.exists() and not course.is_dir():
         refuse(f"{course} is a file; name a folder for the course")
+    students, solutions = _students(roster, course, id_column or "", yes, as_json), Solutions(place)
+    if students is None:
+        return FAILS
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
@@ -54,3 +66,40 @@ def run(name: str, roster: Path, course: Path, bank: Path | None, as_json: bool)
             "nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one"
         )
     return HOLDS
+
+
+def _students(
+    roster: Path, course: Path, id_column: str, yes: bool, as_json: bool
+) -> tuple[Student, ...] | None:
+    """Who is in the course from now on; None when somebody would no longer be, and nobody agreed to it."""
+    before = students_before(course)
+    found = read_roster(roster, id_column, {each.id for each in before})
+    for note in found.notes:
+        say(note)
+    change = roster_change(before, found.students)
+    if change.missing:
+        _show_missing(change, as_json)
+        count = len(change.missing)
+        question = (
+            f"Take {'them' if count > 1 else 'this student'} off the roster? Numbers and marks stay recorded."
+        )
+        if not agreed(question, yes):
+            say("to add newcomers alone, give a file in which nobody else stands")
+            return None
+    if before and change.new:
+        say(f"new: {', '.join(each.id for each in change.new)}")
+    return change.roster
+
+
+def _show_missing(change: RosterChange, as_json: bool) -> None:
+    """Who is in the course and not in the file."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    from corollary.messages import visible
+
+    table = Table("id", "name", "in the file as", title="Not in the new roster", title_justify="left")
+    for student, other in change.missing:
+        table.add_row(*(Text(visible(each)) for each in (student.id, student.name, other)))
+    Console(stderr=as_json).print(table)

@@ -1,69 +1,233 @@
-"""A roster: the students of a course, from a CSV file as nbgrader has them."""
+"""A roster: the students of a course, from a CSV file as nbgrader, Moodle, Canvas or a spreadsheet writes it."""
 
 from __future__ import annotations
 
-import csv
+import hashlib
 import re
-from dataclasses import dataclass
+import unicodedata
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.roster_columns import HEADINGS, Columns, columns_of, guessed, is_header
+from corollary.problem.table import Table, read_table
 
 COLUMNS = ("id", "first_name", "last_name", "email")
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.@-]{0,99}$")
+# Canvas's rows that are no people: what each assignment is out of, how marks are posted, and its invented student.
+NOBODY = re.compile(r"\s*(points possible|student, test|test student)\s*$", re.IGNORECASE)
+# Letters that Unicode does not take apart into one of ASCII's and an accent.
+WITHOUT_STROKES = str.maketrans(
+    {
+        "Ł": "L",
+        "ł": "l",
+        "Ø": "O",
+        "ø": "o",
+        "Đ": "D",
+        "đ": "d",
+        "ß": "ss",
+        "Æ": "AE",
+        "æ": "ae",
+        "Œ": "OE",
+        "œ": "oe",
+        "ı": "i",
+    }
+)
+MOST_NAMED = 5
+TWINS = (
+    "are one folder on many disks (macOS, Windows); change one of them, or take other ids with --id-column"
+)
+ROUNDED = re.compile(r"\d(?:[.,]\d+)?E\+\d+$", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
 class Student:
+    """`id` names the student's folders; `ids` are all that a roster or an LMS knows the student by, with the heading of each."""
+
     id: str
     first_name: str = ""
     last_name: str = ""
     email: str = ""
+    ids: tuple[tuple[str, str], ...] = field(default=(), compare=False)
 
     @property
     def name(self) -> str:
         return " ".join(part for part in (self.first_name, self.last_name) if part) or self.id
 
 
-def read_roster(path: Path) -> tuple[Student, ...]:
-    """The students of a CSV file with the column `id`, in its order. Raises Malformed."""
-    columns, rows = _rows(path)
+@dataclass(frozen=True, slots=True)
+class Roster:
+    """`notes` are sentences on how the file was read, where that could have been otherwise."""
+
+    students: tuple[Student, ...]
+    notes: tuple[str, ...]
+
+
+def read_roster(path: Path, id_column: str = "", known: Collection[str] = ()) -> Roster:
+    """The students of a CSV file, in its order. `id_column` names the column of the ids, or gives its number from 1; when left
+    out, the one with most of the `known` ids, then the one that is most usual. Raises Malformed."""
+    table = read_table(path, HEADINGS)
+    columns, rows, notes = _columns(table, id_column)
     if not rows:
-        raise Malformed(
-            [
-                Diagnostic(
-                    path, 1, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})"
-                )
-            ]
-        )
-    if "id" not in columns:
-        raise Malformed([Diagnostic(path, 1, f"has no column `id`; its columns are {', '.join(columns)}")])
-    complaints, students, lines = [], [], {}
+        raise _refused(path, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})")
+    at = _id_place(columns, rows, known) if not id_column else columns.ids[0]
+    complaints: list[Diagnostic] = []
+    found: dict[str, tuple[int, Student]] = {}
     for line, row in rows:
-        student = Student(*(row.get(name, "") for name in COLUMNS))
-        if not ID.match(student.id):
-            sentence = f"id {student.id!r} will not do as a folder's name; use letters, digits, _ . @ -"
+        if any(row[len(columns.headings) :]):
+            sentence = f"has {len(row)} cells, and there are {len(columns.headings)} columns; put quotes round a cell that holds {table.delimiter!r}"
             complaints.append(Diagnostic(path, line, sentence))
-        elif (first := lines.setdefault(student.id, line)) != line:
-            sentence = (
-                f"id {student.id} stands on line {first} already; every student needs an id of their own"
-            )
+            continue
+        student = _student(columns, row, at)
+        if sentence := _trouble(student, found, columns.headings[at], _cell(row, at), known):
             complaints.append(Diagnostic(path, line, sentence))
-        students.append(student)
+        found.setdefault(student.id, (line, student))
     if complaints:
         raise Malformed(complaints)
-    return tuple(students)
+    students = tuple(student for _, student in found.values())
+    return Roster(students, (*notes, *_notes(columns, at, students)))
 
 
-def _rows(path: Path) -> tuple[list[str], list[tuple[int, dict[str, str]]]]:
-    """The columns, and each row that is not blank with the line it ends on."""
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            table = csv.reader(file)
-            columns = [name.strip() for name in next(table, [])]
-            cells = [(table.line_num, row) for row in table if any(row)]
-    except OSError as error:
-        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error.strerror}")]) from None
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error}; save it as CSV in UTF-8")]) from None
-    return columns, [(line, dict(zip(columns, map(str.strip, row), strict=False))) for line, row in cells]
+def folder_name(given: str) -> str:
+    """The id as it is where it can name a folder on every computer; else its letters without accents and a digest of it,
+    so that it is the same each time and nobody else's."""
+    given = unicodedata.normalize("NFC", given)
+    if not given or ID.match(given):
+        return given
+    ascii_only = (
+        unicodedata.normalize("NFKD", given.translate(WITHOUT_STROKES)).encode("ascii", "ignore").decode()
+    )
+    legible = re.sub(r"[^A-Za-z0-9]+", "-", ascii_only).strip("-")[:40]
+    return f"{legible or 'student'}-{hashlib.sha256(given.encode()).hexdigest()[:8]}"
+
+
+def _columns(table: Table, id_column: str) -> tuple[Columns, list[tuple[int, tuple[str, ...]]], list[str]]:
+    """The columns, the rows of people, and what is to be noted."""
+    rows, notes = list(table.rows), list[str]()
+    if table.encoding == "cp1252" and rows:
+        notes.append(
+            f"{table.path.name} is not in UTF-8 and was read as Windows-1252; see that names are spelt right"
+        )
+    named = is_header(table.first) or (id_column and id_column.lower() in map(str.lower, table.first))
+    columns = columns_of(table.first) if named or not rows else guessed([row for _, row in rows])
+    seen = ", ".join(table.first)
+    if columns is None:
+        raise _refused(
+            table.path,
+            f"has no column `id`; its columns are {seen}; say which holds the ids with --id-column",
+        )
+    if named:
+        rows = [row for row in rows[1:] if not _is_nobody(columns, row[1])]
+    elif rows:
+        notes.append(f"{table.path.name} has no line with names of columns; {_described(columns)}")
+    if id_column:
+        columns = _with_ids(table, columns, id_column, seen)
+    if rows and not columns.ids:
+        raise _refused(
+            table.path,
+            f"has no column `id`; its columns are {seen}; say which holds the ids with --id-column",
+        )
+    return columns, rows, notes
+
+
+def _notes(columns: Columns, at: int, students: Sequence[Student]) -> Iterator[str]:
+    """What might have been read otherwise: where the ids come from, and which became other names of folders."""
+    heading = columns.headings[at]
+    if heading.lower() != "id" or at != columns.ids[0]:
+        others = ", ".join(columns.headings[other] for other in columns.ids if other != at)
+        yield f"ids are those of {heading}" + (f"; --id-column takes others ({others})" if others else "")
+    renamed = [(dict(each.ids)[heading], each.id) for each in students if (heading, each.id) not in each.ids]
+    if renamed:
+        names = ", ".join(f"{given} is {name}" for given, name in renamed[:MOST_NAMED])
+        more = f" and {len(renamed) - MOST_NAMED} more" if len(renamed) > MOST_NAMED else ""
+        yield f"an id that cannot name a folder on every computer gets a name that can: {names}{more}"
+
+
+def _with_ids(table: Table, columns: Columns, id_column: str, seen: str) -> Columns:
+    lower = [heading.lower() for heading in columns.headings]
+    if id_column.lower() in lower:
+        at = lower.index(id_column.lower())
+    elif id_column.isdecimal() and 1 <= int(id_column) <= len(lower):
+        at = int(id_column) - 1
+    else:
+        raise _refused(table.path, f"has no column {id_column}; its columns are {seen}")
+    ids = (at, *(other for other in columns.ids if other != at))
+    return Columns(columns.headings, ids, columns.first_name, columns.last_name, columns.name, columns.email)
+
+
+def _described(columns: Columns) -> str:
+    about = {
+        "first names": columns.first_name,
+        "last names": columns.last_name,
+        "names": columns.name,
+        "email": columns.email,
+    }
+    words = [f"{what} in {columns.headings[at]}" for what, at in about.items() if at is not None]
+    return f"taken to hold ids in {columns.headings[columns.ids[0]]}" + "".join(f", {each}" for each in words)
+
+
+def _is_nobody(columns: Columns, row: Sequence[str]) -> bool:
+    """Canvas's rows that are no people."""
+    if "sis login id" not in (heading.lower() for heading in columns.headings) and columns.headings[:1] != (
+        "Student",
+    ):
+        return False
+    return bool(NOBODY.match(row[0])) or (not row[0] and not any(_cell(row, at) for at in columns.ids))
+
+
+def _id_place(columns: Columns, rows: Sequence[tuple[int, Sequence[str]]], known: Collection[str]) -> int:
+    """The column in which most of the known ids stand; else the first that says something for everybody."""
+
+    def met(at: int) -> int:
+        return sum(folder_name(_cell(row, at)) in known for _, row in rows)
+
+    best = max(columns.ids, key=met)
+    if met(best):
+        return best
+    if columns.headings[columns.ids[0]] == "id":  # nbgrader's own, and ours
+        return columns.ids[0]
+    filled = (at for at in columns.ids if all(_cell(row, at) for _, row in rows))
+    return next(filled, columns.ids[0])
+
+
+def _cell(row: Sequence[str], at: int | None) -> str:
+    return row[at] if at is not None and at < len(row) else ""
+
+
+def _student(columns: Columns, row: Sequence[str], at: int) -> Student:
+    first, last = _cell(row, columns.first_name), _cell(row, columns.last_name)
+    if (name := _cell(row, columns.name)) and not (first or last):
+        last, comma, first = name.partition(",")
+        if not comma:
+            first, _, last = name.rpartition(" ")
+    ids = tuple((columns.headings[each], value) for each in columns.ids if (value := _cell(row, each)))
+    return Student(folder_name(_cell(row, at)), first.strip(), last.strip(), _cell(row, columns.email), ids)
+
+
+def _trouble(
+    student: Student,
+    found: Mapping[str, tuple[int, Student]],
+    column: str,
+    given: str,
+    known: Collection[str],
+) -> str:
+    """What is wrong with an id; empty when nothing is."""
+    if not given:
+        return f"id {given!r}: the cell in {column} is blank; every student needs an id"
+    if not given.isprintable():
+        return f"id {given!r} will not do: it holds a character that cannot be seen; write it anew"
+    if given.startswith((".", "/", "\\")) or ".." in given:
+        return f"id {given!r} will not do as a folder's name; use letters, digits, _ . @ -"
+    if ROUNDED.match(given):
+        return f"id {given} was rounded by a spreadsheet; make {column} a column of text there, and save it again"
+    if student.id in found:
+        return f"id {given} stands on line {found[student.id][0]} already; every student needs an id of their own"
+    for other, (line, _) in found.items():
+        if other.lower() == student.id.lower() and not {other, student.id} <= set(known):
+            return f"id {student.id} and {other} on line {line} {TWINS}"
+    return ""
+
+
+def _refused(path: Path, sentence: str) -> Malformed:
+    return Malformed([Diagnostic(path, 1, sentence)])

@@ -14,7 +14,8 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.roster import COLUMNS, Student, read_roster
+from corollary.problem.roster import COLUMNS, Student
+from corollary.problem.table import read_table
 
 KEY_BYTES = 32
 
@@ -88,20 +89,35 @@ def open_course(folder: Path) -> Course:
 
 def students(course: Course) -> tuple[Student, ...]:
     """Everybody on the course's own copy of the roster. Raises NotACourse."""
+    path = course.folder / ".corollary" / "roster.csv"
     try:
-        return read_roster(course.folder / ".corollary" / "roster.csv")
-    except Malformed as error:
+        (_, headings), *rows = read_table(path, COLUMNS).rows
+        places = [headings.index(name) for name in COLUMNS]
+    except (Malformed, ValueError) as error:
         raise NotACourse(
             f"the roster of {course.folder} is damaged: {error}; generate again with --roster"
         ) from None
+    others = [(at, heading) for at, heading in enumerate(headings) if at not in places]
+    found: list[Student] = []
+    for _, row in rows:
+        name, first, last, email = (row[at] for at in places)
+        ids = tuple((heading, row[at]) for at, heading in others if row[at])
+        found.append(Student(name, first, last, email, ids))
+    return tuple(found)
 
 
 def roster_table(roster: Iterable[Student]) -> str:
-    """The text of a roster's CSV file."""
+    """The text of a roster's CSV file: nbgrader's columns, then whatever else the students' ids are called by elsewhere."""
+    roster = tuple(roster)
+    headings = tuple(
+        dict.fromkeys(heading for each in roster for heading, _ in each.ids if heading not in COLUMNS)
+    )
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
-    rows.writerow(COLUMNS)
-    rows.writerows([each.id, each.first_name, each.last_name, each.email] for each in roster)
+    rows.writerow([*COLUMNS, *headings])
+    for each in roster:
+        about = [dict(each.ids).get(heading, "") for heading in headings]
+        rows.writerow([each.id, each.first_name, each.last_name, each.email, *about])
     return table.getvalue()
 
 

@@ -1,0 +1,121 @@
+"""A table from a CSV file as it comes: any usual delimiter and encoding, each row with its line."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Collection
+from dataclasses import dataclass
+from pathlib import Path
+
+from corollary.problem.diagnostic import Diagnostic, Malformed
+
+DELIMITERS = (",", ";", "\t", "|")
+MOST_BYTES = 50 << 20
+# What people save under the name of a CSV file, by its first bytes.
+NO_TABLES = {
+    b"PK\x03\x04": "an Excel or LibreOffice workbook",
+    b"\xd0\xcf\x11\xe0": "an Excel workbook",
+    b"%PDF": "a PDF",
+    b"\x1f\x8b": "a compressed file",
+}
+MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """The rows of a file that are not blank, each with the line it ends on. `encoding` is Python's name of the file's."""
+
+    path: Path
+    rows: tuple[tuple[int, tuple[str, ...]], ...]
+    delimiter: str
+    encoding: str
+    newline: str
+
+    @property
+    def first(self) -> tuple[str, ...]:
+        return self.rows[0][1] if self.rows else ()
+
+    def written(self, rows: Collection[Collection[str]]) -> bytes:
+        """Other rows in the form that this file has: its delimiter, encoding and ends of lines."""
+        text = io.StringIO()
+        csv.writer(text, delimiter=self.delimiter, lineterminator=self.newline).writerows(rows)
+        return text.getvalue().encode(self.encoding, "replace")
+
+
+def read_table(path: Path, headings: Collection[str] = ()) -> Table:
+    """The table in a file. `headings` are names of columns that may be met, in lower case: they help to tell the delimiter.
+
+    Raises Malformed for what cannot be read, or is no text.
+    """
+    try:
+        with path.open("rb") as file:
+            content = file.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise _refused(path, f"cannot be read: {error.strerror}") from None
+    if len(content) > MOST_BYTES:
+        raise _refused(path, f"has more than {MOST_BYTES >> 20} MB; this is no table of people")
+    for mark, kind in NO_TABLES.items():
+        if content.startswith(mark):
+            raise _refused(path, f"is {kind}; save it as CSV, in UTF-8, and give that file")
+    text, encoding = _decoded(path, content)
+    newline = "\r\n" if "\r\n" in text else "\n"
+    head, _, rest = text.partition("\n")
+    if head.strip().lower().startswith("sep=") and len(head.strip()) == 5:  # what Excel understands
+        delimiter, text, skipped = head.strip()[4], rest, 1
+    else:
+        delimiter, skipped = _delimiter(text, headings), 0
+    rows: list[tuple[int, tuple[str, ...]]] = []
+    line = 1 + skipped
+    try:
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
+        for row in reader:
+            if any(cell.strip() for cell in row):
+                rows.append((reader.line_num + skipped, tuple(cell.strip() for cell in row)))
+            line = reader.line_num + skipped + 1
+    except csv.Error as error:
+        sentence = f"a quotation mark is out of place ({error}); save it as CSV in UTF-8"
+        raise _refused(path, sentence, line) from None
+    return Table(path, tuple(rows), delimiter, encoding, newline)
+
+
+def _decoded(path: Path, content: bytes) -> tuple[str, str]:
+    """The text and its encoding: by its mark, else UTF-8 where it is that, else UTF-16 or Windows' Western European."""
+    found = next((encoding for mark, encoding in MARKS.items() if content.startswith(mark)), None)
+    if found is None and b"\x00" in content[:200]:
+        found = "utf-16-le" if content[1:2] == b"\x00" else "utf-16-be" if content[:1] == b"\x00" else None
+    for encoding in [found] if found else ["utf-8", "cp1252"]:
+        try:
+            text = content.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if "\x00" in text:
+            line = text[: text.index("\x00")].count("\n") + 1
+            raise _refused(path, "holds a zero byte: it is no text; save it as CSV in UTF-8", line)
+        return text, encoding
+    raise _refused(
+        path, "is in no encoding that is known (UTF-8, UTF-16, Windows-1252); save it as CSV in UTF-8"
+    )
+
+
+def _delimiter(text: str, headings: Collection[str]) -> str:
+    """The delimiter by which the first line holds most known headings, then the one that gives all rows as many cells."""
+
+    def merit(delimiter: str) -> tuple[int, float, int]:
+        rows = [row for row in csv.reader(io.StringIO(text, newline=""), delimiter=delimiter) if any(row)][
+            :200
+        ]
+        widths = Counter(map(len, rows))
+        width, often = widths.most_common(1)[0] if widths else (1, 0)
+        known = sum(cell.strip().lower() in headings for cell in rows[0]) if rows else 0
+        return known, often / max(1, len(rows)) if width > 1 else 0.0, width
+
+    try:
+        return max(DELIMITERS, key=merit)
+    except csv.Error:
+        return ","
+
+
+def _refused(path: Path, sentence: str, line: int = 1) -> Malformed:
+    return Malformed([Diagnostic(path, line, sentence)])

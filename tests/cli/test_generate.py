@@ -1,0 +1,105 @@
+"""`corollary generate`: rosters as they come, and students who are no longer on one."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from corollary.cli.main import main
+from corollary.records.files import open_course, students
+
+SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
+CANVAS = 'Student,ID,SIS User ID,SIS Login ID,Section\n    Points Possible,,,,\n"Żak, Łukasz",2001,S-17,łukasz,M\n"Bool, Ben",2002,S-18,ben,M\n'
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]):
+    (tmp_path / "small.md").write_text(SET)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", open(os.devnull))  # noqa: SIM115
+
+    def command(roster: str, *arguments: str) -> tuple[int, str, str]:
+        (tmp_path / "roster.csv").write_text(roster, encoding="utf-8")
+        line = ["generate", "small.md", "--roster", "roster.csv", "--course", "course", *arguments]
+        monkeypatch.setattr("sys.argv", ["corollary", *line])
+        with pytest.raises(SystemExit) as end:
+            main()
+        captured = capfd.readouterr()
+        return int(end.value.code or 0), captured.out, captured.err
+
+    return command
+
+
+def on_roster() -> list[str]:
+    return [each.id for each in students(open_course(Path("course")))]
+
+
+def test_the_ids_an_lms_knows_a_student_by_are_recorded(run):
+    status, out, err = run(CANVAS, "--json")
+    assert status == 0
+    assert "łukasz is lukasz-" in err
+    lukasz, ben = students(open_course(Path("course")))
+    assert list(json.loads(out)["students"]) == [lukasz.id, "ben"]
+    assert Path(f"course/release/{lukasz.id}/small/small.ipynb").is_file()
+    assert dict(lukasz.ids) == {"SIS Login ID": "łukasz", "SIS User ID": "S-17", "ID": "2001"}
+    assert (lukasz.name, ben.name) == ("Łukasz Żak", "Ben Bool")
+
+
+def test_newcomers_are_added_and_who_disappears_is_never_dropped_silently(run):
+    assert run("id\nada\nben\n")[0] == 0
+    sheet = Path("course/release/ada/small/small.ipynb").read_bytes()
+    status, _, err = run("id\ncyd\n")
+    assert (status, on_roster()) == (0, ["ada", "ben", "cyd"])
+    assert "new: cyd" in err
+    before = {path: path.read_bytes() for path in Path("course").rglob("*") if path.is_file()}
+    status, out, err = run("id\nada\ndan\n")
+    assert status == 1
+    assert {path: path.read_bytes() for path in Path("course").rglob("*") if path.is_file()} == before
+    assert "ben" in out
+    assert "cyd" in out
+    assert "Nothing is changed; --yes agrees" in err
+    assert "a file in which nobody else stands" in err
+    assert run("id\nada\ndan\n", "--yes")[0] == 0
+    assert on_roster() == ["ada", "dan"]
+    assert Path("course/release/ada/small/small.ipynb").read_bytes() == sheet
+    assert run("id\nben\n")[0] == 0
+    assert on_roster() == ["ada", "dan", "ben"]
+
+
+@pytest.mark.parametrize(("answer", "left"), [("y", ["ada"]), ("n", ["ada", "ben"])])
+def test_a_terminal_asks(run, answer, left):
+    assert run("id\nada\nben\n")[0] == 0
+    Path("roster.csv").write_text("id\nada\n")
+    terminal, other = pty.openpty()
+    line = [
+        Path(sys.executable).with_name("corollary"),
+        "generate",
+        "small.md",
+        "--roster",
+        "roster.csv",
+        "--course",
+        "course",
+    ]
+    with subprocess.Popen(line, stdin=other, stdout=subprocess.DEVNULL, stderr=other) as command:
+        os.close(other)
+        os.write(terminal, f"{answer}\n".encode())
+        read = b""
+        while b"Take this student off the roster?" not in read:
+            read += os.read(terminal, 1000)
+        command.wait(timeout=120)
+    os.close(terminal)
+    assert command.returncode == (0 if answer == "y" else 1)
+    assert on_roster() == left
+
+
+def test_two_ids_that_are_one_folder(run):
+    assert run("id\nada\n")[0] == 0
+    status, _, err = run("id\nAda\n")
+    assert (status, on_roster()) == (2, ["ada"])
+    assert "one folder on many disks" in err
