@@ -6,6 +6,7 @@ import importlib
 import json
 import os
 import sys
+from errno import ENOSPC
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -91,7 +92,10 @@ def _unforeseen(error: Exception) -> int:
     if os.environ.get("COROLLARY_DEBUG"):
         raise error
     if isinstance(error, OSError):
-        say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
+        remedy = (
+            "; make room and run this again, what is written so far stands" if error.errno == ENOSPC else ""
+        )
+        say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}{remedy}")
         return REFUSED
     say(
         f"corollary: this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
