@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
 from .conftest import COMMAND, STUDENTS, grade
 
 # In a mount namespace of its own, where nobody else meets the disk.
