@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from corollary import plug_ins
+
 # The same examples in every run; `HYPOTHESIS_PROFILE=searching make test` draws others, and more of them.
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.register_profile("searching", deadline=None, max_examples=1000)
@@ -73,3 +75,33 @@ def open_to_everybody() -> None:
         for folder in place.absolute().parents:
             if not folder.stat().st_mode & 0o001:
                 pytest.skip(f"only its owner may enter {folder}, so no ordinary user can run what lies in it")
+
+
+@pytest.fixture
+def installed(tmp_path_factory, monkeypatch):
+    """Installs a package for this test: its name, its entry points by group, and its modules' texts by file name."""
+    folder = tmp_path_factory.mktemp("packages")
+    before = set(sys.modules)
+
+    def install(name: str, points: dict[str, list[str]], **modules: str) -> Path:
+        place = folder / name
+        about = place / f"{name}-1.0.dist-info"
+        about.mkdir(parents=True)
+        (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
+        lines = [line for group, named in points.items() for line in (f"[{group}]", *named)]
+        (about / "entry_points.txt").write_text("\n".join([*lines, ""]))
+        for module, text in modules.items():
+            path = place / f"{module.replace('__', '/')}.py"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        monkeypatch.syspath_prepend(place)
+        plug_ins.plug_ins.cache_clear()
+        plug_ins.state.cache_clear()
+        return place
+
+    yield install
+    plug_ins.plug_ins.cache_clear()
+    plug_ins.state.cache_clear()
+    for module in set(sys.modules) - before:
+        if str(folder) in (getattr(sys.modules[module], "__file__", "") or ""):
+            del sys.modules[module]

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
 
-from corollary.problem import bank as banks
+from corollary.plug_ins import PlugInFault
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank, find, home, load, open_bank
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem_set import find_set
@@ -134,14 +133,8 @@ def test_a_code_that_two_banks_have(bank, other):
         load(open_bank(Path(os.pathsep.join((str(bank.folder), str(other))))))
 
 
-def test_the_bank_of_an_installed_package(other, monkeypatch, tmp_path):
-    installed = [
-        EntryPoint("heat", "heat_problems", "corollary.banks"),
-        EntryPoint("empty", "json", "corollary.banks"),
-    ]
-    monkeypatch.setattr(
-        banks, "entry_points", lambda *, group: installed if group == "corollary.banks" else []
-    )
+def test_the_bank_of_an_installed_package(other, installed, monkeypatch, tmp_path):
+    installed("warmth", {"corollary.banks": ["heat = heat_problems", "empty = json"]})
     monkeypatch.syspath_prepend(other.parent)
     monkeypatch.chdir(tmp_path)
     assert open_bank(Path("heat")).folder == other
@@ -149,9 +142,14 @@ def test_the_bank_of_an_installed_package(other, monkeypatch, tmp_path):
         "heat_problems" in sys.modules
     )  # its package may bring units, and registers them when it is imported
     assert open_bank(Path(f"chapter{os.pathsep}heat")).more == (other,)
-    with pytest.raises(UnknownCode, match="the bank empty is installed, but json has no folder problems/"):
+    with pytest.raises(
+        PlugInFault, match="the bank empty of warmth cannot be used: json: it has no folder problems/"
+    ):
         open_bank(Path("empty"))
     with pytest.raises(UnknownCode, match="the banks installed are chapter, empty, heat"):
+        open_bank(Path("optics"))
+    installed("chapters", {"corollary.banks": ["chapter = heat_problems"]})
+    with pytest.raises(PlugInFault, match="corollary and chapters are both installed and both bring chapter"):
         open_bank(Path("optics"))
 
 

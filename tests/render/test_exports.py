@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from corollary.notebook.worksheet import Worksheet, exercise, worksheet
+from corollary.plug_ins import PlugInFault
 from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter
 from corollary.render.exports import Target, UnknownTarget, names, names_for_exercises, target
@@ -119,21 +120,18 @@ NOTHING = "no target"
 """
 
 
-def test_another_package_brings_a_target_by_an_entry_point(tmp_path, sheet, monkeypatch):
-    (tmp_path / "rollcall.py").write_text(THEIRS)
-    about = tmp_path / "rollcall-1.0.dist-info"
-    about.mkdir()
-    (about / "METADATA").write_text("Metadata-Version: 2.1\nName: rollcall\nVersion: 1.0\n")
+def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
     points = ["roll = rollcall:ROLL", "broken = rollcall:NOTHING", "gone = rollcall:MISSING"]
-    (about / "entry_points.txt").write_text("\n".join(["[corollary.exports]", *points]) + "\n")
-    monkeypatch.syspath_prepend(tmp_path)
+    installed("rollcall", {"corollary.exports": points}, rollcall=THEIRS)
     assert names() == ("text", "md", "html", "ipynb", "csv", "broken", "gone", "roll")
     roll = target("roll")
     assert isinstance(roll, Target)
     assert roll.problem_set is not None
     assert roll.problem_set(sheet.problem_set, [sheet]) == {"all.txt": b"ada"}
-    with pytest.raises(UnknownTarget, match="broken is promised by rollcall:NOTHING"):
+    with pytest.raises(
+        PlugInFault, match=r"the export broken of rollcall .* it is no corollary.render.exports.Target"
+    ):
         target("broken")
-    with pytest.raises(UnknownTarget, match="gone is promised by rollcall:MISSING"):
+    with pytest.raises(PlugInFault, match="the export gone of rollcall cannot be used: rollcall:MISSING"):
         target("gone")
     assert names_for_exercises() == ("text", "md", "html", "ipynb")

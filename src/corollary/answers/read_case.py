@@ -7,7 +7,6 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
-from corollary.answers.equality import Different, Equal, Undecided, compare, hint
 from corollary.answers.quantity import Reading, in_si, read_quantity
 from corollary.formula.ast import Expr
 from corollary.formula.ast import names as letters_of
@@ -108,6 +107,8 @@ def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
     }
     if truth is None:
         return result
+    from corollary.answers.equality import Different, Equal, Undecided, compare, hint
+
     match compare(tree, truth, _domain(case)):
         case Equal():
             return result | {"verdict": "equal"}

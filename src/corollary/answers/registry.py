@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Protocol
@@ -12,6 +12,7 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import Verdict
+from corollary.plug_ins import fault, load, plug_ins
 
 if TYPE_CHECKING:  # what is expected is made of certified numbers, which reading an answer does not need
     from corollary.answers.expected import Expected
@@ -34,15 +35,16 @@ class Judging(Protocol):
 
 def folder(name: str) -> str:
     """The package that holds an answer type: `corollary.answers.value`. Raises UnknownAnswerType."""
-    found = f"{GROUP}.{name}" if name in BUILT_IN else _brought().get(name)
-    if found is None:
-        raise UnknownAnswerType(f"there is no answer type {name}; there are {', '.join(known())}")
-    return found
+    if name in BUILT_IN:
+        return f"{GROUP}.{name}"
+    if (entry := plug_ins(GROUP, BUILT_IN).get(name)) is None:
+        raise _unknown(name)
+    return entry.value
 
 
 def known() -> tuple[str, ...]:
     """The names of all answer types."""
-    return (*BUILT_IN, *sorted(_brought()))
+    return (*BUILT_IN, *sorted(plug_ins(GROUP, BUILT_IN)))
 
 
 @cache
@@ -58,24 +60,16 @@ def judging(name: str) -> Judging:
 
 
 def _loaded(name: str, module: str, wanted: str) -> Any:
-    """A module of an answer type. What is wrong with another package's is said in a sentence that names it."""
-    place = f"{folder(name)}.{module}"
+    """A module of an answer type. Raises PlugInFault for another package's that cannot be used."""
     if name in BUILT_IN:
-        return import_module(place)
-    try:
-        found = import_module(place)
-    except Exception as error:
-        raise UnknownAnswerType(
-            f"the answer type {name} is installed, but {place} cannot be loaded: {type(error).__name__}: {error}"
-        ) from error
+        return import_module(f"{folder(name)}.{module}")
+    if (entry := plug_ins(GROUP, BUILT_IN).get(name)) is None:
+        raise _unknown(name)
+    found = load(entry, "the answer type", module)
     if wanted not in vars(found):
-        raise UnknownAnswerType(f"the answer type {name} is installed, but {place} has no {wanted}")
+        raise fault(entry, "the answer type", f"its {module}.py has no {wanted}")
     return found
 
 
-@cache
-def _brought() -> Mapping[str, str]:
-    """Answer types of other packages, each with the folder that its entry point names."""
-    from importlib.metadata import entry_points  # slow, and needed only for a name that is not built in
-
-    return {point.name: point.value for point in entry_points(group=GROUP)}
+def _unknown(name: str) -> UnknownAnswerType:
+    return UnknownAnswerType(f"there is no answer type {name}; there are {', '.join(known())}")

@@ -19,6 +19,7 @@ HOLDS, FAILS, REFUSED, STOPPED = 0, 1, 2, 130
 RAISED = {
     "corollary.api": ["UnknownPart"],
     "corollary.answers.registry": ["UnknownAnswerType"],
+    "corollary.plug_ins": ["PlugInFault"],
     "corollary.notebook.packing": ["NotCarried"],
     "corollary.problem.diagnostic": ["Malformed"],
     "corollary.problem.bank": ["UnknownCode"],

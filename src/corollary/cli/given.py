@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from corollary.cli.ending import refuse
-from corollary.problem.front_matter import exact
 
 
 def from_options(sets: list[str]) -> dict[str, str]:
@@ -36,6 +35,8 @@ def read_cases(path: Path) -> list[Any]:
 
 
 def _decimal(text: str) -> Fraction | str:
+    from corollary.problem.front_matter import exact  # with YAML
+
     number = exact(text)
     return number if number is not None else text
 

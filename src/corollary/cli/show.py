@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, refuse, say
-from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import Exercise, exercise
 from corollary.problem.bank import Bank, home
 from corollary.problem.problem import Problem
@@ -32,7 +31,11 @@ def run(
         refuse("--course holds many students' numbers; name one with --student")
     place, problem = home(bank, code)
     chosen = _variant(place, problem, student, course, variant)
-    worked = Solutions(place).worked_solution(chosen) if solution else ""
+    worked = ""
+    if solution:
+        from corollary.grading.solutions import Solutions  # needed for the answers only
+
+        worked = Solutions(place).worked_solution(chosen)
     text = write(exercise(chosen), Student(student or "you"), worked)
     if output is not None:
         output.write_text(text, encoding="utf-8")
@@ -61,6 +64,8 @@ def _variant(
     if student is None:
         return chapter(problem)
     if course is None:
+        from corollary.grading.solutions import Solutions  # needed for the answers only
+
         return Solutions(place).assign_variant(problem, b"", student, ()).variant
     from corollary.records.assigned import assigned_anywhere
     from corollary.records.files import open_course

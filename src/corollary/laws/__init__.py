@@ -12,11 +12,11 @@ import pkgutil
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
-from importlib.metadata import entry_points
 from types import ModuleType
 from typing import Any
 
 from corollary.laws.law import Law, law
+from corollary.plug_ins import load, plug_ins
 
 GROUP = "corollary.laws"
 
@@ -43,10 +43,10 @@ __all__ += sorted(_OWN)  # pyright: ignore[reportUnsupportedDunderAll]
 
 @cache
 def _plugged_in() -> dict[str, Callable[..., Any]]:
-    """The laws of installed packages. Raises ImportError for a name that two of them claim."""
+    """The laws of installed packages. Raises ImportError for a law that two of them claim, PlugInFault for what cannot be loaded."""
     found: dict[str, Callable[..., Any]] = {}
-    for entry in entry_points(group=GROUP):
-        for name, value in laws_in(entry.load()).items():
+    for entry in plug_ins(GROUP).values():
+        for name, value in laws_in(load(entry, "the laws")).items():
             if name in found:
                 where = f"{found[name].__module__} and {value.__module__}"
                 raise ImportError(f"the law {name} is in both {where}; import it from its own module")

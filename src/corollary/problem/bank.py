@@ -6,13 +6,18 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.metadata import EntryPoint, entry_points
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from corollary.plug_ins import fault, plug_ins
+from corollary.plug_ins import load as load_plug_in
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.problem import Problem
-from corollary.problem.reader import read_problem
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
+    from corollary.problem.problem import Problem
 
 GROUP, VARIABLE, CHAPTER = "corollary.banks", "COROLLARY_BANK", "chapter"
 CODE_LINE = re.compile(r"""^code:[ \t]*["']?([\w.]+)["']?[ \t]*(?:#.*)?$""", re.MULTILINE)
@@ -91,47 +96,32 @@ def _folder(name: str) -> Path:
     folder = Path(name)
     if name == CHAPTER or folder == chapter_bank().folder:
         return chapter_bank().folder
-    installed = {entry.name: entry for entry in entry_points(group=GROUP)}
+    installed = plug_ins(GROUP, (CHAPTER,))
     if (folder / "problems").is_dir():
         for entry in installed.values():
-            if folder.resolve() in _folders_of(entry.module):
-                _load(
-                    entry
-                )  # a bank may bring units, which its package registers: also when it is named by its folder
+            if folder.resolve() in _folders_of(entry):
+                load_plug_in(entry, "the bank")  # it may bring units: also when it is named by its folder
         return folder.resolve()
     if name in installed:
-        for package in _folders_of(installed[name].module):
+        for package in _folders_of(installed[name]):
             if (package / "problems").is_dir():
-                _load(installed[name])
+                load_plug_in(installed[name], "the bank")
                 return package
-        raise UnknownCode(
-            f"the bank {name} is installed, but {installed[name].value} has no folder problems/"
-        )
+        raise fault(installed[name], "the bank", "it has no folder problems/")
     if folder.is_dir():
         raise UnknownCode(f"{folder} is no bank: it has no folder problems/")
     have = ", ".join([CHAPTER, *sorted(installed)])
     raise UnknownCode(f"{folder} is no bank: it has no folder problems/, and the banks installed are {have}")
 
 
-def _load(entry: EntryPoint) -> None:
-    try:
-        entry.load()
-    except Exception as error:
-        raise UnknownCode(
-            f"the bank {entry.name} is installed, but {entry.value} cannot be loaded: {type(error).__name__}: {error}"
-        ) from error
-
-
-def _folders_of(module: str) -> list[Path]:
+def _folders_of(entry: EntryPoint) -> list[Path]:
     """Where a package lies; nowhere, when what an entry point names is not there."""
     try:
-        spec = find_spec(module)
+        spec = find_spec(entry.module)
     except ModuleNotFoundError:
         return []
     except Exception as error:  # finding a package inside another runs the outer one
-        raise UnknownCode(
-            f"{module} is installed, but cannot be loaded: {type(error).__name__}: {error}"
-        ) from error
+        raise fault(entry, "the bank", f"{type(error).__name__}: {error}") from error
     places = (spec.submodule_search_locations or ()) if spec is not None else ()
     return [Path(place).resolve() for place in places]
 
@@ -151,7 +141,7 @@ def load(bank: Bank) -> list[Problem]:
     problems, complaints = [], []
     for path in files(bank):
         try:
-            problems.append(read_problem(path))
+            problems.append(_read(path))
         except Malformed as error:
             complaints += error.complaints
     if complaints:
@@ -159,6 +149,14 @@ def load(bank: Bank) -> list[Problem]:
     if complaints := doubles(problems):
         raise Malformed(complaints)
     return sorted(problems, key=lambda problem: chapter_order(problem.code))
+
+
+def _read(path: Path) -> Problem:
+    from corollary.problem.reader import (
+        read_problem,
+    )  # with formulas and YAML: a list that is cached needs neither
+
+    return read_problem(path)
 
 
 def doubles(problems: list[Problem]) -> list[Diagnostic]:
@@ -201,13 +199,13 @@ def find(bank: Bank, code: str) -> Problem:
             raise UnknownCode(
                 f"{code} does not lie in {places}; name its own bank with --bank, or leave --bank out"
             )
-        return read_problem(path)
+        return _read(path)
     for path in files(bank):
         if path.stem == code:
-            return read_problem(path)
+            return _read(path)
     for path in files(bank):
         if _code_at_a_glance(path).lower() == code.lower():
-            return read_problem(path)
+            return _read(path)
     raise UnknownCode(f"no problem is called {code or 'by an empty name'}; `corollary list` shows the codes")
 
 

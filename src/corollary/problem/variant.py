@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.formula.ast import Name, names
-from corollary.formula.ball import RationalPi, Undefined, certified, holds
+from corollary.formula.errors import Undefined
 from corollary.formula.numerals import decimal_text
+from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.problem import Condition, Problem
 from corollary.units.unit import show
@@ -37,6 +38,8 @@ class Variant:
     @property
     def si(self) -> dict[str, float]:
         """The givens in SI, each the nearest double."""
+        from corollary.formula.ball import certified  # a page that names the numbers needs no such arithmetic
+
         exact = self.exact
         return {symbol: certified(Name(symbol), exact).value for symbol in exact}
 
@@ -95,6 +98,8 @@ def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:
 
 def first_broken(variant: Variant, *, hard_only: bool = False) -> Condition | None:
     """The first condition these numbers break, or None."""
+    from corollary.formula.ball import holds
+
     exact = variant.exact
     for condition in variant.problem.conditions:
         if hard_only and not condition.hard:

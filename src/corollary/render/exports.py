@@ -9,12 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
+from typing import TYPE_CHECKING
 
 from corollary.notebook.worksheet import Exercise, Worksheet
+from corollary.plug_ins import PlugInFault, fault, load, plug_ins
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.records.report_model import Report
+
+if TYPE_CHECKING:
+    from corollary.records.report_model import Report
 
 GROUP = "corollary.exports"
 OURS = ("text", "md", "html", "ipynb", "csv")
@@ -41,29 +44,20 @@ class Target:
 
 
 def target(name: str) -> Target:
-    """The target of this name. Raises UnknownTarget."""
+    """The target of this name. Raises UnknownTarget, and PlugInFault for another package's that is none."""
     if name in OURS:
         return import_module(f"corollary.render.targets.{name}").TARGET
-    try:
-        theirs = _theirs()[name]
-    except KeyError:
-        raise UnknownTarget(f"{name} is not known; choose one of {', '.join(names())}") from None
-    try:
-        found = theirs.load()
-    except (ImportError, AttributeError) as error:
-        raise UnknownTarget(
-            f"{name} is promised by {theirs.value}, which cannot be loaded: {error}"
-        ) from None
+    if (theirs := plug_ins(GROUP, OURS).get(name)) is None:
+        raise UnknownTarget(f"{name} is not known; choose one of {', '.join(names())}")
+    found = load(theirs, "the export")
     if not isinstance(found, Target):
-        raise UnknownTarget(
-            f"{name} is promised by {theirs.value}, which is no corollary.render.exports.Target"
-        )
+        raise fault(theirs, "the export", "it is no corollary.render.exports.Target")
     return found
 
 
 def names() -> tuple[str, ...]:
     """The names of all targets, ours first."""
-    return (*OURS, *sorted(_theirs().keys() - set(OURS)))
+    return (*OURS, *sorted(plug_ins(GROUP, OURS)))
 
 
 def names_for_exercises() -> tuple[str, ...]:
@@ -72,10 +66,6 @@ def names_for_exercises() -> tuple[str, ...]:
     for name in names():
         try:
             found += [name] if target(name).exercise is not None else []
-        except UnknownTarget:
+        except PlugInFault:
             continue
     return tuple(found)
-
-
-def _theirs() -> dict[str, EntryPoint]:
-    return {each.name: each for each in entry_points(group=GROUP)}
