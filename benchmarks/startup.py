@@ -13,7 +13,15 @@ import sys
 import time
 from pathlib import Path
 
-COMMANDS = ("--help", "list", "key X12.5", "read 8,6Ns --unit N*s", "show X12.5", "scene cradle")
+COMMANDS = (
+    "--help",
+    "list",
+    "list --json",
+    "key X12.5",
+    "read 8,6Ns --unit N*s",
+    "show X12.5",
+    "scene cradle",
+)
 
 
 def seconds(command: list[str]) -> tuple[float, float]:
@@ -30,12 +38,13 @@ def main() -> None:
     runs = arguments.parse_args().runs
     program = str(Path(sys.executable).parent / "corollary")
     print("| command | wall clock, s | processor, s |\n|---|---|---|")
-    for command in COMMANDS:
-        words = [program, *command.split()]
+    for command in ("python", *COMMANDS):  # Python alone tells how busy the machine is
+        words = [sys.executable, "-c", "pass"] if command == "python" else [program, *command.split()]
         seconds(words)  # fills the caches
         found = [seconds(words) for _ in range(runs)]
         wall, processor = (statistics.median(column) for column in zip(*found, strict=True))
-        print(f"| `corollary {command}` | {wall:.2f} | {processor:.2f} |", flush=True)
+        name = "Python alone" if command == "python" else f"`corollary {command}`"
+        print(f"| {name} | {wall:.2f} | {processor:.2f} |", flush=True)
 
 
 if __name__ == "__main__":
