@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import gettext
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -69,6 +69,23 @@ def _translations(domain: str, code: str) -> gettext.NullTranslations:
 def N_(message: str, /) -> str:
     """Marks a message that stands in a table; it is looked up when it is spoken."""
     return message
+
+
+def languages() -> list[str]:
+    """The languages that students can be addressed in: English, and those that a room has texts in."""
+    found = Path(__file__).parent.glob("*/locale/*/LC_MESSAGES/*.mo")
+    return ["en", *sorted({path.parent.parent.name for path in found})]
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """` (did you mean X12.5?)`, where one of the known words, or a few, are near to it; else nothing."""
+    from difflib import get_close_matches
+
+    by_small_letters = {each.lower(): each for each in known}
+    near = [
+        by_small_letters[each] for each in get_close_matches(word.lower(), by_small_letters, n=3, cutoff=0.7)
+    ]
+    return f" (did you mean {' or '.join(near)}?)" if near else ""
 
 
 def visible(text: str) -> str:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime
+from zoneinfo import ZoneInfo
 
 import pytest
 
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
+from corollary.problem.dates import Usual
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem_set import ProblemSet, Scheme, find_set
 
@@ -30,7 +32,7 @@ def test_what_a_set_holds(bank):
         "week_1",
         "Week 1",
         "Welcome.",
-        True,
+        "after due",
     )
     assert found.due == datetime(2026, 12, 4, 22, 59, tzinfo=UTC)
     assert found.scheme == Scheme(slip=0.4, late=0.8)
@@ -39,7 +41,19 @@ def test_what_a_set_holds(bank):
 
 def test_what_is_not_said(bank):
     found = a_set(bank, "title: Week 1\nproblems: cart")
-    assert (found.due, found.reveal, found.scheme, found.weights) == (None, False, Scheme(), (1.0,))
+    assert (found.due, found.reveal, found.scheme, found.weights) == (None, "no", Scheme(), (1.0,))
+
+
+def test_the_dates_are_in_the_courses_zone_and_a_course_may_say_what_is_revealed(bank):
+    about = "title: Week 1\nopens: 2026-11-27\ndue: 2026-12-04\nproblems: cart"
+    usual = Usual(ZoneInfo("America/New_York"), "by hand")
+    a_set(bank, about)
+    found = find_set(bank, "week_1", usual)
+    assert found.opens == datetime(2026, 11, 27, 5, 0, tzinfo=UTC)
+    assert found.due == datetime(2026, 12, 5, 4, 59, 59, 999999, tzinfo=UTC)
+    assert found.reveal == "by hand"
+    a_set(bank, f"{about}\nreveal: no")
+    assert find_set(bank, "week_1", usual).reveal == "no"
 
 
 def test_a_weight_of_nothing_is_nothing(bank):
@@ -62,6 +76,8 @@ def test_a_weight_of_nothing_is_nothing(bank):
             "`points` of a problem of the set is not known",
         ),
         ("title: W\ndue: tomorrow\nproblems: [X1.1]", 3, "is no moment"),
+        ("title: W\nopens: 2026-12-32\nproblems: [X1.1]", 3, "opens: 2026-12-32 is no moment"),
+        ("title: W\ndue: 2026-12-04\nopens: 2026-12-05\nproblems: [X1.1]", 4, "opens when it is due already"),
         ("title: W\nreveal: maybe\nproblems: [X1.1]", 3, "say yes"),
         ("title: W\ncredit: {slip: 2}\nproblems: [X1.1]", 3, "a share lies between 0 and 1"),
         ("title: W\ncredit: {slip: half}\nproblems: [X1.1]", 3, "is not a number"),
@@ -91,7 +107,9 @@ def test_a_set_with_a_broken_problem_names_its_fault(bank, write):
 
 def test_a_set_that_is_not_there(bank):
     a_set(bank, "title: W\nproblems: [X1.1]")
-    with pytest.raises(UnknownCode, match="no problem set week_2; the bank has: week_1"):
+    with pytest.raises(
+        UnknownCode, match=r"no problem set week_2 \(did you mean week_1\?\); the bank has: week_1"
+    ):
         find_set(bank, "week_2")
 
 

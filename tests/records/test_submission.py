@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from datetime import UTC, datetime
 from pathlib import Path
+from zoneinfo import ZoneInfo
 
 import pytest
 
@@ -12,8 +13,18 @@ from corollary.atomic import write_whole
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
+from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
-from corollary.records.submission import fingerprint, handed_in, moment, read_submission, submissions
+from corollary.records.submission import (
+    fingerprint,
+    handed_in,
+    lateness,
+    moment,
+    read_submission,
+    submissions,
+)
+
+NO_DATE = Terms()
 
 
 @pytest.fixture
@@ -84,7 +95,7 @@ def test_a_students_folder_that_is_a_link_is_not_followed(course: Course):
     problem_set = find_set(chapter_bank(), "momentum_1")
     for student, content in (("ada", b"{}"), ("bob", None)):
         path = course.notebook("submitted", student, "week_1")
-        read = read_submission(course, problem_set, Student(student), path, {}, "").content
+        read = read_submission(course, problem_set, Student(student), path, {}, "", Terms()).content
         assert read == content if content is not None else "link" in str(read)
 
 
@@ -109,16 +120,35 @@ def test_the_fingerprint_tells_whatever_marks_depend_on(course: Course):
     write_whole(notebook, "{}")
     os.utime(notebook, (1_700_000_000, 1_700_000_000))
 
-    def now(row: dict[str, int], state: str = "s") -> str:
-        return fingerprint(course, "week_1", "ada", notebook, row, state)
+    def now(row: dict[str, int], state: str = "s", terms: Terms = NO_DATE) -> str:
+        return fingerprint(course, "week_1", "ada", notebook, row, state, terms)
 
     before = now({"X12.5": 3, "X12.8": 4})
     assert now({"X12.8": 4, "X12.5": 3}) == before
     assert now({"X12.5": 4, "X12.8": 4}) != before
     assert now({"X12.5": 3, "X12.8": 4}, "t") != before
+    due = datetime(2026, 12, 4, 23, tzinfo=UTC)
+    for terms in (Terms(due), Terms(excused=True), Terms(reveal=True)):  # the page says each of them
+        assert now({"X12.5": 3, "X12.8": 4}, terms=terms) != before
     os.utime(notebook, (1_700_000_001, 1_700_000_001))
     later = now({"X12.5": 3, "X12.8": 4})
     assert later != before
     notebook.write_text("{ }")
     os.utime(notebook, (1_700_000_001, 1_700_000_001))
     assert now({"X12.5": 3, "X12.8": 4}) != later
+
+
+def test_late_is_after_ones_own_deadline(course: Course):
+    problem_set = find_set(chapter_bank(), "momentum_1")
+    place = course.place("submitted", "ada", "momentum_1")
+    write_whole(place / "momentum_1.ipynb", "{}")
+    write_whole(place / "timestamp.txt", "2026-12-05 12:00:00 UTC")
+    oslo = ZoneInfo("Europe/Oslo")
+    for terms, seconds in [
+        (Terms(datetime(2026, 12, 5, 12, 0, tzinfo=oslo)), 3600),
+        (Terms(datetime(2026, 12, 5, 13, 0, tzinfo=oslo)), 0),
+        (Terms(datetime(2026, 12, 4, 12, 0, tzinfo=UTC)), 86400),
+        (Terms(datetime(2026, 12, 4, 12, 0, tzinfo=UTC), excused=True), 0),
+        (NO_DATE, 0),
+    ]:
+        assert lateness(course, problem_set, "ada", terms) == seconds

@@ -9,6 +9,7 @@ import click
 
 from corollary import __version__
 from corollary.cli.ending import run
+from corollary.cli.left_out import completed
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -33,7 +34,9 @@ click.version_option(__version__, message="%(version)s", help="Show the version 
 
 def _command(name: str, sentence: str, *parameters: click.Parameter, module: str = "") -> None:
     """One more command: `run` of its module in this folder gets the parameters by name, and gives the exit status."""
-    callback = partial(run, module or name)
+    needs = COURSE in parameters
+    prepared = partial(completed, course_needed=needs, any_bank=BANK in parameters)
+    callback = partial(run, module or name, prepared)
     app.add_command(click.Command(name, params=list(parameters), help=sentence, callback=callback))
 
 
@@ -60,13 +63,13 @@ def _all_when_left_out(parameter: str, metavar: str, sentence: str) -> click.Arg
 CODE = click.Argument(["code"], help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")
 SET = click.Argument(["name"], metavar="SET", help="A problem set of the bank, or a path to its .md file.")
 JSON = click.Option(["--json", "as_json"], is_flag=True, help="One JSON document on standard output.")
-COURSE = _path("--course", text="The course folder.", required=True)
+COURSE = _path("--course", text="The course folder; the one around the working folder when left out.")
 BANK = click.Option(
     ["--bank"],
     type=PATH,
     multiple=True,
     help="A folder with problems/ and solutions/, or an installed bank; may be repeated. When left out, "
-    "COROLLARY_BANK, or the chapter's bank.",
+    "COROLLARY_BANK, the course's bank, or the chapter's.",
 )
 GENERATED_BANK = click.Option(
     ["--bank"],
@@ -178,8 +181,7 @@ _command(
     click.Option(
         ["--require-isolation", "require"],
         type=click.IntRange(0, 3),
-        default=1,
-        help="Refuse to run notebooks below this isolation level.",
+        help="Refuse to run notebooks below this isolation level; 1 when left out.",
     ),
     click.Option(
         ["--jobs"],

@@ -6,6 +6,7 @@ import importlib
 import json
 import os
 import sys
+from collections.abc import Callable
 from errno import ENOSPC
 from pathlib import Path
 from typing import Any, NoReturn
@@ -48,15 +49,19 @@ def refuse(sentence: str) -> NoReturn:
     raise Refusal(sentence)
 
 
-def run(module: str, **options: object) -> None:
-    """The command of that module, imported only now; its status, one sentence on a failing, no traceback."""
+def run(
+    module: str, prepared: Callable[[dict[str, Any]], dict[str, Any]] = dict[str, Any], **options: object
+) -> None:
+    """The command of that module, imported only now; its status, one sentence on a failing, no traceback. `prepared` gives
+    the options with those that were left out."""
     options = {name: list(value) if isinstance(value, tuple) else value for name, value in options.items()}
-    match options.get("bank"):
-        case [*places]:  # several banks are one, parted as in PATH
-            options["bank"] = Path(os.pathsep.join(map(str, places))) if places else None
-        case _:
-            pass
     try:
+        options = prepared(options)
+        match options.get("bank"):
+            case [*places]:  # several banks are one, parted as in PATH
+                options["bank"] = Path(os.pathsep.join(map(str, places))) if places else None
+            case _:
+                pass
         status = importlib.import_module(f"corollary.cli.{module}").run(**options)
         sys.stdout.flush()
     except KeyboardInterrupt:

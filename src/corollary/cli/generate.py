@@ -14,6 +14,7 @@ from corollary.nbgrader.config import check_config
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student, read_roster
+from corollary.records.settings import read_settings
 
 
 def run(
@@ -25,10 +26,10 @@ def run(
     id_column: str | None = None,
     yes: bool = False,
 ) -> int:
-    place = open_bank(bank)
-    problem_set = find_set(place, name)
     if course.exists() and not course.is_dir():
         refuse(f"{course} is a file; name a folder for the course")
+    place = open_bank(bank)
+    problem_set = find_set(place, name, read_settings(course).usual)
     students, solutions = _students(roster, course, id_column or "", yes, as_json), Solutions(place)
     if students is None:
         return FAILS

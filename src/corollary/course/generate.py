@@ -17,6 +17,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import chapter, size
 from corollary.records.assigned import read_assigned, write_assigned, write_origin
 from corollary.records.files import Course, create_course
+from corollary.records.settings import write_settings
 
 if TYPE_CHECKING:
     from nbformat import NotebookNode
@@ -50,6 +51,7 @@ def generate(
     """
     roster = tuple(roster)
     course = create_course(folder, roster)
+    write_settings(course.folder)
     assigned = read_assigned(course, problem_set.name)
     redrawn: dict[str, int] = {}
     for problem in problem_set.problems:

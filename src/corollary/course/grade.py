@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ from corollary.nbgrader.graded import GradedSubmission
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
 from corollary.records.collusion import find_shared, write_shared
+from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.marks import Record, read_records, settle, write_marks
 from corollary.records.regrading import Change, changes
@@ -68,12 +70,13 @@ def grade_set(
     jobs: int | None = None,
     execute: Execute | None = None,
     begin: Callable[[], None] = lambda: None,
+    now: datetime | None = None,
 ) -> Outcome:
     """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
 
     A regrade marks everything first and shows who changes before anything is written; a dry run writes nothing at all.
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
-    `begin` is called before the first notebook is run.
+    `begin` is called before the first notebook is run. `now` (None: this moment) decides what is revealed.
     `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
     WeakIsolation, and what the gradebook refuses (GradebookLocked, GradebookUnusable, NotRegistered, BrokenConfig).
     """
@@ -89,8 +92,10 @@ def grade_set(
     files = submissions(course, name)
     strangers = tuple(student for student in files if student not in roster or student not in assigned)
     state = state_of(problem_set, solutions)
+    deadlines, moment = read_deadlines(course, problem_set), now or datetime.now(UTC)
+    terms = {student: deadlines.terms(student, moment) for student in files}
     digests = {
-        student: fingerprint(course, name, student, path, assigned[student], state)
+        student: fingerprint(course, name, student, path, assigned[student], state, terms[student])
         for student, path in files.items()
         if student not in strangers
     }
@@ -102,7 +107,7 @@ def grade_set(
     written = _in_gradebook(course, problem_set, done) if has_nbgrader() and not dry_run else set(done)
     todo = [student for student in digests if regrade or student not in written]
     waiting = (
-        read_submission(course, problem_set, roster[one], files[one], assigned[one], digests[one])
+        read_submission(course, problem_set, roster[one], files[one], assigned[one], digests[one], terms[one])
         for one in todo
     )
     held: list[GradedSubmission] = []

@@ -35,7 +35,7 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
             continue
         if not as_handed_out(theirs, cell):
             edited.append(cell.id)
-        elif not cell.id.endswith("_figure"):
+        elif cell.id != "title" and not cell.id.endswith("_figure"):
             foreign.append(cell.id)
     return tuple(_sentences(sheet, _owner(notebook), edited, foreign))
 

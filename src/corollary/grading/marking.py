@@ -30,16 +30,23 @@ Keys = Mapping[str, Key]
 
 
 def mark(
-    sheet: Worksheet, keys: Keys, notebook: Notebook | Unreadable, runner: Runner, secret: bytes, late: float
+    sheet: Worksheet,
+    keys: Keys,
+    notebook: Notebook | Unreadable,
+    runner: Runner,
+    secret: bytes,
+    late: float,
+    reveal: bool = False,
 ) -> Marked:
-    """The marks of one submission; `late` in seconds. Never raises for what is in it."""
+    """The marks of one submission; `late` in seconds; `reveal`: feedback may give right values. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
         return _unreadable(sheet, keys, notebook.why, late)
     executed = runner.execute(_job(sheet, keys, notebook, secret))
     if executed.machine_failed:
         return replace(not_marked(sheet, executed.trouble, late), machine_failed=True)
     grades = tuple(
-        _grade(sheet, keys, exercise.problem.code, notebook, executed, secret) for exercise in sheet.exercises
+        _grade(sheet, keys, exercise.problem.code, notebook, executed, secret, reveal)
+        for exercise in sheet.exercises
     )
     share = sheet.problem_set.scheme.late if late > 0 else 1.0
     trouble = executed.trouble
@@ -70,7 +77,13 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
 
 
 def _grade(
-    sheet: Worksheet, keys: Keys, code: str, notebook: Notebook, executed: ExecutionResult, secret: bytes
+    sheet: Worksheet,
+    keys: Keys,
+    code: str,
+    notebook: Notebook,
+    executed: ExecutionResult,
+    secret: bytes,
+    reveal: bool,
 ) -> Grade:
     prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
     plots = plot_cells(notebook.node, sheet)
@@ -90,7 +103,7 @@ def _grade(
         judged,
         problem_set.scheme,
         problem_set.weight(keys[code].variant.problem),
-        reveal=problem_set.reveal,
+        reveal=reveal,
     )
     ran = _runs(notebook, executed)
     return replace(

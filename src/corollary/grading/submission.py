@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from datetime import datetime
 from typing import TYPE_CHECKING
 
 from corollary import __version__
@@ -31,13 +32,16 @@ _ = catalogue(__name__)
 @dataclass(frozen=True, slots=True)
 class Submission:
     """What a student handed in: its bytes (or why there are none), the indices of the variants assigned to the student by
-    code of the problem, how late it is in seconds, and the fingerprint of all that its marks depend on."""
+    code of the problem, how late it is in seconds, the fingerprint of all that its marks and its page depend on, whether its
+    feedback may give right values by now, and the student's own deadline."""
 
     student: Student
     content: bytes | Unreadable
     assigned: Mapping[str, int]
     late: float
     fingerprint: str
+    reveal: bool = False
+    due: datetime | None = None
 
     @property
     def notebook(self) -> Notebook | Unreadable:
@@ -64,7 +68,7 @@ class GradingContext:
 @dataclass(frozen=True, slots=True)
 class MarkedSubmission:
     """Marks, the notebook as it was handed in (None when it could not be opened), and the worked solutions by code of the
-    problem where the set reveals them."""
+    problem where they are revealed."""
 
     marked: Marked
     notebook: NotebookNode | None
@@ -79,9 +83,9 @@ def mark_submission(context: GradingContext, runner: Runner, submission: Submiss
     node = received.node if isinstance(received, Notebook) else None
     try:
         keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
-        marked = mark(sheet, keys, received, runner, context.secret, submission.late)
+        marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)
         marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
-        revealed = keys if context.problem_set.reveal else {}
+        revealed = keys if submission.reveal else {}
         return MarkedSubmission(
             marked, node, {code: context.solutions.worked_solution_of(key) for code, key in revealed.items()}
         )
@@ -100,12 +104,13 @@ def left_to_a_person(
 
 
 def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
-    """A digest of all but the submission that marks depend on: problems, solutions, what the set says, and this program.
+    """A digest of all but the submission and its dates that marks depend on: problems, solutions, what the set says, and this
+    program.
 
     Marks from two states must not meet in one gradebook unnoticed, and a process that lives long must not mark by solutions
     that have changed. Raises NotDerivable.
     """
-    about = (problem_set.scheme, problem_set.due, problem_set.weights, problem_set.reveal, __version__)
+    about = (problem_set.scheme, problem_set.weights, __version__)
     digest = hashlib.sha256(repr(about).encode())
     for problem in problem_set.problems:
         for content in (problem.path.read_bytes(), solutions.source(problem)):

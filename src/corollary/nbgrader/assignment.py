@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from functools import lru_cache
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from corollary.grading.submission import GradingContext, Submission, state_of
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import Bank
 from corollary.records.assigned import read_assigned, read_origin
+from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
 from corollary.records.submission import fingerprint, read_submission, submissions
 from corollary.sandbox.notebook import Notebook
@@ -65,8 +67,9 @@ def assignment_of(about: Mapping[str, str]) -> Assignment | None:
     bank, problem_set = read_origin(course, name)
     path = submissions(course, name).get(student, course.notebook("submitted", student, name))
     state = state_of(problem_set, Solutions(bank))
-    digest = fingerprint(course, name, student, path, assigned[student], state)
-    submission = read_submission(course, problem_set, who, path, assigned[student], digest)
+    terms = read_deadlines(course, problem_set).terms(student, datetime.now(UTC))
+    digest = fingerprint(course, name, student, path, assigned[student], state, terms)
+    submission = read_submission(course, problem_set, who, path, assigned[student], digest, terms)
     context = GradingContext(problem_set, _solutions(bank, state), course.key, Runner)
     return Assignment(course, submission, context)
 

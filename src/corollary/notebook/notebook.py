@@ -15,6 +15,7 @@ from corollary.notebook.cells import answer_cell, graded_cell, program_cell, rea
 from corollary.notebook.check_cell import check_source
 from corollary.notebook.locate import cell_id
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
+from corollary.problem.dates import written
 
 _ = catalogue(__name__)
 
@@ -115,8 +116,7 @@ def _title(sheet: Worksheet) -> str:
     about = sheet.problem_set
     facts = [f"**{sheet.student.name}**"] if sheet.student.id else []
     if about.due is not None:
-        moment = f"{about.due:%A} {about.due.day} {about.due:%B %Y, %H:%M %Z}"
-        facts.append(_("due {moment}", moment=moment))
+        facts.append(_("due {moment}", moment=written(about.due)))
     facts.append(points(sum(prompt.out_of for prompt in sheet.prompts)))
     return f"# {about.title}\n\n{' · '.join(facts)}" + (
         f"\n\n{about.introduction}" if about.introduction else ""

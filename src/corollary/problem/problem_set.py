@@ -9,13 +9,16 @@ from datetime import datetime
 from fractions import Fraction
 from pathlib import Path
 
+from corollary.messages import did_you_mean
 from corollary.problem.bank import Bank, UnknownCode, find
+from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, Table, Text, split
 from corollary.problem.problem import Problem
 from corollary.problem.variant import Variant, assigned_variant
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
+USUAL = Usual()
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +33,7 @@ class Scheme:
 
 @dataclass(frozen=True, slots=True)
 class ProblemSet:
-    """`weights` multiply the points of each problem's parts; `due` is a time with a zone, or None."""
+    """`weights` multiply the points of each problem's parts; `due` and `opens` are moments with a zone, or None."""
 
     name: str
     title: str
@@ -39,7 +42,8 @@ class ProblemSet:
     weights: tuple[float, ...]
     due: datetime | None
     scheme: Scheme
-    reveal: bool
+    reveal: Reveal
+    opens: datetime | None = None
 
     def weight(self, problem: Problem) -> float:
         return self.weights[self.problems.index(problem)]
@@ -57,17 +61,27 @@ class ProblemSet:
         )
 
 
-def find_set(bank: Bank, name: str) -> ProblemSet:
-    """The set called so in the bank's problems/sets, or in the file of that path. Raises Unknown or Malformed."""
+def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
+    """The set called so in the bank's problems/sets, or in the file of that path; `usual`: what its course says of dates.
+
+    Raises UnknownCode or Malformed.
+    """
     places = [Path(name)] if name.endswith(".md") else [each.sets / f"{name}.md" for each in bank.each]
     path = next((place for place in places if place.is_file()), None)
     if path is None:
-        have = ", ".join(sorted(file.stem for each in bank.each for file in each.sets.glob("*.md"))) or "none"
-        raise UnknownCode(f"there is no problem set {name}; the bank has: {have}")
-    return read_set(bank, path)
+        have = set_names(bank)
+        raise UnknownCode(
+            f"there is no problem set {name}{did_you_mean(name, have)}; the bank has: {', '.join(have) or 'none'}"
+        )
+    return read_set(bank, path, usual)
 
 
-def read_set(bank: Bank, path: Path) -> ProblemSet:
+def set_names(bank: Bank) -> list[str]:
+    """What the bank's sets are called."""
+    return sorted(file.stem for each in bank.each for file in each.sets.glob("*.md"))
+
+
+def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
     """The problem set a file holds. Raises Malformed with every complaint found."""
     table, body, _ = split(path)
     complaints: list[Diagnostic] = []
@@ -77,16 +91,16 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
             1, f"the file's name becomes a folder's; {path.stem!r} will not do, use letters, digits, _ and -"
         )
     title = front.text("title")
-    due, due_line = front.line_of("due", "")
-    moment = _moment(due)
-    if due and moment is None:
+    opens, due = _date(front, "opens", usual), _date(front, "due", usual)
+    if opens and due and opens >= due:
+        front.complain(front.line_of("opens", "")[1], "opens when it is due already, or later")
+    reveal, reveal_line = front.line_of("reveal", usual.reveal)
+    if reveal not in REVEAL:
         front.complain(
-            due_line,
-            f"due: {due} is no moment; write it as 2026-12-04 23:59 (or with a zone, 2026-12-04T23:59+01:00)",
+            reveal_line,
+            f"reveal: {reveal}: say yes or after due (feedback shows the worked solution once the set is due), "
+            "after extensions, by hand, or no",
         )
-    reveal, reveal_line = front.line_of("reveal", "no")
-    if reveal not in {"yes", "no"}:
-        front.complain(reveal_line, f"reveal: {reveal}: say yes (feedback shows the worked solution) or no")
     scheme = _scheme(path, front.table_of("credit"), complaints)
     chosen = _problems(bank, front)
     front.finish()
@@ -97,7 +111,15 @@ def read_set(bank: Bank, path: Path) -> ProblemSet:
     if complaints:
         raise Malformed(complaints)
     problems, weights = zip(*chosen, strict=True)
-    return ProblemSet(path.stem, title, body.strip(), problems, weights, moment, scheme, reveal == "yes")
+    return ProblemSet(path.stem, title, body.strip(), problems, weights, due, scheme, REVEAL[reveal], opens)
+
+
+def _date(front: Reader, name: str, usual: Usual) -> datetime | None:
+    text, line = front.line_of(name, "")
+    found = moment(text, usual.zone, end_of_day=name == "due")
+    if text and found is None:
+        front.complain(line, f"{name}: {text} is no moment; {HOW_TO_WRITE}")
+    return found
 
 
 def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
@@ -136,11 +158,3 @@ def _scheme(path: Path, table: Table, complaints: list[Diagnostic]) -> Scheme:
         shares[name] = float(share or 0)
     row.finish()
     return Scheme(**shares)
-
-
-def _moment(text: str) -> datetime | None:
-    """The moment a date stands for; without a zone, the machine's own."""
-    try:
-        return datetime.fromisoformat(text).astimezone()
-    except ValueError:
-        return None

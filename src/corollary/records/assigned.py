@@ -13,6 +13,7 @@ from corollary.atomic import write_whole
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.records.files import Course, NotACourse
+from corollary.records.settings import read_settings
 
 Assigned = Mapping[
     str, Mapping[str, int]
@@ -70,13 +71,14 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
         bank, file = open_bank(folder), None
     else:
         bank, file = _recorded(course, set_name)
-    return bank, find_set(bank, name if is_file or file is None else file)
+    usual = read_settings(course.folder).usual
+    return bank, find_set(bank, name if is_file or file is None else file, usual)
 
 
 def read_origin(course: Course, set_name: str) -> tuple[Bank, ProblemSet]:
     """The bank and the set. Raises NotACourse when nothing was recorded, UnknownCode when it has moved, and Malformed."""
     bank, file = _recorded(course, set_name)
-    return bank, find_set(bank, set_name if file is None else file)
+    return bank, find_set(bank, set_name if file is None else file, read_settings(course.folder).usual)
 
 
 def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:

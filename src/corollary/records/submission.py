@@ -13,6 +13,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 from corollary.grading.submission import Submission
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
+from corollary.records.deadlines import Terms
 from corollary.records.files import Course
 from corollary.sandbox.file import bytes_of
 
@@ -61,35 +62,43 @@ def read_submission(
     path: Path,
     assigned: Mapping[str, int],
     fingerprint: str,
+    terms: Terms,
 ) -> Submission:
     """The submission in a file, read as a stranger's file is; never raises for what is in it."""
-    late = lateness(course, problem_set, student.id)
+    late = lateness(course, problem_set, student.id, terms)
     content = bytes_of(path, within=course.folder / "submitted")
-    return Submission(student, content, assigned, late, fingerprint)
+    return Submission(student, content, assigned, late, fingerprint, terms.reveal, terms.due)
 
 
 def fingerprint(
-    course: Course, set_name: str, student: str, path: Path, assigned: Mapping[str, int], state: str
+    course: Course,
+    set_name: str,
+    student: str,
+    path: Path,
+    assigned: Mapping[str, int],
+    state: str,
+    terms: Terms,
 ) -> str:
-    """What the marks depend on: the file, its moment, the numbers, and the `state` of everything else."""
+    """What the marks and the page depend on: the file, its moment, the numbers, the terms, and the `state` of everything else."""
     digest = hashlib.sha256()
     content = bytes_of(path, within=course.folder / "submitted")
     for each in (
         content if isinstance(content, bytes) else content.why.encode(),
         str(handed_in(course, set_name, student)).encode(),
         json.dumps(dict(assigned), sort_keys=True).encode(),
+        repr((terms.due and terms.due.isoformat(), terms.excused, terms.reveal)).encode(),
         state.encode(),
     ):
         digest.update(len(each).to_bytes(8, "big") + each)
     return digest.hexdigest()
 
 
-def lateness(course: Course, problem_set: ProblemSet, student: str) -> float:
-    """Seconds after the date on which it was due; 0 in time."""
+def lateness(course: Course, problem_set: ProblemSet, student: str, terms: Terms) -> float:
+    """Seconds after the student's own deadline; 0 in time, and for who is excused."""
     when = handed_in(course, problem_set.name, student)
-    if when is None or problem_set.due is None:
+    if when is None or terms.due is None or terms.excused:
         return 0.0
-    return max(0.0, (when - problem_set.due).total_seconds())
+    return max(0.0, (when - terms.due.astimezone(UTC)).total_seconds())
 
 
 def handed_in(course: Course, set_name: str, student: str) -> datetime | None:

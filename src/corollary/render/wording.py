@@ -11,6 +11,7 @@ from corollary.answers.verdict import Unread, Verdict, word
 from corollary.figure.colour import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION
 from corollary.messages import N_, catalogue
 from corollary.notebook.worksheet import Prompt, Worksheet
+from corollary.problem.dates import written
 from corollary.units.unit import show
 
 _ = catalogue(__name__)
@@ -102,5 +103,5 @@ def facts(sheet: Worksheet) -> list[str]:
     due = sheet.problem_set.due
     words = [sheet.student.name] if sheet.student.id else []
     if due is not None:
-        words.append(_("due {date}", date=f"{due:%A} {due.day} {due:%B %Y, %H:%M %Z}"))
+        words.append(_("due {date}", date=written(due)))
     return [*words, points_earned(sum(prompt.out_of for prompt in sheet.prompts))]

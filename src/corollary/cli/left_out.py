@@ -1,0 +1,58 @@
+"""Options that were left out, as the course has them: the folder around the working one, and what its settings say."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from corollary.cli.ending import refuse
+
+COURSE, BANK = "COROLLARY_COURSE", "COROLLARY_BANK"
+# The options that a setting stands in for, by the setting's name; and what holds without either.
+STANDS_FOR: dict[str, tuple[str, object]] = {
+    "jobs": ("jobs", None),
+    "executor": ("executor", ""),
+    "isolation": ("require", 1),
+}
+
+
+def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool) -> dict[str, Any]:
+    """The options of a command with the course's own for those left out; what was given wins.
+
+    `course_needed`: the command works in a course only. `any_bank`: its problems may come from any bank, so that the course's
+    is the usual one. Raises Malformed when the settings cannot be read.
+    """
+    from corollary.records.settings import Settings, read_settings
+
+    found = dict(options)
+    folder = found.get("course") or course_around()
+    if folder is None and course_needed:
+        refuse(
+            "no course is named, and the working folder does not lie in one; name it with --course, or change into its folder"
+        )
+    settings = read_settings(folder) if folder is not None and folder.is_dir() else Settings()
+    if "course" in found and (course_needed or _has_room_for_a_course(found)):
+        found["course"] = folder
+    for name, (option, usual) in STANDS_FOR.items():
+        if option in found and found[option] in (None, ""):
+            value = getattr(settings, name)
+            found[option] = usual if value in (None, "") else value
+    if any_bank and settings.bank and not found["bank"] and not os.environ.get(BANK):
+        found["bank"] = [settings.bank]
+    return found
+
+
+def course_around() -> Path | None:
+    """The course that the environment names, or in whose folder the command runs; None when there is none."""
+    from corollary.records.settings import find_course
+
+    named = os.environ.get(COURSE)
+    return Path(named) if named else find_course(Path.cwd())
+
+
+def _has_room_for_a_course(options: Mapping[str, Any]) -> bool:
+    """Whether a course that nobody named may choose the numbers: nothing else does, and a student is named where one must be."""
+    chosen = (options.get("roster"), options.get("variants"), options.get("variant"))
+    return not any(each is not None for each in chosen) and options.get("student", "") is not None

@@ -1,0 +1,131 @@
+"""Who has until when: the set's date, extensions and excuses of single students, and what may be revealed by now."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import msgspec
+
+from corollary.atomic import write_whole
+from corollary.problem.dates import Reveal
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.files import Course, NotACourse
+
+
+class Extension(msgspec.Struct, frozen=True):
+    """What one student has of their own in one set: another date, or an excuse."""
+
+    until: datetime | None = None
+    excused: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """What holds for one student in one set: `due` is the own deadline, `reveal` whether right values may be seen by now."""
+
+    due: datetime | None = None
+    excused: bool = False
+    reveal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Deadlines:
+    """The dates of a set in a course. `by_hand`: its solutions were revealed by hand."""
+
+    due: datetime | None
+    reveal: Reveal
+    extensions: Mapping[str, Extension]
+    by_hand: bool = False
+
+    def of(self, student: str) -> datetime | None:
+        """A student's own deadline: an extension never shortens what everybody has."""
+        own = self.extensions.get(student, Extension()).until
+        if self.due is None or own is None:
+            return self.due
+        return max(self.due, own.astimezone(self.due.tzinfo))
+
+    @property
+    def last(self) -> datetime | None:
+        """The last student's deadline; an excuse has none."""
+        own = (
+            each for student, one in self.extensions.items() if not one.excused and (each := self.of(student))
+        )
+        return None if self.due is None else max((self.due, *own))
+
+    def terms(self, student: str, now: datetime) -> Terms:
+        """What holds for a student at a moment."""
+        due, excused = self.of(student), self.excused(student)
+        until = {"no": None, "by hand": None, "after due": due, "after extensions": self.last}[self.reveal]
+        revealed = self.reveal in {"after due", "after extensions"} and (until is None or now > until)
+        return Terms(due, excused, revealed or (self.reveal == "by hand" and self.by_hand))
+
+    def excused(self, student: str) -> bool:
+        return self.extensions.get(student, Extension()).excused
+
+    def early(self, student: str, now: datetime) -> bool:
+        """Whether a student may still hand in."""
+        due = self.of(student)
+        return due is not None and now <= due and not self.excused(student)
+
+
+def read_deadlines(course: Course, problem_set: ProblemSet) -> Deadlines:
+    """The dates of a set as they are now. Raises NotACourse when the record of an extension is damaged."""
+    name = problem_set.name
+    own = read_extensions(course, name)
+    return Deadlines(problem_set.due, problem_set.reveal, own, _revealed(course, name).exists())
+
+
+def read_extensions(course: Course, set_name: str) -> dict[str, Extension]:
+    """Who has an extension, or is excused. Raises NotACourse when a record is damaged."""
+    return {path.stem: _read(path) for path in sorted(_folder(course, set_name).glob("[!.]*.json"))}
+
+
+def write_extension(course: Course, set_name: str, student: str, extension: Extension) -> None:
+    """Records it: one file a student, so that two who give extensions at once lose none."""
+    write_whole(_place(course, set_name, student), msgspec.json.encode(extension) + b"\n")
+
+
+def remove_extension(course: Course, set_name: str, student: str) -> bool:
+    """Takes it back; False when there was none."""
+    path = _place(course, set_name, student)
+    there = path.exists()
+    path.unlink(missing_ok=True)
+    return there
+
+
+def sets_with_extensions(course: Course) -> Iterator[str]:
+    """The sets in which anybody has a date of their own."""
+    places = sorted(course.record("extensions", "").glob("*/"))
+    return (place.name for place in places if any(place.glob("[!.]*.json")))
+
+
+def reveal_by_hand(course: Course, set_name: str) -> None:
+    """Records that the solutions of a set may be seen from now on."""
+    write_whole(_revealed(course, set_name), "")
+
+
+def _read(path: Path) -> Extension:
+    try:
+        found = msgspec.json.decode(path.read_bytes(), type=Extension)
+    except (OSError, msgspec.DecodeError) as error:
+        raise NotACourse(
+            f"{path} is damaged ({error}); delete it and give the extension again with corollary extend"
+        ) from None
+    if found.until is not None and found.until.tzinfo is None:
+        return Extension(found.until.replace(tzinfo=UTC), found.excused)
+    return found
+
+
+def _folder(course: Course, set_name: str) -> Path:
+    return course.record("extensions", set_name)
+
+
+def _place(course: Course, set_name: str, student: str) -> Path:
+    return _folder(course, set_name) / f"{student}.json"
+
+
+def _revealed(course: Course, set_name: str) -> Path:
+    return course.record("revealed", set_name)

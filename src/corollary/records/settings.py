@@ -1,0 +1,176 @@
+"""The settings of a course: what its file `corollary.toml` says, so that no option has to be typed each time."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from corollary.atomic import write_whole
+from corollary.messages import did_you_mean, languages
+from corollary.problem.dates import REVEAL, Usual, machine_zone, zone_named
+from corollary.problem.diagnostic import Diagnostic, Malformed
+
+FILE = "corollary.toml"
+TEXT = """\
+# The settings of this course. A line behind # says what holds when it is left out; an option on the command line wins.
+
+# Dates without a zone are in this one, and students read its name.
+{timezone}
+
+# The bank that sets are generated from: a folder (seen from here), or the name of an installed bank.
+# bank = "chapter"
+
+# When feedback may give right values and worked solutions, in sets that say nothing themselves:
+# "no", "after due" (each student after the own deadline), "after extensions" (nobody before the last deadline),
+# or "by hand" (after corollary grade SET --reveal).
+# reveal = "no"
+
+# Grading: the lowest isolation level to run notebooks at (0 to 3), how many to mark side by side (as many as there are
+# cores when left out), or the Dask cluster to mark on.
+# isolation = 1
+# jobs = 2
+# executor = "tcp://HOST:PORT"
+
+# The language of what students read.
+# language = "en"
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What a course's file says; `None` and empty: it says nothing. `bank` is what `open_bank` opens."""
+
+    timezone: str = ""
+    bank: str = ""
+    reveal: str = ""
+    isolation: int | None = None
+    jobs: int | None = None
+    executor: str = ""
+    language: str = ""
+
+    @property
+    def usual(self) -> Usual:
+        """What holds for its sets."""
+        zone = zone_named(self.timezone) if self.timezone else None
+        return Usual(zone or machine_zone(), REVEAL[self.reveal or "no"])
+
+
+def find_course(start: Path) -> Path | None:
+    """The course folder that a folder is, or lies in; None when there is none."""
+    start = start.resolve()
+    return next((folder for folder in (start, *start.parents) if is_course(folder)), None)
+
+
+def is_course(folder: Path) -> bool:
+    """Whether a course was made in the folder, or is set up there."""
+    return (folder / FILE).is_file() or (folder / ".corollary" / "key").is_file()
+
+
+def read_settings(folder: Path) -> Settings:
+    """The settings of the course in a folder; all usual where there is no file. Raises Malformed."""
+    path = folder / FILE
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+        table = tomllib.loads(text)
+    except FileNotFoundError:
+        return Settings()
+    except (OSError, UnicodeDecodeError) as error:
+        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error}")]) from None
+    except tomllib.TOMLDecodeError as error:
+        at = re.search(r"at line (\d+)", str(error))
+        line = int(at[1]) if at else max(1, text.count("\n"))
+        sentence = f'is not TOML: {error}; a line is a name, = and a value, such as timezone = "Europe/Oslo"'
+        raise Malformed([Diagnostic(path, line, sentence)]) from None
+    complaints = [
+        Diagnostic(path, _line(text, name), sentence)
+        for name, value in table.items()
+        if (sentence := _complaint(name, value))
+    ]
+    if complaints:
+        raise Malformed(complaints)
+    return Settings(**_with_bank(folder, table))
+
+
+def write_settings(folder: Path) -> None:
+    """Writes the file once, with the machine's time zone in it: from then on the dates are the same on every machine."""
+    path = folder / FILE
+    if not path.exists():
+        zone = machine_zone()
+        line = f'timezone = "{zone.key}"' if zone else '# timezone = "Europe/Oslo"'
+        write_whole(path, TEXT.format(timezone=line))
+
+
+def _with_bank(folder: Path, table: Mapping[str, Any]) -> dict[str, Any]:
+    bank = str(table.get("bank", ""))
+    there = (folder / bank).resolve()
+    return {**table, "bank": str(there) if bank and there.is_dir() else bank}
+
+
+def _line(text: str, name: str) -> int:
+    """The line on which a name stands; tomllib does not say."""
+    pattern = re.compile(rf"""\[?\s*["']?{re.escape(name)}["']?\s*[=.\]]""")
+    lines = enumerate(text.splitlines(), start=1)
+    return next((number for number, line in lines if pattern.match(line.strip())), 1)
+
+
+def _complaint(name: str, value: object) -> str:
+    """What is wrong with a setting, and what to write; empty when nothing is."""
+    if name not in CHECKS:
+        known = ", ".join(CHECKS)
+        return f"`{name}` is not known{did_you_mean(name, CHECKS)}; known are {known}"
+    return CHECKS[name](value)
+
+
+def _timezone(value: object) -> str:
+    if isinstance(value, str) and zone_named(value):
+        return ""
+    from zoneinfo import available_timezones
+
+    names = {each.rpartition("/")[2]: each for each in sorted(available_timezones())}
+    guess = names.get(str(value).replace(" ", "_"))
+    hint = f" (did you mean {guess}?)" if guess else did_you_mean(str(value), available_timezones())
+    return f'timezone: {value} is no time zone{hint}; write it as "Europe/Oslo" or "UTC"'
+
+
+def _bank(value: object) -> str:
+    return "" if isinstance(value, str) and value else 'bank: give the name of a folder, as "../bank"'
+
+
+def _reveal(value: object) -> str:
+    return "" if value in REVEAL else f"reveal: {value}: say one of {', '.join(REVEAL)}, in quotes"
+
+
+def _isolation(value: object) -> str:
+    return (
+        "" if value in (0, 1, 2, 3) and type(value) is int else f"isolation: {value}: say a level from 0 to 3"
+    )
+
+
+def _jobs(value: object) -> str:
+    right = type(value) is int and value >= 1
+    return "" if right else f"jobs: {value}: say how many to mark side by side, 1 or more"
+
+
+def _executor(value: object) -> str:
+    right = isinstance(value, str) and "://" in value
+    return "" if right else f'executor: {value}: give the address of a Dask scheduler, as "tcp://HOST:8786"'
+
+
+def _language(value: object) -> str:
+    have = languages()
+    return "" if value in have else f"language: {value}: the texts are there in {', '.join(have)}"
+
+
+CHECKS: dict[str, Callable[[object], str]] = {
+    "timezone": _timezone,
+    "bank": _bank,
+    "reveal": _reveal,
+    "isolation": _isolation,
+    "jobs": _jobs,
+    "executor": _executor,
+    "language": _language,
+}
