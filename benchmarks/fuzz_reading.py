@@ -13,7 +13,7 @@ from collections import Counter
 
 from corollary.answers.quantity import read_quantities, read_quantity
 from corollary.formula.errors import ParseError
-from corollary.formula.numerals import read_number
+from corollary.formula.numerals import TO_ASCII, scan_number
 from corollary.formula.syntax import parse
 from corollary.formula.text import text
 from corollary.units.unit import read_unit, unit
@@ -82,7 +82,7 @@ def strings(count: int, seed: int):
 def main(count: int, seed: int) -> int:
     expected = unit("kg*m/s")
     readers = {
-        "number": read_number,
+        "number": lambda written: scan_number(written.translate(TO_ASCII)),
         "unit": read_unit,
         "quantity": lambda written: read_quantity(written, expected),
         "vector": lambda written: read_quantities(written, expected, 2),

@@ -35,7 +35,7 @@ from rich.table import Table
 from corollary.course.workers import cores
 from corollary.formula.value import Exact, Real, Value
 from corollary.sandbox.job import Cell, Job
-from corollary.sandbox.notebook import Notebook, read_notebook
+from corollary.sandbox.notebook import Notebook, notebook_of
 from corollary.sandbox.runner import Runner
 
 BIN = Path(sys.executable).parent
@@ -127,7 +127,7 @@ def ours(runner: Runner, paper: Path, place: Path, pictures: bool) -> tuple[floa
     """One notebook our way: read, run behind the walls, answers held against the truth outside, written with its outputs.
     Gives the seconds of all this, and of the run alone."""
     start = time.perf_counter()
-    read = read_notebook(paper)
+    read = notebook_of(paper.read_bytes())
     assert isinstance(read, Notebook)
     code = [cell for cell in read.node.cells if cell.cell_type == "code"]
     began = time.perf_counter()
@@ -168,7 +168,7 @@ def warm(shell: InteractiveShell, paper: Path, pictures: bool) -> tuple[float, f
 
 def processor(runner: Runner, paper: Path) -> float:
     """Seconds on the processor that a child spends from its birth to the end of its cells, walls included."""
-    read = read_notebook(paper)
+    read = notebook_of(paper.read_bytes())
     assert isinstance(read, Notebook)
     cells = [Cell(cell.id, cell.source) for cell in read.node.cells if cell.cell_type == "code"]
     cells.append(Cell("spent", "import time\nspent = time.process_time()"))

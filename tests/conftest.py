@@ -79,19 +79,19 @@ def open_to_everybody() -> None:
 
 @pytest.fixture
 def installed(tmp_path_factory, monkeypatch):
-    """Installs a package for this test: its name, its entry points by group, and its modules' texts by file name."""
+    """Installs a package for this test: its name, its entry points by group, and its files' texts by path."""
     folder = tmp_path_factory.mktemp("packages")
     before = set(sys.modules)
 
-    def install(name: str, points: dict[str, list[str]], **modules: str) -> Path:
+    def install(name: str, points: dict[str, list[str]], files: dict[str, str] | None = None) -> Path:
         place = folder / name
         about = place / f"{name}-1.0.dist-info"
         about.mkdir(parents=True)
         (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
         lines = [line for group, named in points.items() for line in (f"[{group}]", *named)]
         (about / "entry_points.txt").write_text("\n".join([*lines, ""]))
-        for module, text in modules.items():
-            path = place / f"{module.replace('__', '/')}.py"
+        for file, text in (files or {}).items():
+            path = place / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
         monkeypatch.syspath_prepend(place)

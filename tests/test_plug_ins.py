@@ -11,8 +11,10 @@ GROUP = "corollary.exports"
 
 
 def test_found_by_name(installed):
-    installed("rollcall", {GROUP: ["roll = rollcall:ROLL"]}, rollcall="ROLL = 7")
-    installed("choir", {GROUP: ["song = choir:SONG"], "corollary.laws": ["song = choir"]}, choir="SONG = 8")
+    installed("rollcall", {GROUP: ["roll = rollcall:ROLL"]}, {"rollcall.py": "ROLL = 7"})
+    installed(
+        "choir", {GROUP: ["song = choir:SONG"], "corollary.laws": ["song = choir"]}, {"choir.py": "SONG = 8"}
+    )
     assert {name: load(entry, "the export") for name, entry in plug_ins(GROUP).items()} == {
         "roll": 7,
         "song": 8,
@@ -20,8 +22,8 @@ def test_found_by_name(installed):
 
 
 def test_one_name_of_two_packages_is_refused_with_both(installed):
-    installed("rollcall", {GROUP: ["roll = rollcall:ROLL"]}, rollcall="ROLL = 7")
-    installed("bakery", {GROUP: ["roll = bakery:ROLL"]}, bakery="ROLL = 8")
+    installed("rollcall", {GROUP: ["roll = rollcall:ROLL"]}, {"rollcall.py": "ROLL = 7"})
+    installed("bakery", {GROUP: ["roll = bakery:ROLL"]}, {"bakery.py": "ROLL = 8"})
     with pytest.raises(PlugInFault) as found:
         plug_ins(GROUP)
     for word in ("rollcall", "bakery", "both bring roll", "uninstall"):
@@ -29,7 +31,7 @@ def test_one_name_of_two_packages_is_refused_with_both(installed):
 
 
 def test_a_name_that_is_ours_is_refused_too(installed):
-    installed("prices", {"corollary.answers": ["value = prices"]}, prices="")
+    installed("prices", {"corollary.answers": ["value = prices"]}, {"prices.py": ""})
     with pytest.raises(PlugInFault, match="corollary and prices are both installed and both bring value"):
         answer_type("interval")
     assert answer_type("value").word == "number"
@@ -46,7 +48,7 @@ def test_a_name_that_is_ours_is_refused_too(installed):
     ],
 )
 def test_what_cannot_be_loaded(installed, text, why):
-    installed("rollcall", {GROUP: ["roll = rollcall:ROLL"]}, rollcall=text)
+    installed("rollcall", {GROUP: ["roll = rollcall:ROLL"]}, {"rollcall.py": text})
     with pytest.raises(
         PlugInFault, match="the export roll of rollcall cannot be used: rollcall:ROLL: "
     ) as found:
@@ -57,7 +59,11 @@ def test_what_cannot_be_loaded(installed, text, why):
 
 def test_an_answer_type_without_its_halves(installed):
     points = {"corollary.answers": ["shade = shades", "tint = tints"]}
-    installed("painting", points, shades____init__="", shades__reading="TYPE = 1", tints____init__="")
+    installed(
+        "painting",
+        points,
+        {"shades/__init__.py": "", "shades/reading.py": "TYPE = 1", "tints/__init__.py": ""},
+    )
     with pytest.raises(
         PlugInFault, match=r"the answer type shade of painting cannot .* No module named 'shades.judging'"
     ):
@@ -73,7 +79,9 @@ def test_an_answer_type_without_its_halves(installed):
 
 
 def test_an_answer_type_whose_reading_holds_none(installed):
-    installed("painting", {"corollary.answers": ["glow = glows"]}, glows____init__="", glows__reading="")
+    installed(
+        "painting", {"corollary.answers": ["glow = glows"]}, {"glows/__init__.py": "", "glows/reading.py": ""}
+    )
     with pytest.raises(PlugInFault, match=r"the answer type glow of painting .* its reading\.py has no TYPE"):
         answer_type("glow")
 
@@ -81,7 +89,9 @@ def test_an_answer_type_whose_reading_holds_none(installed):
 def test_their_programs_are_told_apart(installed):
     groups = ("corollary.laws", "corollary.banks")
     bare = state(groups)
-    place = installed("heat", {"corollary.laws": ["heat = heated"]}, heated____init__="", heated__more="")
+    place = installed(
+        "heat", {"corollary.laws": ["heat = heated"]}, {"heated/__init__.py": "", "heated/more.py": ""}
+    )
     first = state(groups)
     assert first != bare
     assert str(place / "heated" / "more.py") in first

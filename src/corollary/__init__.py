@@ -5,6 +5,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from corollary.version import __version__
+
 if TYPE_CHECKING:
     from corollary.answers.verdict import Verdict
     from corollary.api import UnknownPart, judge, key, load_bank, play, solve
@@ -17,8 +19,6 @@ if TYPE_CHECKING:
     from corollary.problem.problem import Problem
     from corollary.problem.variant import OutOfRange
     from corollary.scenes.run import BadSetting, GuardFailed, Run
-
-__version__ = "0.1.0"
 
 __all__ = [
     "BadSetting",

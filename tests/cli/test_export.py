@@ -6,7 +6,9 @@ import json
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from corollary.cli.commands import app
 from corollary.cli.main import main
 
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
@@ -64,3 +66,15 @@ def test_what_cannot_be_exported_is_answered_in_a_sentence(run, arguments: list[
     assert (status, out) == (2, "")
     assert sentence in err
     assert len(err.splitlines()) == 1
+
+
+def test_help_lists_what_is_registered(installed):
+    def listed() -> str:
+        return " ".join(CliRunner().invoke(app, ["export", "--help"]).stdout.split())
+
+    assert "one of: text, md, html, ipynb, csv" in listed()
+    installed("rollcall", {"corollary.exports": ["roll = rollcall:ROLL"]}, {"rollcall.py": "ROLL = 7"})
+    assert ", roll." in listed()
+    installed("bakery", {"corollary.exports": ["roll = bakery:ROLL"]}, {"bakery.py": "ROLL = 8"})
+    assert "bakery" in listed()
+    assert "both bring roll" in listed()

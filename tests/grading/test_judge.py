@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import shutil
+
 import pytest
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Wrong, word
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
+from corollary.grading.key import make_key
+from corollary.grading.solutions import Solutions
+from corollary.problem.bank import home
+from corollary.problem.variant import chosen
 
 SINGLE = [
     # the answer alone, and what a good marker says: the verdict, and a word of what is told
@@ -290,3 +296,42 @@ def test_a_blank_is_blank(verdicts):
     verdict = verdicts("X12.5", a=None)["a"]
     assert isinstance(verdict, Unread)
     assert verdict.blank
+
+
+READS = """
+from corollary.answers.value.reading import ValueType
+
+class Shaky(ValueType):
+    def read(self, value, question):
+        raise KeyError("the height is 1.3")
+
+TYPE = Shaky()
+"""
+JUDGES = """
+def judge(answer, expected):
+    raise KeyError(f"the height is {expected.quantity.values}")
+
+def samples(truth, question):
+    return []
+"""
+
+
+@pytest.mark.parametrize("broken", ["judging", "reading"])
+def test_another_package_that_raises_costs_its_own_part_alone(installed, small_bank, tmp_path, broken):
+    """The part waits for a person, nothing of what the error says reaches the student, and the others keep their marks."""
+    name = f"shaky_{broken}"
+    reads = READS if broken == "reading" else "from corollary.answers.value.reading import TYPE\n"
+    files = {f"{name}/__init__.py": "", f"{name}/reading.py": reads, f"{name}/judging.py": JUDGES}
+    installed(name, {"corollary.answers": [f"{name} = {name}"]}, files)
+    shutil.copytree(small_bank, tmp_path / "bank")
+    path = tmp_path / "bank" / "problems" / "all" / "stone.md"
+    path.write_text(path.read_text(encoding="utf-8").replace("{#b .value", "{#b ." + name), encoding="utf-8")
+    bank, problem = home(tmp_path / "bank", "T1")
+    key = make_key(Solutions(bank).of(problem), chosen(problem, {}))
+    answers = {"b": "1.3 m", "c": "m v^2/2", "d": "b", "i": "4.9 N"}
+    judged = judge(key, {part: from_json(answer) for part, answer in answers.items()})
+    ((shaky,), _) = judged["b"]
+    assert isinstance(shaky, Unmarked)
+    assert f"a person will decide. (KeyError in the answer type {name})" in shaky.why
+    assert "height" not in shaky.why
+    assert {part: type(judged[part][0][0]) for part in "cdi"} == {"c": Right, "d": Right, "i": Right}

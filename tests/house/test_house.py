@@ -14,7 +14,7 @@ from corollary.problem.bank import chapter_bank
 
 ORDER = (  # from the top; what stands in one line are siblings, which do not know each other
     "cli", "api", "course", "nbgrader", "render", "records", "verify", "author", "grading", "notebook derive", "answers",
-    "laws problem sandbox scenes", "units", "formula figure", "plug_ins", "user_cache", "messages atomic",
+    "laws problem sandbox scenes", "units", "formula figure", "plug_ins", "user_cache", "messages atomic version",
 )  # fmt: skip
 FLOORS = {room: len(ORDER) - floor for floor, rooms in enumerate(ORDER) for room in rooms.split()}
 LONGEST, MEDIAN = 300, 150
@@ -34,6 +34,13 @@ def test_imports_go_down_and_siblings_do_not_know_each_other(modules):
         if (other := name.partition(".")[0]) != module.folder and FLOORS[other] >= FLOORS[module.folder]
     ]
     assert not wrong
+
+
+def test_nobody_imports_the_roof(modules):
+    """What `import corollary` offers stands above all rooms."""
+    assert not [
+        f"{module.name}:{line}" for module in modules for name, line in module.imports if name == "corollary"
+    ]
 
 
 def test_what_is_handed_out_cannot_see_the_truth(modules):
@@ -178,7 +185,7 @@ def test_help_loads_nothing_heavy(asked):
     assert not HEAVY & loaded
     assert not {
         name for name in loaded if name.startswith("corollary.") and not name.startswith("corollary.cli")
-    }
+    } - {"corollary.version"}
 
 
 HELP = """

@@ -204,7 +204,7 @@ def momentum(p):
 
 
 def test_laws_of_an_installed_package_are_found_under_ours(installed):
-    installed("warmth", {"corollary.laws": ["warmth = warm"]}, warm=HEAT)
+    installed("warmth", {"corollary.laws": ["warmth = warm"]}, {"warm.py": HEAT})
     laws._plugged_in.cache_clear()
     try:
         from corollary.laws import heat, momentum
@@ -213,7 +213,7 @@ def test_laws_of_an_installed_package_are_found_under_ours(installed):
         assert momentum is sys.modules["corollary.laws.momentum"].momentum  # ours is not replaced
         with pytest.raises(ImportError, match="cannot import name 'entropy'"):
             from corollary.laws import entropy  # noqa: F401
-        installed("winter", {"corollary.laws": ["winter = cold"]}, cold=HEAT)
+        installed("winter", {"corollary.laws": ["winter = cold"]}, {"cold.py": HEAT})
         laws._plugged_in.cache_clear()
         with pytest.raises(ImportError, match=r"the law heat is in both (warm and cold|cold and warm)"):
             laws.chill  # noqa: B018

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from corollary.answers import registry
 from corollary.answers.registry import BUILT_IN
 from corollary.notebook import packing
 from corollary.notebook.packing import NotCarried, modules
@@ -43,26 +42,21 @@ def test_the_modules_themselves_load_where_nothing_is_installed(tmp_path: Path):
 
 
 @pytest.fixture
-def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def plugin(installed):
     """A package of somebody else's with an answer type `interval`, whose reading.py begins so."""
 
     def put(first_line: str) -> None:
-        place = tmp_path / "their_package" / "interval"
-        place.mkdir(parents=True)
-        (tmp_path / "their_package" / "__init__.py").write_text('"""Theirs."""\nimport numpy\n')
-        (place / "__init__.py").write_text("")
-        (place / "bounds.py").write_text("LOW = 0\n")
-        (place / "reading.py").write_text(first_line + "\nTYPE = None\n")
-        monkeypatch.syspath_prepend(tmp_path)
-        monkeypatch.setattr(registry, "_brought", lambda: {"interval": "their_package.interval"})
-        for name in [each for each in sys.modules if each.startswith("their_package")]:
-            monkeypatch.delitem(sys.modules, name)
+        files = {
+            "their_package/__init__.py": '"""Theirs."""\nimport numpy\n',
+            "their_package/interval/__init__.py": "",
+            "their_package/interval/bounds.py": "LOW = 0\n",
+            "their_package/interval/reading.py": first_line + "\nTYPE = None\n",
+        }
+        installed("theirs", {"corollary.answers": ["interval = their_package.interval"]}, files)
 
     packing.modules.cache_clear()
     yield put
     packing.modules.cache_clear()
-    for name in [each for each in sys.modules if each.startswith("their_package")]:
-        del sys.modules[name]
 
 
 def test_reading_that_needs_more_than_python_is_refused_in_one_sentence(plugin):

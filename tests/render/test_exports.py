@@ -122,7 +122,7 @@ NOTHING = "no target"
 
 def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
     points = ["roll = rollcall:ROLL", "broken = rollcall:NOTHING", "gone = rollcall:MISSING"]
-    installed("rollcall", {"corollary.exports": points}, rollcall=THEIRS)
+    installed("rollcall", {"corollary.exports": points}, {"rollcall.py": THEIRS})
     assert names() == ("text", "md", "html", "ipynb", "csv", "broken", "gone", "roll")
     roll = target("roll")
     assert isinstance(roll, Target)

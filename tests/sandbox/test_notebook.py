@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as some
 
 from corollary.sandbox.file import Unreadable, bytes_of
-from corollary.sandbox.notebook import Notebook, code_cells, notebook_of, read_notebook
+from corollary.sandbox.notebook import Notebook, notebook_of
 
 
 def code(source: str = "a = 1", **more: object) -> dict:
@@ -44,9 +44,9 @@ def test_an_ordinary_notebook_is_read(tmp_path: Path) -> None:
     path.write_bytes(
         book(code(id="one"), {"cell_type": "markdown", "source": ["x", "y"], "metadata": {}, "id": "two"})
     )
-    notebook = read_notebook(path)
+    notebook = notebook_of(path.read_bytes())
     assert isinstance(notebook, Notebook)
-    assert [(cell.id, cell.source) for cell in code_cells(notebook)] == [("one", "a = 1")]
+    assert [(cell.id, cell.source) for cell in notebook.node.cells[:1]] == [("one", "a = 1")]
     assert notebook.node.cells[1].source == "xy"
 
 
@@ -73,7 +73,7 @@ def test_an_old_notebook_is_upgraded() -> None:
         ],
     }
     notebook = opened(json.dumps(old).encode())
-    assert code_cells(notebook)[0].source == "a = 1\nb = 2"
+    assert notebook.node.cells[0].source == "a = 1\nb = 2"
 
 
 def test_a_byte_order_mark_and_odd_cells_are_survived() -> None:
@@ -122,7 +122,7 @@ def test_many_outputs_are_no_bomb_and_are_left_out() -> None:
     plotly = {"output_type": "display_data", "metadata": {}, "data": {"application/json": [0.25] * 200_000}}
     notebook = opened(book(code(outputs=[plotly]), code("b = '[,,{' * 3 # " + "[,{" * 400_000)))
     assert [cell.outputs for cell in notebook.node.cells] == [[], []]
-    assert len(code_cells(notebook)) == 2
+    assert len(notebook.node.cells) == 2
 
 
 def test_half_surrogates_are_replaced_wherever_they_stand() -> None:
@@ -131,7 +131,7 @@ def test_half_surrogates_are_replaced_wherever_they_stand() -> None:
     about = {"\ud800": ["\ud800"], "whole": "\U0001f600"}
     notebook = opened(book(code("a = '\ud800'", id="x\udc00"), text, metadata=about))
     json.dumps(notebook.node, ensure_ascii=False).encode("utf-8")
-    assert code_cells(notebook)[0].source == "a = '?'"
+    assert notebook.node.cells[0].source == "a = '?'"
     assert list(notebook.node.cells[1].attachments) == ["?.png"]
     assert notebook.node.metadata == {"?": ["?"], "whole": "\U0001f600"}
 
@@ -146,7 +146,7 @@ def test_files_that_are_none_are_refused(tmp_path: Path) -> None:
     (tmp_path / "real").write_bytes(book(code()))
     (tmp_path / "link").symlink_to(tmp_path / "real")
     for name in ("pipe", "link", "absent", ".", "bad\0name"):
-        assert isinstance(read_notebook(tmp_path / name), Unreadable), name
+        assert isinstance(bytes_of(tmp_path / name), Unreadable), name
 
 
 def test_a_link_a_device_and_a_huge_file_are_refused_by_name(tmp_path: Path) -> None:
@@ -230,4 +230,4 @@ def test_any_json_in_the_shape_of_a_notebook_is_answered(
     if isinstance(answer, Notebook):
         ids = [cell.id for cell in answer.node.cells]
         assert len(ids) == len(set(ids))
-        assert all(isinstance(cell.source, str) for cell in code_cells(answer))
+        assert all(isinstance(cell.source, str) for cell in answer.node.cells)

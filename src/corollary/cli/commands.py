@@ -7,9 +7,9 @@ from pathlib import Path
 
 import click
 
-from corollary import __version__
 from corollary.cli.ending import run
 from corollary.cli.left_out import completed
+from corollary.version import __version__
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -21,6 +21,24 @@ class Commands(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.commands)
+
+
+class TargetOption(click.Option):
+    """Its help lists what there is, other packages' targets too: looked up only when somebody asks for it."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from corollary.plug_ins import PlugInFault
+        from corollary.render.exports import OURS, names
+
+        try:
+            have = ", ".join(names())
+        except PlugInFault as fault:
+            have = f"{', '.join(OURS)}; but {fault}"
+        sentence, self.help = self.help, f"{self.help} {have}."
+        try:
+            return super().get_help_record(ctx)
+        finally:
+            self.help = sentence
 
 
 app = Commands(
@@ -205,9 +223,7 @@ _command(
     "export",
     "A set as files for elsewhere: each student's sheet, or the marks of all.",
     SET,
-    click.Option(
-        ["--to"], required=True, metavar="TARGET", help="md, html, ipynb or text: sheets; csv: marks."
-    ),
+    TargetOption(["--to"], required=True, metavar="TARGET", help="Sheets or marks, written as one of:"),
     _path("--course", text="The sheets, or the marks, of this course's students."),
     _path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
     GENERATED_BANK,

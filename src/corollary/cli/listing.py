@@ -10,10 +10,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-import corollary
 from corollary import plug_ins, user_cache
 from corollary.cli.ending import HOLDS, answer
 from corollary.problem.bank import Bank, chapter_bank, files, load, open_bank
+from corollary.version import __version__
 
 HEADINGS = ("code", "title", "givens", "parts", "variants")
 ROOMS = ("formula", "units", "answers", "problem", "cli/listed.py")  # what decides how a problem is listed
@@ -58,9 +58,7 @@ def listed(bank: Bank) -> list[tuple[dict[str, Any], list[str]]]:
 def _origin(bank: Bank) -> str:
     """Tells apart whatever could be listed differently: the files, the installed packages, our own programs."""
     brought = "" if bank == chapter_bank() else plug_ins.state(PLUG_INS)  # the chapter needs none of them
-    digest = hashlib.sha256(
-        repr((corollary.__version__, sys.version, user_cache.programs(ROOMS), brought)).encode()
-    )
+    digest = hashlib.sha256(repr((__version__, sys.version, user_cache.programs(ROOMS), brought)).encode())
     for path in files(bank):
         text = b""
         with suppress(OSError):  # what cannot be read is complained of when it is

@@ -12,7 +12,6 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-import corollary
 from corollary import plug_ins, user_cache
 from corollary.derive.load import load, source
 from corollary.derive.parts import unsolved
@@ -20,6 +19,7 @@ from corollary.derive.serialize import NotSerializable, from_data, to_data
 from corollary.derive.solution import Solution
 from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
+from corollary.version import __version__
 
 ROOMS = (
     "formula",
@@ -99,4 +99,4 @@ def _origin(bank: Bank, problem: Problem) -> str:
 def _programs() -> bytes:
     algebra = [Path(spec.origin) for name in ALGEBRA if (spec := find_spec(name)) and spec.origin]
     state = user_cache.programs(ROOMS) + user_cache.state(algebra)
-    return hashlib.sha256(f"{corollary.__version__} {sys.version} {state}".encode()).digest()
+    return hashlib.sha256(f"{__version__} {sys.version} {state}".encode()).digest()

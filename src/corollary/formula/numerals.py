@@ -50,34 +50,12 @@ BELOW = re.compile(r"\s*/\s*(?=[0-9.,])")
 class Written:
     """A number and how it was written: at most `figures` significant figures, at least `least`.
 
-    `20` has one or two, so `figures` is 2 and `least` 1; a fraction is exact, both are 0. `percent`: a sign % stood
-    behind it, and `value` is already divided by 100.
+    `20` has one or two, so `figures` is 2 and `least` 1; a fraction is exact, both are 0.
     """
 
     value: Fraction
     figures: int
     least: int
-    percent: bool = False
-
-
-def read_number(text: str) -> Written | ParseError:
-    """The number a whole text stands for; refuses anything beside it but a percent sign."""
-    if len(text) > LONGEST:
-        return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    found = scan_number(text.translate(TO_ASCII))
-    if isinstance(found, ParseError):
-        return found
-    number, end = found
-    rest = text[end:].strip()
-    if rest == "%":
-        return Written(number.value / 100, number.figures, number.least, percent=True)
-    if rest:
-        return refused(
-            _("{rest} is left over after the number", rest=repr(rest)),
-            end + text[end:].index(rest[0]),
-            _("write one number"),
-        )
-    return number
 
 
 def scan_number(text: str) -> tuple[Written, int] | ParseError:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Prose, Unclear
 from corollary.answers.expected import Expected, Values
 from corollary.answers.judge_formulas import values_of
-from corollary.answers.registry import answer_type, judging
+from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.verdict import Follows, Right, Slip, Unmarked, Unread, Verdict
 from corollary.formula.value import Nothing, Value
 from corollary.grading.expected import expected_of
@@ -38,8 +38,16 @@ def judge(
         run = (programs or {}).get(part.id, NOTHING_RAN)
         runs = verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
         expected = expected_of(key, part, earlier, runs)
-        answer = read(part, answers.get(part.id, Nothing()), expected)
-        verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
+        value = answers.get(part.id, Nothing())
+        try:
+            answer = read(part, value, expected)
+            verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
+        except (
+            Exception
+        ) as error:  # in a program of somebody else's, which costs its own part an automatic verdict
+            if set(part.answer_types) <= set(BUILT_IN):
+                raise
+            answer, verdicts = Blank(), tuple(_failed(name, error) for name in part.answer_types)
         result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.as_read
         values = values_in(answer, expected)
         if values is not None:
@@ -73,6 +81,17 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
             return Unread(_("This could not be read: {why}", why=why + end))
         case _:
             return judging(name).judge(answer, expected)
+
+
+def _failed(name: str, error: Exception) -> Unmarked:
+    """Says what failed without its message, which may hold what is expected."""
+    return Unmarked(
+        _(
+            "This could not be marked automatically: a person will decide. ({error} in the answer type {name})",
+            error=type(error).__name__,
+            name=name,
+        )
+    )
 
 
 def values_in(answer: Answer, expected: Expected) -> Values | None:

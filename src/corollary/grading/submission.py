@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from corollary import __version__
 from corollary.grading.grade import Marked
 from corollary.grading.integrity import notes
 from corollary.grading.marking import mark, not_marked
@@ -22,6 +21,7 @@ from corollary.sandbox.isolation import WeakIsolation
 from corollary.sandbox.notebook import Notebook, notebook_of
 from corollary.sandbox.runner import Runner
 from corollary.sandbox.zygote import CannotStart
+from corollary.version import __version__
 
 if TYPE_CHECKING:
     from nbformat import NotebookNode

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from base64 import b64decode, b64encode
-from binascii import Error as NotBase64
 from collections.abc import Iterable, Mapping
 
 from nbformat import NotebookNode, from_dict
@@ -81,7 +80,7 @@ def _picture(mime: str, content: object) -> str:
         return ""
     try:
         raw = b64decode("".join(_text(content).split()), validate=True)
-    except (NotBase64, ValueError):
+    except ValueError:  # what is no base64
         return ""
     return b64encode(raw).decode() if raw.startswith(PICTURES[mime]) and len(raw) <= MOST_PICTURE else ""
 

@@ -9,13 +9,13 @@ from functools import lru_cache
 from importlib.metadata import packages_distributions, version
 from importlib.resources import files
 
-from corollary import __version__
 from corollary.answers.question import Question
 from corollary.answers.registry import folder
 from corollary.messages import catalogue
 from corollary.notebook.packing import modules
 from corollary.notebook.worksheet import Worksheet
 from corollary.units.table import rows_of_others
+from corollary.version import __version__
 
 _ = catalogue(__name__)
 

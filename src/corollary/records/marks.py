@@ -10,13 +10,13 @@ from typing import Any, assert_never
 
 import msgspec
 
-from corollary import __version__
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.atomic import write_whole
 from corollary.grading.grade import Marked
 from corollary.grading.record import marked_record
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
+from corollary.version import __version__
 
 
 class Row(msgspec.Struct, frozen=True):

@@ -18,12 +18,6 @@ class Unreadable:
     why: str
 
 
-def content_of(path: str | Path) -> bytes:
-    """The bytes of a file that was handed in, or the words on why there are none; never raises, never waits."""
-    content = bytes_of(path)
-    return content if isinstance(content, bytes) else content.why.encode()
-
-
 def bytes_of(
     path: str | Path, most_bytes: int = MOST_BYTES, within: str | Path | None = None
 ) -> bytes | Unreadable:

@@ -6,13 +6,11 @@ import json
 import re
 import warnings
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import nbformat
 
-from corollary.sandbox.file import MOST_BYTES, Unreadable, bytes_of, too_large
-from corollary.sandbox.job import Cell
+from corollary.sandbox.file import MOST_BYTES, Unreadable, too_large
 
 MOST_CELLS = 2_000
 DEEPEST = 60
@@ -32,12 +30,6 @@ class Notebook:
 
     node: nbformat.NotebookNode
     notes: tuple[str, ...] = ()
-
-
-def read_notebook(path: str | Path) -> Notebook | Unreadable:
-    """The notebook in a file; never raises, whatever the file or its bytes."""
-    content = bytes_of(path)
-    return notebook_of(content) if isinstance(content, bytes) else content
 
 
 def notebook_of(content: bytes) -> Notebook | Unreadable:
@@ -73,11 +65,6 @@ def notebook_of(content: bytes) -> Notebook | Unreadable:
     if _HALF_SURROGATE.search(text):
         raw = _whole_texts(raw)
     return _mended(raw)
-
-
-def code_cells(notebook: Notebook) -> tuple[Cell, ...]:
-    """The code cells in their order, as they are to be run; empty ones too, since results may be hung on them."""
-    return tuple(Cell(cell.id, cell.source) for cell in notebook.node.cells if cell.cell_type == "code")
 
 
 def _mended(raw: dict) -> Notebook | Unreadable:
