@@ -196,6 +196,7 @@ _command(
     JSON,
     _flag("--regrade", "Mark again what is marked, and show first who changes."),
     _flag("--dry-run", "Mark, show who changes, and write nothing."),
+    _flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
     click.Option(
         ["--require-isolation", "require"],
         type=click.IntRange(0, 3),
@@ -209,6 +210,22 @@ _command(
     click.Option(
         ["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead."
     ),
+)
+_command(
+    "extend",
+    "A deadline of one's own, or an excuse, for one student.",
+    click.Argument(["student"], required=False, help="The student's id."),
+    click.Argument(["name"], metavar="[SET]", required=False, help="The problem set."),
+    click.Argument(
+        ["date"], nargs=-1, metavar="[DATE]", help="2026-12-11 (the end of that day), or 2026-12-11 18:00."
+    ),
+    COURSE,
+    _flag("--excuse", "The student need not hand in: reports and exports leave the marks blank."),
+    _flag("--remove", "Take back the extension or the excuse."),
+    click.Option(
+        ["--list", "listing"], is_flag=True, help="Who has which; of STUDENT, or of SET, when named."
+    ),
+    JSON,
 )
 _command(
     "report",

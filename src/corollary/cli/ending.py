@@ -29,7 +29,7 @@ RAISED = {
     "corollary.grading.assign": ["NoVariant"],
     "corollary.formula.errors": ["Undefined"],
     "corollary.scenes.run": ["BadSetting"],
-    "corollary.records.files": ["NotACourse", "BeingGraded"],
+    "corollary.records.files": ["NotACourse", "BeingGraded", "UnknownStudent"],
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],

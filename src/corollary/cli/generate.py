@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from corollary.cli.asking import agreed
+from corollary.cli.dates import warn_of_dates
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.generate import generate
@@ -33,6 +34,7 @@ def run(
     students, solutions = _students(roster, course, id_column or "", yes, as_json), Solutions(place)
     if students is None:
         return FAILS
+    warn_of_dates(problem_set)
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)

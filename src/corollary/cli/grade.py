@@ -9,6 +9,7 @@ from typing import Any
 
 import msgspec
 
+from corollary.cli.dates import reveal_now, warn_of_grading_early
 from corollary.cli.ending import FAILS, HOLDS, answer, say
 from corollary.cli.progress import countdown
 from corollary.course.cluster import on_cluster
@@ -31,9 +32,13 @@ def run(
     jobs: int | None = None,
     executor: str = "",
     dry_run: bool = False,
+    reveal: bool = False,
 ) -> int:
     opened = open_course(course)
     place, problem_set = set_of(opened, name, bank)
+    if reveal:
+        reveal_now(opened, problem_set, dry_run)
+    warn_of_grading_early(opened, problem_set)
     with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(
             opened,

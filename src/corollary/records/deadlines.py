@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -96,10 +96,10 @@ def remove_extension(course: Course, set_name: str, student: str) -> bool:
     return there
 
 
-def sets_with_extensions(course: Course) -> Iterator[str]:
-    """The sets in which anybody has a date of their own."""
+def all_extensions(course: Course) -> dict[str, dict[str, Extension]]:
+    """Everybody who has an extension or is excused, by set. Raises NotACourse when a record is damaged."""
     places = sorted(course.record("extensions", "").glob("*/"))
-    return (place.name for place in places if any(place.glob("[!.]*.json")))
+    return {place.name: own for place in places if (own := read_extensions(course, place.name))}
 
 
 def reveal_by_hand(course: Course, set_name: str) -> None:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from corollary.atomic import write_whole
+from corollary.messages import did_you_mean
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.roster import COLUMNS, Student
 from corollary.problem.table import read_table
@@ -22,6 +23,10 @@ KEY_BYTES = 32
 
 class NotACourse(LookupError):
     """The folder is no course; one sentence says what is missing."""
+
+
+class UnknownStudent(LookupError):
+    """Nobody on the roster is called so; one sentence says who is meant."""
 
 
 class BeingGraded(Exception):
@@ -104,6 +109,18 @@ def students(course: Course) -> tuple[Student, ...]:
         ids = tuple((heading, row[at]) for at, heading in others if row[at])
         found.append(Student(name, first, last, email, ids))
     return tuple(found)
+
+
+def find_student(course: Course, name: str) -> Student:
+    """Who on the roster has this id, this address, or this id elsewhere. Raises UnknownStudent and NotACourse."""
+    everybody = students(course)
+    for each in everybody:
+        if name in (each.id, each.email, *(other for _, other in each.ids)) and name:
+            return each
+    hint = did_you_mean(name, (each.id for each in everybody))
+    raise UnknownStudent(
+        f"{name} is not on the roster of {course.folder}{hint}; generate with a roster that has them"
+    )
 
 
 def roster_table(roster: Iterable[Student]) -> str:

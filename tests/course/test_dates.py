@@ -1,0 +1,82 @@
+"""Dates in a course that is graded: lateness is each student's own, and nothing is revealed before it may be."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from corollary.atomic import write_whole
+from corollary.course.grade import Outcome, grade_set
+from corollary.grading.solutions import Solutions
+from corollary.records.assigned import set_of
+from corollary.records.deadlines import Extension, write_extension
+from corollary.records.files import open_course
+from corollary.sandbox.runner import Runner
+
+DUE = datetime(2026, 12, 4, 22, 59, 59, 999999, tzinfo=UTC)  # the end of the day in Oslo
+DAY = timedelta(days=1)
+SET = (
+    "---\ntitle: One exercise\ndue: 2026-12-04\nreveal: yes\ncredit: {late: 0.5}\nproblems:\n  - X12.5\n---\n"
+)
+WORKED = "Worked solution"
+
+
+@pytest.fixture
+def course(handed_in: Path, tmp_path: Path) -> Path:
+    """Ada came in time, Ben an hour late, Cyd too, with a day more."""
+    (tmp_path / "one.md").write_text(SET)
+    (handed_in / "corollary.toml").write_text('timezone = "Europe/Oslo"\n')
+    for student, moment in (("ada", DUE), ("ben", DUE + DAY / 24), ("cyd", DUE + DAY / 24)):
+        stamp = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
+        write_whole(handed_in / "submitted" / student / "one" / "timestamp.txt", stamp)
+    write_extension(open_course(handed_in), "one", "cyd", Extension(DUE + DAY))
+    return handed_in
+
+
+def grade(course: Path, now: datetime, text: str = SET) -> Outcome:
+    (course.parent / "one.md").write_text(text)
+    opened = open_course(course)
+    bank, problem_set = set_of(opened, str(course.parent / "one.md"))
+    return grade_set(opened, problem_set, Solutions(bank), partial(Runner, require=0), jobs=1, now=now)
+
+
+def pages(course: Path) -> dict[str, str]:
+    return {
+        each: (course / "feedback" / each / "one" / "one.feedback.html").read_text()
+        for each in ("ada", "ben", "cyd")
+    }
+
+
+def points(outcome: Outcome) -> dict[str, float]:
+    return {student: record.points for student, record in outcome.records.items()}
+
+
+def test_lateness_is_ones_own_and_solutions_wait_for_everybodys_date(course: Path):
+    outcome = grade(course, DUE)
+    assert points(outcome) == {"ada": 5.0, "ben": 2.5, "cyd": 5.0}
+    assert not [student for student, page in pages(course).items() if WORKED in page]
+    again = grade(course, DUE)
+    assert (again.graded, set(again.skipped)) == ((), {"ada", "ben", "cyd"})
+
+    # The date has passed: those for whom it has read the solution, and nobody's points move.
+    later = grade(course, DUE + DAY / 2)
+    assert set(later.graded) == {"ada", "ben"}
+    assert points(later) == points(outcome)
+    assert [student for student, page in pages(course).items() if WORKED in page] == ["ada", "ben"]
+    assert set(grade(course, DUE + 2 * DAY).graded) == {"cyd"}
+    assert all(WORKED in page for page in pages(course).values())
+
+
+def test_moving_the_date_moves_lateness_alone_and_accuses_nobody(course: Path):
+    before = points(grade(course, DUE + 2 * DAY))
+    moved = grade(course, DUE + 2 * DAY, SET.replace("due: 2026-12-04", "due: 2026-12-05"))
+    assert before == {"ada": 5.0, "ben": 2.5, "cyd": 5.0}
+    assert points(moved) == {"ada": 5.0, "ben": 5.0, "cyd": 5.0}
+    assert not [record.notes for record in moved.records.values() if record.notes]
+    hidden = grade(course, DUE + 2 * DAY, SET.replace("reveal: yes", "reveal: no"))
+    assert points(hidden) == before
+    assert not [record.notes for record in hidden.records.values() if record.notes]
+    assert not [student for student, page in pages(course).items() if WORKED in page]
