@@ -9,6 +9,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
+from corollary.render.displayed import displayed
 from corollary.render.mathml import mathml
 
 
@@ -48,4 +49,4 @@ def _display(renderer: object, tokens: Sequence[Token], at: int, *rest: object) 
 
 
 def _block(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:
-    return f'<div class="formula">{mathml(tokens[at].content.strip(), display=True)}</div>\n'
+    return displayed(tokens[at].content.strip())

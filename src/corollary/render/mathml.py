@@ -79,12 +79,13 @@ def mathml(latex: str, *, display: bool = False) -> str:
     tree = formula(latex, display=display)
     if tree is None:
         return f'<code class="latex">{html.escape(latex)}</code>'
-    return _written(tree)
+    return written(tree)
 
 
-def _written(element: Element) -> str:
+def written(element: Element) -> str:
+    """The tree as it stands in a page."""
     attributes = "".join(f' {name}="{html.escape(value)}"' for name, value in element.attrib.items())
-    inside = html.escape(element.text or "", quote=False) + "".join(map(_written, element))
+    inside = html.escape(element.text or "", quote=False) + "".join(map(written, element))
     return f"<{element.tag}{attributes}>{inside}</{element.tag}>"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 from functools import lru_cache
 from importlib.resources import files
 
@@ -19,14 +20,49 @@ from corollary.render.wording import percent, points
 _ = catalogue(__name__)
 
 
-def page(template: str, *, title: str, lang: str = "en", **facts: object) -> str:
-    """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped."""
+def page(template: str, *, title: str, lang: str = "en", script: str = "", **facts: object) -> str:
+    """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
+
+    `script` names a file of `templates/`. Nothing else runs, and nothing is fetched: the page's own policy forbids both.
+    """
     body = environment().get_template(template).render(**facts)
-    frame = environment().get_template("page.html")
-    style, mathematics = Markup(_text("page.css")), font() if "<math" in body else ""
-    whole = frame.render(title=title, lang=lang, body=Markup(body), style=style, font=mathematics)
+    style = _style("<math" in body)
+    program = _text(script) if script else ""
+    whole = (
+        environment()
+        .get_template("page.html")
+        .render(
+            title=title,
+            lang=lang,
+            body=Markup(body),
+            policy=_policy(style, program),
+            style=Markup(style),
+            script=Markup(program),
+        )
+    )
     # Half a surrogate pair in a student's text could not be written to a file.
     return whole.encode("utf-8", "replace").decode()
+
+
+@lru_cache(maxsize=2)
+def _style(formulas: bool) -> str:
+    """The style sheet, with the font that formulas need."""
+    face = '@font-face { font-family: "Corollary Mathematics"; src: url(data:font/woff2;base64,%s) format("woff2"); }\n'
+    return (face % font() if formulas else "") + _text("page.css")
+
+
+@lru_cache(maxsize=4)
+def _policy(style: str, script: str) -> str:
+    """What the browser may do: apply this style, run this script, show pictures that stand in the page."""
+    allowed = _fingerprint(script) if script else "'none'"
+    return (
+        f"default-src 'none'; style-src {_fingerprint(style)}; style-src-attr 'unsafe-inline'; script-src {allowed}; "
+        "img-src data:; font-src data:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _fingerprint(text: str) -> str:
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
 @lru_cache(maxsize=1)

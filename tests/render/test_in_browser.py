@@ -1,0 +1,133 @@
+"""Pages in a real browser, on a phone and on a desk, light and dark: nothing sticks out, and everything is reached by keyboard."""
+
+from __future__ import annotations
+
+import runpy
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import worksheet
+from corollary.problem.bank import chapter_bank
+from corollary.problem.problem_set import find_set
+from corollary.problem.roster import Student
+from corollary.problem.variant import chapter
+from corollary.render.exports import target
+from corollary.render.feedback_page import feedback_page
+from corollary.render.report_page import report_page
+
+pytestmark = pytest.mark.browser
+SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
+AXE = "axe-core@4.14.1"
+PHONE, DESK = 320, 1200
+STICKING_OUT = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+OUT_OF_REACH = """
+[...document.querySelectorAll("body *")].filter(each =>
+  each.scrollWidth > each.clientWidth + 1 && ["auto", "scroll"].includes(getComputedStyle(each).overflowX) && each.tabIndex < 0
+).map(each => each.outerHTML.slice(0, 200))
+"""
+TALLER = "[...document.querySelectorAll('.formula')].filter(each => each.querySelector('span') && each.clientHeight > 40).length"
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory) -> dict[str, Path]:
+    """The pages that people read, as files."""
+    folder = tmp_path_factory.mktemp("pages")
+    sample = SAMPLE["problem_set"](folder / "bank")
+    marked, late = SAMPLE["marked"](sample), SAMPLE["late"](SAMPLE["marked"](sample, "eve"))
+    momentum = find_set(chapter_bank(), "momentum_1")
+    variants = [chapter(problem) for problem in momentum.problems]
+    worked = Solutions(chapter_bank()).worked_solution
+    solutions = {variant.problem.code: worked(variant) for variant in variants}
+    write = target("html").worksheet
+    assert write is not None
+    texts = {
+        "feedback": feedback_page(late, sample, solutions={"X12.5": solutions["X12.5"]}),
+        "report": report_page(SAMPLE["summary"]([marked, late], roster=["ada", "cy", "eve"]), sample),
+        "sheet": write(worksheet(momentum, Student("ada", "Ada"), variants), solutions),
+    }
+    for name, text in texts.items():
+        (folder / f"{name}.html").write_text(text, encoding="utf-8")
+    return {name: folder / f"{name}.html" for name in texts}
+
+
+@pytest.fixture(scope="module")
+def axe(tmp_path_factory) -> str:
+    """The accessibility engine axe-core, fetched by npm."""
+    npm = shutil.which("npm")
+    assert npm is not None, "npm is missing: it fetches axe-core, which looks for what shuts readers out"
+    folder = tmp_path_factory.mktemp("axe")
+    subprocess.run(
+        [npm, "install", "--no-audit", "--no-fund", "--prefix", folder, AXE], check=True, timeout=120
+    )
+    return (folder / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+
+
+def opened(chromium, path: Path, width: int, scheme: str):
+    context = chromium.new_context(
+        viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True, bypass_csp=True
+    )
+    page = context.new_page()
+    page.goto(path.as_uri())
+    return page
+
+
+@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+@pytest.mark.parametrize("width", [PHONE, 360, DESK])
+def test_nothing_sticks_out_and_what_scrolls_is_reached_by_keyboard(pages, chromium, name, width):
+    page = opened(chromium, pages[name], width, "light")
+    assert page.evaluate(STICKING_OUT) <= 0
+    assert page.evaluate(OUT_OF_REACH) == []
+    page.context.close()
+
+
+def test_long_formulas_wrap_on_a_phone_and_not_on_a_desk(pages, chromium):
+    phone, desk = (opened(chromium, pages["sheet"], width, "light") for width in (PHONE, DESK))
+    assert phone.evaluate(TALLER) > desk.evaluate(TALLER)
+    assert phone.evaluate(TALLER) >= 20
+    for page in (phone, desk):
+        page.context.close()
+
+
+@pytest.mark.client
+@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+@pytest.mark.parametrize("width", [360, DESK])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(pages, chromium, axe, name, width, scheme):
+    page = opened(chromium, pages[name], width, scheme)
+    page.evaluate(axe)
+    found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
+    assert [(each["id"], each["impact"], each["nodes"][0]["html"]) for each in found] == []
+    page.context.close()
+
+
+@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+def test_pages_keep_their_own_policy(pages, chromium, name):
+    """The policy lets the page's own style and script through: a browser says so when it does not."""
+    context = chromium.new_context(offline=True)
+    page, complaints = context.new_page(), []
+    page.on("console", lambda message: complaints.append(message.text))
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.goto(pages[name].as_uri())
+    assert page.evaluate("getComputedStyle(document.body).maxWidth") not in {"none", ""}
+    page.evaluate(
+        "document.body.insertAdjacentHTML('beforeend', '<img src=x onerror=\"document.title = 1\">')"
+    )
+    page.wait_for_function("performance.now() > 0")
+    assert page.title() != "1"
+    assert all("onerror" in one or "img-src" in one or "inline event handler" in one for one in complaints), (
+        complaints
+    )
+    context.close()
+
+
+def test_dark_pages_are_dark_and_their_drawings_light(pages, chromium):
+    page = opened(chromium, pages["sheet"], DESK, "dark")
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(22, 24, 27)"
+    assert "invert" in page.evaluate("getComputedStyle(document.querySelector('.drawing svg')).filter")
+    page.emulate_media(media="print")
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    page.context.close()
