@@ -48,7 +48,7 @@ def class_of(folder: Path, count: int, code: str = "X12.5") -> Path:
     roster = [Student(f"s{number:05}", f"Student {number}", "", "") for number in range(count)]
     made = generate(folder / "course", problem_set, roster, solutions, file=file)
     for number, student in enumerate(roster):
-        variants = problem_set.variants(made.assigned[student.id])
+        variants = made.assigned[student.id].variants
         paper = worksheet(problem_set, student, variants)
         sources = right_sources(paper, {variant.problem.code: solutions.key(variant) for variant in variants})
         if number % 3 == 0:

@@ -11,9 +11,9 @@ from click.testing import CliRunner
 
 from corollary.cli.commands import app
 from corollary.cli.dates import warn_of_dates, warn_of_grading_early
-from corollary.records.assigned import set_of
 from corollary.records.deadlines import Extension, read_deadlines, write_extension
 from corollary.records.files import open_course
+from corollary.records.origin import set_of
 
 SET = "---\ntitle: One\ndue: 2999-12-04\nopens: 2999-11-27\nreveal: {reveal}\nproblems: [X12.5]\n---\nOne exercise.\n"
 DUE = datetime(2999, 12, 4, 22, 59, 59, 999999, tzinfo=UTC)

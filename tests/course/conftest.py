@@ -63,7 +63,7 @@ def _handed_in(tmp_path_factory: pytest.TempPathFactory) -> Path:
     problem_set, solutions = find_set(bank, str(folder / "one.md")), Solutions(bank)
     made = generate(folder / "course", problem_set, map(Student, STUDENTS), solutions, file=folder / "one.md")
     for student, row in made.assigned.items():
-        sheet = worksheet(problem_set, Student(student), problem_set.variants(row))
+        sheet = worksheet(problem_set, Student(student), row.variants)
         keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
         path = made.course.notebook("submitted", student, "one")
         path.parent.mkdir(parents=True)

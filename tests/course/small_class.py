@@ -14,6 +14,7 @@ from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
+from corollary.problem.variant import at
 from corollary.sandbox.runner import Runner
 
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
@@ -37,12 +38,12 @@ def handed_in(by: GradingContext) -> list[Submission]:
     """Ada has all of it right, Ben one part wrong, Jon left it blank, and Nils sent something else."""
     papers = []
     for index, name in enumerate(POINTS):
-        row = {"X12.5": 100 + index}
-        paper = worksheet(by.problem_set, Student(name), by.problem_set.variants(row))
+        variants = (at(by.problem_set.problems[0], 100 + index),)
+        paper = worksheet(by.problem_set, Student(name), variants)
         keys = {exercise.problem.code: by.solutions.key(exercise.variant) for exercise in paper.exercises}
         sources = {} if name == "jon" else right_sources(paper, keys)
         if name == "ben":
             sources |= {f"{prompt.key}_answer": f"{prompt.name} = 1e9" for prompt in paper.prompts[:1]}
         text = b'{"cells": [' if name == "nils" else filled_in(paper, sources).encode()
-        papers.append(Submission(Student(name), text, row, 0.0, name))
+        papers.append(Submission(Student(name), text, variants, 0.0, name))
     return papers

@@ -11,9 +11,9 @@ import pytest
 from corollary.atomic import write_whole
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
-from corollary.records.assigned import set_of
 from corollary.records.deadlines import Extension, write_extension
 from corollary.records.files import open_course
+from corollary.records.origin import set_of
 from corollary.sandbox.runner import Runner
 
 DUE = datetime(2026, 12, 4, 22, 59, 59, 999999, tzinfo=UTC)  # the end of the day in Oslo

@@ -11,8 +11,10 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
-from corollary.records.assigned import write_assigned
+from corollary.problem.variant import at
+from corollary.records.assigned import save_record
 from corollary.records.files import create_course
+from corollary.records.numbers import Assigned, numbers_of
 from corollary.render.exports import target
 
 from .small_class import SET
@@ -29,7 +31,10 @@ def small(tmp_path: Path) -> ProblemSet:
 def test_a_course_keeps_its_numbers_and_who_has_none_gets_no_sheet(small: ProblemSet, tmp_path: Path) -> None:
     course = create_course(tmp_path / "course", [Student("ada"), Student("ben"), Student("new")])
     assert sheets_of_course(course, small) == []
-    write_assigned(course, "small", {"ada": {"X12.5": 817}, "ben": {"X12.5": 3}})
+    record, kick = Assigned([], {}), small.problems[0]
+    for student, index in (("ada", 817), ("ben", 3)):
+        record.students[student] = {kick.code: numbers_of(at(kick, index), record.place(kick, 1.0))}
+    save_record(course, small, record)
     sheets = sheets_of_course(course, small)
     assert [(sheet.student.id, sheet.exercises[0].variant.index) for sheet in sheets] == [
         ("ada", 817),

@@ -13,8 +13,8 @@ from click.testing import CliRunner, Result
 from corollary.cli.main import app
 from corollary.course.grade import grade_set
 from corollary.grading.solutions import Solutions
-from corollary.records.assigned import set_of
 from corollary.records.files import open_course
+from corollary.records.origin import set_of
 from corollary.sandbox.job import Job, Limits
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner

@@ -73,7 +73,7 @@ def grade(pair: Path, course: Course, *words: str) -> tuple[int, dict, str]:
 def answers(
     course: Course, problem_set: ProblemSet, solutions: Solutions, student: Student, **others: str
 ) -> None:
-    variants = problem_set.variants(read_assigned(course, problem_set.name)[student.id])
+    variants = read_assigned(course, problem_set)[student.id].variants
     paper = worksheet(problem_set, student, variants)
     keys = {variant.problem.code: solutions.key(variant) for variant in variants}
     hand_in(

@@ -85,8 +85,8 @@ def courses(
     ]  # whose endless loop takes its time, twice
     made = generate(folder / "ours", problem_set, [player.student for player in players], solutions)
     for player in players:
-        row = read_assigned(made.course, SET)[player.student.id]
-        paper = worksheet(problem_set, player.student, problem_set.variants(row))
+        row = read_assigned(made.course, problem_set)[player.student.id]
+        paper = worksheet(problem_set, player.student, row.variants)
         hand: Hand = player.hand(
             paper, {each.problem.code: solutions.key(each.variant) for each in paper.exercises}
         )

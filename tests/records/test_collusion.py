@@ -8,18 +8,24 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.variant import at
+from corollary.records.assigned import AssignedSheet
 from corollary.records.collusion import find_shared
 from corollary.records.marks import HandedIn, PartRecord, Record
 
 SOLUTIONS = Solutions(chapter_bank())
 SET = find_set(SOLUTIONS.bank, "momentum_1")
 CODES = ("X12.5", "X12.10")
-DEALT = {f"s{number}": dict.fromkeys(CODES, 40000 + 7919 * number) for number in range(20)}
+ASSIGNED = {
+    f"s{number}": AssignedSheet(
+        tuple(at(problem, 40000 + 7919 * number) for problem in SET.problems if problem.code in CODES), ""
+    )
+    for number in range(20)
+}
 
 
 def truth(student: str, code: str, part: str) -> float:
-    problem = next(each for each in SET.problems if each.code == code)
-    return SOLUTIONS.key(at(problem, DEALT[student][code])).truths[part].values[0]
+    variant = next(each for each in ASSIGNED[student].variants if each.problem.code == code)
+    return SOLUTIONS.key(variant).truths[part].values[0]
 
 
 def record(**answers: tuple[str, str]) -> Record:
@@ -31,7 +37,7 @@ def test_a_copied_answer_is_found_with_its_owner() -> None:
     copied = f"{truth('s3', 'X12.5', 'd'):.4g} N"
     found = [
         one
-        for one in find_shared(SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=("wrong", copied))})
+        for one in find_shared(SET, SOLUTIONS, ASSIGNED, {"s7": record(X12_5_d=("wrong", copied))})
         if one.other == "s3"
     ]
     assert [(one.student, tuple(one.parts)) for one in found] == [("s7", ("X12_5_d",))]
@@ -46,7 +52,7 @@ def test_two_exercises_make_chance_much_smaller_and_two_parts_of_one_do_not() ->
     def chance(**answers: tuple[str, str]) -> float:
         return next(
             one.chance
-            for one in find_shared(SET, SOLUTIONS, DEALT, {"s7": record(**answers)})
+            for one in find_shared(SET, SOLUTIONS, ASSIGNED, {"s7": record(**answers)})
             if one.other == "s3"
         )
 
@@ -58,13 +64,13 @@ def test_two_exercises_make_chance_much_smaller_and_two_parts_of_one_do_not() ->
 @pytest.mark.parametrize("verdict", ["right", "follows", "mistaken", "slip", "unread", "unmarked"])
 def test_only_wrong_answers_are_looked_at(verdict: str) -> None:
     copied = f"{truth('s3', 'X12.5', 'd'):.4g} N"
-    assert find_shared(SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=(verdict, copied))}) == ()
+    assert find_shared(SET, SOLUTIONS, ASSIGNED, {"s7": record(X12_5_d=(verdict, copied))}) == ()
 
 
 def test_a_wrong_answer_that_fits_nobody_is_nobodys() -> None:
     assert (
         find_shared(
-            SET, SOLUTIONS, DEALT, {"s7": record(X12_5_d=("wrong", "987654 N"), X12_5_c=("wrong", "0 N"))}
+            SET, SOLUTIONS, ASSIGNED, {"s7": record(X12_5_d=("wrong", "987654 N"), X12_5_c=("wrong", "0 N"))}
         )
         == ()
     )

@@ -18,8 +18,8 @@ from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import read_roster
-from corollary.records.assigned import set_of
 from corollary.records.files import Course, open_course, students
+from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
 from corollary.render.exports import Target, target
 

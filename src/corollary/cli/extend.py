@@ -8,7 +8,6 @@ from typing import Any
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.problem.dates import HOW_TO_WRITE, moment, written
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import set_of
 from corollary.records.deadlines import (
     Extension,
     all_extensions,
@@ -18,6 +17,7 @@ from corollary.records.deadlines import (
 )
 from corollary.records.files import Course, find_student, open_course
 from corollary.records.marks import read_record
+from corollary.records.origin import set_of
 from corollary.records.settings import read_settings
 
 Row = tuple[str, str, Extension]  # student, set, and what they have there

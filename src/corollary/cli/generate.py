@@ -50,7 +50,13 @@ def run(
                 "registered": made.registered,
                 "passed_over": made.redrawn,
                 "students": {
-                    student: {"sheet": str(path), "variants": made.assigned[student]}
+                    student: {
+                        "sheet": str(path),
+                        "variants": {
+                            each.problem.code: each.index for each in made.assigned[student].variants
+                        },
+                        "new": student in made.new,
+                    }
                     for student, path in made.notebooks.items()
                 },
             }

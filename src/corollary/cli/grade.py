@@ -15,8 +15,8 @@ from corollary.cli.progress import countdown
 from corollary.course.cluster import on_cluster
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
-from corollary.records.assigned import set_of
 from corollary.records.files import one_writer, open_course
+from corollary.records.origin import set_of
 from corollary.records.regrading import Change
 from corollary.sandbox.isolation import Isolation
 from corollary.sandbox.runner import Runner, probe_isolation

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
-from corollary.records.assigned import set_of
 from corollary.records.files import open_course
+from corollary.records.origin import set_of
 from corollary.records.report_model import report_of, report_record
 
 

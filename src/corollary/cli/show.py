@@ -10,7 +10,7 @@ from corollary.notebook.worksheet import Exercise, exercise
 from corollary.problem.bank import Bank, home
 from corollary.problem.problem import Problem
 from corollary.problem.roster import Student
-from corollary.problem.variant import Variant, assigned_variant, at, chapter, size
+from corollary.problem.variant import Variant, at, chapter, size
 from corollary.render.exports import UnknownTarget, names_for_exercises, target
 
 
@@ -67,10 +67,10 @@ def _variant(
         from corollary.grading.solutions import Solutions  # needed for the answers only
 
         return Solutions(place).assign_variant(problem, b"", student, ()).variant
-    from corollary.records.assigned import assigned_anywhere
+    from corollary.records.assigned import variant_anywhere
     from corollary.records.files import open_course
 
-    row = assigned_anywhere(open_course(course), student)
-    if problem.code not in row and size(problem) > 1:
+    found = variant_anywhere(open_course(course), problem, student)
+    if found is None and size(problem) > 1:
         refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
-    return assigned_variant(problem, row)
+    return found or chapter(problem)

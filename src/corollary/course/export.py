@@ -10,7 +10,7 @@ from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.problem.variant import chapter, size
+from corollary.problem.variant import Variant, chapter
 from corollary.records.assigned import read_assigned
 from corollary.records.files import Course, students
 from corollary.render.exports import Target
@@ -20,9 +20,9 @@ NOBODY = Student("")
 
 def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[Worksheet]:
     """The sheets as they were handed out; empty when the set was never generated. Raises NotACourse."""
-    assigned = read_assigned(course, problem_set.name)
+    assigned = read_assigned(course, problem_set)
     return [
-        worksheet(problem_set, student, problem_set.variants(assigned[student.id]))
+        worksheet(problem_set, student, assigned[student.id].variants)
         for student in students(course)
         if student.id in assigned
     ]
@@ -33,16 +33,14 @@ def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[S
 
     Raises NotDerivable and NoVariant.
     """
-    assigned: dict[str, dict[str, int]] = {owner.id: {} for owner in owners}
+    assigned: dict[str, list[Variant]] = {owner.id: [] for owner in owners}
     for problem in problem_set.problems:
-        if size(problem) == 1:
-            continue
+        used: set[int] = set()
         for owner in owners:
-            used = {row[problem.code] for row in assigned.values() if problem.code in row}
-            index = solutions.assign_variant(problem, b"", owner.id, used).variant.index
-            assert index is not None
-            assigned[owner.id][problem.code] = index
-    return [worksheet(problem_set, owner, problem_set.variants(assigned[owner.id])) for owner in owners]
+            variant = solutions.assign_variant(problem, b"", owner.id, used).variant
+            used |= set() if variant.index is None else {variant.index}
+            assigned[owner.id].append(variant)
+    return [worksheet(problem_set, owner, assigned[owner.id]) for owner in owners]
 
 
 def chapters_sheet(problem_set: ProblemSet) -> Worksheet:

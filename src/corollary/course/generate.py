@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,11 +12,15 @@ from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
+from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.problem.variant import chapter, size
-from corollary.records.assigned import read_assigned, write_assigned, write_origin
+from corollary.problem.variant import chapter, index_of
+from corollary.records.assigned import AssignedSheet, open_record, save_record, sheets
+from corollary.records.edition import values_now
 from corollary.records.files import Course, create_course
+from corollary.records.numbers import Assigned, numbers_of
+from corollary.records.origin import write_origin
 from corollary.records.settings import write_settings
 
 if TYPE_CHECKING:
@@ -27,14 +31,15 @@ NOBODY = Student("everybody", "Chapter's own", "numbers")
 
 @dataclass(frozen=True, slots=True)
 class Generated:
-    """What was made: where each student's notebook lies, the indices of their variants by code of the problem, how many
-    draws were rejected for each problem, and whether nbgrader knows of the set."""
+    """What was made: where each student's notebook lies, what everybody on the roster has been given, how many draws were
+    rejected for each problem, and whether nbgrader knows of the set. `new` are those who were given theirs by this run."""
 
     course: Course
     notebooks: dict[str, Path]
-    assigned: dict[str, dict[str, int]]
+    assigned: dict[str, AssignedSheet]
     redrawn: dict[str, int]
     registered: bool
+    new: tuple[str, ...] = ()
 
 
 def generate(
@@ -45,38 +50,63 @@ def generate(
     progress: Callable[[str], None] = lambda step: None,
     file: Path | None = None,
 ) -> Generated:
-    """Makes or completes the course; who has numbers keeps them. `file`: the set's, when it lies outside the bank.
+    """Makes or completes the course; who has a sheet keeps it, as it is. `file`: the set's, when it lies outside the bank.
 
     Raises NoVariant, NotRegistered, GradebookLocked, NotOurs.
     """
     roster = tuple(roster)
     course = create_course(folder, roster)
     write_settings(course.folder)
-    assigned = read_assigned(course, problem_set.name)
-    redrawn: dict[str, int] = {}
-    for problem in problem_set.problems:
-        progress(f"dealing {problem.code}")
-        used = {row[problem.code] for row in assigned.values() if problem.code in row}
-        for student in roster:
-            row = assigned.setdefault(student.id, {})
-            if problem.code not in row and size(problem) > 1:
-                found = solutions.assign_variant(problem, course.key, student.id, used)
-                assert found.variant.index is not None
-                row[problem.code] = found.variant.index
-                redrawn[problem.code] = redrawn.get(problem.code, 0) + found.redrawn
-                used.add(found.variant.index)
+    record = open_record(course, problem_set)
+    new = tuple(student.id for student in roster if student.id not in record.students)
+    redrawn = _deal(course, problem_set, solutions, record, new, progress)
     write_origin(course, problem_set.name, solutions.bank, file)
-    write_assigned(course, problem_set.name, assigned)
+    save_record(course, problem_set, record)
+    assigned = sheets(course, problem_set, record)
     registered = _register(course, problem_set, source_notebook(problem_set), progress)
     notebooks: dict[str, Path] = {}
     for student in roster:
         progress(f"notebook of {student.id}")
-        variants = problem_set.variants(assigned[student.id])
         path = course.notebook("release", student.id, problem_set.name)
-        write_whole(path, file_text(notebook(worksheet(problem_set, student, variants))))
+        if student.id in new or not path.exists():  # what was handed out stays as it is, to the byte
+            variants = assigned[student.id].variants
+            write_whole(path, file_text(notebook(worksheet(problem_set, student, variants))))
         notebooks[student.id] = path
     of_roster = {student.id: assigned[student.id] for student in roster}
-    return Generated(course, notebooks, of_roster, redrawn, registered)
+    return Generated(course, notebooks, of_roster, redrawn, registered, new)
+
+
+def _deal(
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    record: Assigned,
+    students: Sequence[str],
+    progress: Callable[[str], None],
+) -> dict[str, int]:
+    """Numbers of their own for these students, into the record; how many draws were rejected, by code. Raises NoVariant."""
+    redrawn: dict[str, int] = {}
+    for problem in problem_set.problems:
+        progress(f"numbers for {problem.code}")
+        edition = record.place(problem, problem_set.weight(problem))
+        used = set(_in_use(record, problem))
+        for student in students:
+            found = solutions.assign_variant(problem, course.key, student, used)
+            record.students.setdefault(student, {})[problem.code] = numbers_of(found.variant, edition)
+            redrawn[problem.code] = redrawn.get(problem.code, 0) + found.redrawn
+            used |= set() if found.variant.index is None else {found.variant.index}
+    return redrawn
+
+
+def _in_use(record: Assigned, problem: Problem) -> Iterator[int]:
+    """The places in today's grid of the numbers that somebody has; they may have been drawn from another."""
+    for row in record.students.values():
+        for numbers in row.values():
+            edition = record.edition(numbers)
+            if edition.code_now == problem.code:
+                values = values_now(problem, edition, numbers.exact)
+                if (place := index_of(problem, values)) is not None:
+                    yield place
 
 
 def source_notebook(problem_set: ProblemSet) -> NotebookNode:

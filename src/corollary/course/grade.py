@@ -81,7 +81,7 @@ def grade_set(
     WeakIsolation, and what the gradebook refuses (GradebookLocked, GradebookUnusable, NotRegistered, BrokenConfig).
     """
     name = problem_set.name
-    assigned = read_assigned(course, name)
+    assigned = read_assigned(course, problem_set)
     if not dry_run:
         settle(course, problem_set)
     if not assigned:

@@ -26,6 +26,7 @@ class Solutions:
 
     def of(self, problem: Problem) -> Solution:
         """Solved at the first call, or recalled from an earlier command. Raises NotDerivable."""
+        problem = problem.as_written
         if problem.code not in self.known:
             self.known[problem.code] = solution_of(self.bank, problem)
         return self.known[problem.code]

@@ -16,6 +16,7 @@ from corollary.messages import catalogue
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
+from corollary.problem.variant import Variant
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.isolation import WeakIsolation
 from corollary.sandbox.notebook import Notebook, notebook_of
@@ -31,13 +32,13 @@ _ = catalogue(__name__)
 
 @dataclass(frozen=True, slots=True)
 class Submission:
-    """What a student handed in: its bytes (or why there are none), the indices of the variants assigned to the student by
-    code of the problem, how late it is in seconds, the fingerprint of all that its marks and its page depend on, whether its
-    feedback may give right values by now, and the student's own deadline."""
+    """What a student handed in: its bytes (or why there are none), the variants that the student was given, how late it is
+    in seconds, the fingerprint of all that its marks and its page depend on, whether its feedback may give right values by
+    now, and the student's own deadline."""
 
     student: Student
     content: bytes | Unreadable
-    assigned: Mapping[str, int]
+    variants: tuple[Variant, ...]
     late: float
     fingerprint: str
     reveal: bool = False
@@ -61,8 +62,7 @@ class GradingContext:
 
     def worksheet(self, submission: Submission) -> Worksheet:
         """The student's own sheet, as it was handed out."""
-        variants = self.problem_set.variants(submission.assigned)
-        return worksheet(self.problem_set, submission.student, variants)
+        return worksheet(self.problem_set, submission.student, submission.variants)
 
 
 @dataclass(frozen=True, slots=True)

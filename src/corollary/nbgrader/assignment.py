@@ -14,9 +14,10 @@ from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, state_of
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import Bank
-from corollary.records.assigned import read_assigned, read_origin
+from corollary.records.assigned import is_assigned, read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
+from corollary.records.origin import read_origin
 from corollary.records.submission import fingerprint, read_submission, submissions
 from corollary.sandbox.notebook import Notebook
 from corollary.sandbox.runner import Runner
@@ -56,15 +57,15 @@ def assignment_of(about: Mapping[str, str]) -> Assignment | None:
     if not name or not (here / ".corollary" / "key").is_file():
         return None
     course = open_course(here)
-    assigned = read_assigned(course, name)
-    if not assigned:
+    if not is_assigned(course, name):
         return None
+    bank, problem_set = read_origin(course, name)
+    assigned = read_assigned(course, problem_set)
     who = next((each for each in students(course) if each.id == student), None)
     if who is None or student not in assigned:
         raise NotOnRoster(
             f"{student} handed in {name} but is not on the roster; add them and generate {name} again"
         )
-    bank, problem_set = read_origin(course, name)
     path = submissions(course, name).get(student, course.notebook("submitted", student, name))
     state = state_of(problem_set, Solutions(bank))
     terms = read_deadlines(course, problem_set).terms(student, datetime.now(UTC))

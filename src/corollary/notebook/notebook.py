@@ -130,7 +130,7 @@ def _heading(exercise: Exercise) -> str:
 
 def _question(prompt: Prompt) -> str:
     part = prompt.part
-    lines = [f"#### {part.id}) {part.title} ({points(prompt.out_of)})"]
+    lines = [f"#### {part.label}) {part.title} ({points(prompt.out_of)})"]
     if prompt.text:
         lines.append(prompt.text)
     if prompt.options:

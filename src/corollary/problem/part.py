@@ -17,7 +17,8 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """`answer_types` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order.
+    """`answer_types` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order;
+    `asked_as` is the id it was handed out with, where it has been given another since.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -32,6 +33,12 @@ class Part:
     options: tuple[Option, ...]
     signature: str
     line: int
+    asked_as: str = ""
+
+    @property
+    def label(self) -> str:
+        """The id that students know it by."""
+        return self.asked_as or self.id
 
     @property
     def answer_type(self) -> str:

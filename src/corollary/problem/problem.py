@@ -22,6 +22,8 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
+    """`written` is what its file has today, where this is the problem as it was handed out to somebody."""
+
     code: str
     name: str
     title: str
@@ -35,6 +37,12 @@ class Problem:
     figure_alt: str
     path: Path
     figure_line: int
+    written: Problem | None = None
+
+    @property
+    def as_written(self) -> Problem:
+        """The problem as its file has it: itself, but for one that is as it was once handed out."""
+        return self.written or self
 
     def given(self, symbol: str) -> Given:
         return next(given for given in self.givens if given.symbol == symbol)
@@ -49,4 +57,4 @@ class Problem:
 
     def answer_name(self, part: Part) -> str:
         """The variable a student assigns the answer to."""
-        return f"{self.prefix}_{part.id}"
+        return f"{self.prefix}_{part.label}"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from fractions import Fraction
@@ -15,7 +14,6 @@ from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, Table, Text, split
 from corollary.problem.problem import Problem
-from corollary.problem.variant import Variant, assigned_variant
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
 USUAL = Usual()
@@ -46,11 +44,9 @@ class ProblemSet:
     opens: datetime | None = None
 
     def weight(self, problem: Problem) -> float:
-        return self.weights[self.problems.index(problem)]
-
-    def variants(self, assigned: Mapping[str, int]) -> list[Variant]:
-        """A student's variants, in the order of the problems; `assigned` holds their indices by code."""
-        return [assigned_variant(problem, assigned) for problem in self.problems]
+        """1 for a problem that is no longer in the set."""
+        code = problem.as_written.code
+        return next((w for p, w in zip(self.problems, self.weights, strict=True) if p.code == code), 1.0)
 
     @property
     def out_of(self) -> float:

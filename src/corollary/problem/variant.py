@@ -73,9 +73,21 @@ def chapter(problem: Problem) -> Variant:
     return Variant(problem, {given.symbol: given.value for given in problem.givens}, None)
 
 
-def assigned_variant(problem: Problem, indices: Mapping[str, int]) -> Variant:
-    """The variant whose index a record holds under the problem's code; the chapter's numbers where it holds none."""
-    return at(problem, indices[problem.code]) if problem.code in indices else chapter(problem)
+def index_of(problem: Problem, values: Mapping[str, Fraction]) -> int | None:
+    """The place in the grid of these numbers, in the givens' own units; None when they lie beside it."""
+    index = 0
+    for given in problem.givens:
+        steps = (
+            (values[given.symbol] - given.grid.first) / given.grid.step if given.grid.step else Fraction(0)
+        )
+        if (
+            steps.denominator != 1
+            or not 0 <= steps < given.grid.count
+            or given.grid[int(steps)] != values[given.symbol]
+        ):
+            return None
+        index = index * given.grid.count + int(steps)
+    return index
 
 
 def chosen(problem: Problem, values: Mapping[str, Fraction]) -> Variant:

@@ -1,115 +1,146 @@
-"""What was assigned: which numbers each student has, and the bank and the file that the problem set came from.
-
-Recorded when a set is generated, so that it can be marked later by whoever has only the course.
-"""
+"""Whose sheet has which numbers: as they were handed out, whatever has become of the problems since."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from pathlib import Path
+from contextlib import suppress
+from dataclasses import dataclass
 
-from corollary.atomic import write_whole
-from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
-from corollary.problem.problem_set import ProblemSet, find_set
-from corollary.records.files import Course, NotACourse
-from corollary.records.settings import read_settings
+from msgspec import to_builtins
 
-Assigned = Mapping[
-    str, Mapping[str, int]
-]  # student -> code of the problem -> index of the variant in its grid
-
-
-def write_assigned(course: Course, set_name: str, assigned: Assigned) -> None:
-    """Records who has which numbers, so that they stay the same."""
-    table = {student: dict(assigned[student]) for student in sorted(assigned)}
-    write_whole(_numbers(course, set_name), json.dumps(table, indent=1, ensure_ascii=False) + "\n")
-
-
-def read_assigned(course: Course, set_name: str) -> dict[str, dict[str, int]]:
-    """Who has which numbers; empty when the set was never generated. Raises NotACourse when the record is damaged."""
-    path = _numbers(course, set_name)
-    if not path.exists():
-        return {}
-    try:
-        record = json.loads(path.read_text(encoding="utf-8"))
-        return {
-            str(student): {str(code): int(index) for code, index in row.items()}
-            for student, row in record.items()
-        }
-    except (OSError, ValueError, TypeError, AttributeError) as error:
-        raise NotACourse(f"{path} is damaged ({error}); restore it from a backup") from None
+from corollary.problem.problem import Problem
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.variant import Variant, at
+from corollary.records.carried_over import carried_over, indices_of
+from corollary.records.edition import Edition, Renamed, as_handed_out, edition_of, values_now
+from corollary.records.files import Course
+from corollary.records.numbers import (
+    Assigned,
+    Numbers,
+    read_numbers,
+    sets_with_numbers,
+    words_of,
+    write_numbers,
+)
+from corollary.records.origin import read_origin
 
 
-def assigned_anywhere(course: Course, student: str) -> dict[str, int]:
-    """A student's numbers by code of the problem, whatever set they came in. Raises NotACourse."""
-    sets = sorted(_numbers(course, "any").parent.glob("*.json"))
-    return {
-        code: index
-        for path in sets
-        for code, index in read_assigned(course, path.stem).get(student, {}).items()
-    }
+@dataclass(frozen=True, slots=True)
+class AssignedSheet:
+    """What one student was given, as far as the set still has it: a variant of each problem, in the order of the set.
 
-
-def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = None) -> None:
-    """Records the bank, and the set's file when it lies outside the bank. The chapter's bank is recorded as such: it moves
-    when the program is installed anew."""
-    place = None if _is_chapters(bank) else bank.place
-    record = {"bank": place, "set": None if file is None else str(file.resolve())}
-    write_whole(_origin(course, set_name), json.dumps(record) + "\n")
-
-
-def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
-    """The set of this name, or in the file of this path, and its bank: the one in `folder`, else the one that the set was
-    generated from, else the chapter's.
-
-    Raises NotACourse when the record is damaged, UnknownCode when the bank has moved, and Malformed.
+    `identity` is a text that is another one when the numbers are, or what was asked.
     """
-    is_file = name.endswith(".md")
-    set_name = Path(name).stem if is_file else name
-    if folder is not None or not _origin(course, set_name).exists():
-        bank, file = open_bank(folder), None
-    else:
-        bank, file = _recorded(course, set_name)
-    usual = read_settings(course.folder).usual
-    return bank, find_set(bank, name if is_file or file is None else file, usual)
+
+    variants: tuple[Variant, ...]
+    identity: str
+
+    def variant(self, problem: Problem) -> Variant | None:
+        """Of a problem as the set has it today; None when it was never asked."""
+        code = problem.as_written.code
+        return next((each for each in self.variants if each.problem.as_written.code == code), None)
 
 
-def read_origin(course: Course, set_name: str) -> tuple[Bank, ProblemSet]:
-    """The bank and the set. Raises NotACourse when nothing was recorded, UnknownCode when it has moved, and Malformed."""
-    bank, file = _recorded(course, set_name)
-    return bank, find_set(bank, set_name if file is None else file, read_settings(course.folder).usual)
+def is_assigned(course: Course, set_name: str) -> bool:
+    """Whether the set was ever generated for this course."""
+    return any(course.record(kind, f"{set_name}.json").exists() for kind in ("assigned", "dealt"))
 
 
-def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
-    try:
-        record = json.loads(_origin(course, set_name).read_text(encoding="utf-8"))
-        place, file = record["bank"], record["set"]
-    except (OSError, ValueError, TypeError, KeyError):
-        raise NotACourse(
-            f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
-        ) from None
-    if place is None:
-        return chapter_bank(), file
-    try:
-        return open_bank(Path(place)), file
-    except UnknownCode:
-        raise UnknownCode(
-            f"the bank that {set_name} was dealt from is no longer in {place}; say where it is with --bank, "
-            f"or generate {set_name} again from there (everybody keeps their numbers)"
-        ) from None
+def read_assigned(course: Course, problem_set: ProblemSet) -> dict[str, AssignedSheet]:
+    """Everybody's sheet; empty when the set was never generated. Raises NotACourse when the record is damaged."""
+    return sheets(course, problem_set, open_record(course, problem_set))
 
 
-def _is_chapters(bank: Bank) -> bool:
-    try:
-        return bank.place == chapter_bank().place
-    except UnknownCode:
-        return False
+def open_record(course: Course, problem_set: ProblemSet) -> Assigned:
+    """The record; the one of an earlier version is carried over, and its own file left as it is. Raises NotACourse."""
+    record = read_numbers(course, problem_set.name)
+    if record is None:
+        indices = indices_of(course, problem_set.name)
+        if indices is None:
+            return Assigned([], {})
+        record = carried_over(course, problem_set, indices)
+        with suppress(OSError):  # somebody who may only read this course reads it all the same
+            save_record(course, problem_set, record)
+    return record
 
 
-def _numbers(course: Course, set_name: str) -> Path:
-    return course.record("dealt", f"{set_name}.json")
+def save_record(course: Course, problem_set: ProblemSet, record: Assigned) -> None:
+    """Writes it, with the words of the problems as they are today. Raises OSError."""
+    todays = {edition_of(each, problem_set.weight(each)).statement: each for each in problem_set.problems}
+    write_numbers(course, problem_set.name, record, todays)
 
 
-def _origin(course: Course, set_name: str) -> Path:
-    return course.record("origin", f"{set_name}.json")
+def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[str, AssignedSheet]:
+    """Everybody's sheet, from the record."""
+    problems = [_problem(course, problem_set, edition) for edition in record.editions]
+    order = {problem.code: place for place, problem in enumerate(problem_set.problems)}
+    found: dict[str, AssignedSheet] = {}
+    for student, row in record.students.items():
+        variants = [
+            _variant(problem, record.edition(numbers), numbers)
+            for numbers in row.values()
+            if (problem := problems[numbers.edition]) is not None
+        ]
+        variants.sort(key=lambda variant: order[variant.problem.as_written.code])
+        found[student] = AssignedSheet(tuple(variants), _identity(record, student))
+    return found
+
+
+def variant_anywhere(course: Course, problem: Problem, student: str) -> Variant | None:
+    """A student's numbers in a problem, whatever set they came in; None when they have none. Raises NotACourse."""
+    found: Variant | None = None
+    for name in sets_with_numbers(course):
+        record = read_numbers(course, name) or Assigned([], {})
+        for numbers in record.students.get(student, {}).values():
+            edition = record.edition(numbers)
+            if edition.code_now == problem.code:
+                found = _variant(as_handed_out(problem, edition, words_of(course, edition)), edition, numbers)
+    if found is None:
+        for path in sorted(course.record("dealt", "any").parent.glob("*.json")):  # sets not opened since
+            row = (indices_of(course, path.stem) or {}).get(student, {})
+            if problem.code in row and read_numbers(course, path.stem) is None:
+                found = _carried(course, path.stem, problem, student) or at(problem, row[problem.code])
+    return found
+
+
+def _carried(course: Course, set_name: str, problem: Problem, student: str) -> Variant | None:
+    """From a set of an earlier version, which is carried over by this."""
+    with suppress(LookupError):
+        _, problem_set = read_origin(course, set_name)
+        sheet = read_assigned(course, problem_set).get(student)
+        return sheet.variant(problem) if sheet is not None else None
+    return None
+
+
+def _problem(course: Course, problem_set: ProblemSet, edition: Edition) -> Problem | None:
+    """The problem as it was handed out; None when the set no longer has it."""
+    today = next((each for each in problem_set.problems if each.code == edition.code_now), None)
+    if today is None:
+        return None
+    same = as_handed_out(today, edition, None)
+    return same if same is today else as_handed_out(today, edition, words_of(course, edition))
+
+
+def _variant(problem: Problem, edition: Edition, numbers: Numbers) -> Variant:
+    return Variant(problem, values_now(problem, edition, numbers.exact), numbers.index)
+
+
+def _identity(record: Assigned, student: str) -> str:
+    """For those whose numbers come from an earlier version what that one took for it: so their marks are not made again."""
+    row = record.students[student]
+    editions = [record.edition(numbers) for numbers in row.values()]
+    if student in record.carried and all(edition.renamed == Renamed() for edition in editions):
+        return json.dumps(record.carried[student], sort_keys=True)
+    return json.dumps(
+        [
+            [
+                edition.code,
+                numbers.values,
+                edition.units,
+                [part.id for part in edition.parts],
+                to_builtins(edition.renamed),
+            ]
+            for edition, numbers in zip(editions, row.values(), strict=True)
+        ],
+        sort_keys=True,
+    )

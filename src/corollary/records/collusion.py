@@ -19,8 +19,7 @@ from corollary.grading.solutions import Solutions
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
-from corollary.problem.variant import assigned_variant
-from corollary.records.assigned import Assigned
+from corollary.records.assigned import AssignedSheet
 from corollary.records.files import Course
 from corollary.records.marks import Record
 
@@ -51,16 +50,16 @@ Truths = Mapping[str, tuple[float, ...]]  # student -> right answer of one part,
 def find_shared(
     problem_set: ProblemSet,
     solutions: Solutions,
-    assigned: Assigned,
+    assigned: Mapping[str, AssignedSheet],
     records: Mapping[str, Record],
 ) -> tuple[Shared, ...]:
     """Every pair of students of whom one's wrong answers fit the other's numbers, the least likely by chance first.
 
-    `assigned` says who has which variants; `records` are everybody's marks.
+    `assigned` are everybody's sheets; `records` are everybody's marks.
     """
     met: dict[tuple[str, str], dict[str, list[tuple[str, float]]]] = {}
     for problem in problem_set.problems:
-        wrong = list(_wrong(problem, records))
+        wrong = list(_wrong(problem, assigned, records))
         if not wrong:
             continue
         truths = _truths(problem, solutions, assigned, {part.id for _, part, _ in wrong})
@@ -97,27 +96,34 @@ def read_shared(course: Course, problem_set: ProblemSet) -> tuple[Shared, ...]:
         return ()
 
 
-def _wrong(problem: Problem, records: Mapping[str, Record]) -> Iterator[tuple[str, Part, tuple[float, ...]]]:
-    """Every answer in numbers that was marked wrong."""
+def _wrong(
+    problem: Problem, assigned: Mapping[str, AssignedSheet], records: Mapping[str, Record]
+) -> Iterator[tuple[str, Part, tuple[float, ...]]]:
+    """Every answer in numbers that was marked wrong, read as it was asked."""
     for student, record in records.items():
-        for part in problem.parts:
-            marked = record.parts.get(problem.answer_name(part))
+        variant = assigned[student].variant(problem) if student in assigned else None
+        for part in variant.problem.parts if variant is not None else ():
+            marked = record.parts.get(variant.problem.answer_name(part))
             if marked is None or marked.verdict != "wrong":
                 continue
-            answer = answer_type(part.answer_type).read(Text(marked.answer), question_of(problem, part))
+            answer = answer_type(part.answer_type).read(
+                Text(marked.answer), question_of(variant.problem, part)
+            )
             if isinstance(answer, Numbers) and not answer.misfit and any(answer.values):
                 yield student, part, answer.values
 
 
 def _truths(
-    problem: Problem, solutions: Solutions, assigned: Assigned, parts: set[str]
+    problem: Problem, solutions: Solutions, assigned: Mapping[str, AssignedSheet], parts: set[str]
 ) -> dict[str, dict[str, tuple[float, ...]]]:
     """The right answers of everybody, by part and student."""
     solution = solutions.of(problem)
     places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part in parts}
     truths: dict[str, dict[str, tuple[float, ...]]] = {part: {} for part in places}
-    for student, row in assigned.items():
-        variant = assigned_variant(problem, row)
+    for student, sheet in assigned.items():
+        variant = sheet.variant(problem)
+        if variant is None:
+            continue
         try:
             values = replay(solution, variant.exact, until=max(places.values(), default=-1))
         except Undefined:

@@ -56,7 +56,7 @@ class Course:
         return self.place(step, student, set_name) / f"{set_name}.ipynb"
 
     def record(self, kind: str, name: str) -> Path:
-        """Where a record of ours lies, as `record("dealt", "week1.json")`."""
+        """Where a record of ours lies, as `record("assigned", "week1.json")`."""
         return self.folder / ".corollary" / kind / name
 
 

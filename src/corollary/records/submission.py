@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
-from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
@@ -13,6 +11,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 from corollary.grading.submission import Submission
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
+from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course
 from corollary.sandbox.file import bytes_of
@@ -60,14 +59,14 @@ def read_submission(
     problem_set: ProblemSet,
     student: Student,
     path: Path,
-    assigned: Mapping[str, int],
+    assigned: AssignedSheet,
     fingerprint: str,
     terms: Terms,
 ) -> Submission:
     """The submission in a file, read as a stranger's file is; never raises for what is in it."""
     late = lateness(course, problem_set, student.id, terms)
     content = bytes_of(path, within=course.folder / "submitted")
-    return Submission(student, content, assigned, late, fingerprint, terms.reveal, terms.due)
+    return Submission(student, content, assigned.variants, late, fingerprint, terms.reveal, terms.due)
 
 
 def fingerprint(
@@ -75,7 +74,7 @@ def fingerprint(
     set_name: str,
     student: str,
     path: Path,
-    assigned: Mapping[str, int],
+    assigned: AssignedSheet,
     state: str,
     terms: Terms,
 ) -> str:
@@ -85,7 +84,7 @@ def fingerprint(
     for each in (
         content if isinstance(content, bytes) else content.why.encode(),
         str(handed_in(course, set_name, student)).encode(),
-        json.dumps(dict(assigned), sort_keys=True).encode(),
+        assigned.identity.encode(),
         repr((terms.due and terms.due.isoformat(), terms.excused, terms.reveal)).encode(),
         state.encode(),
     ):

@@ -74,7 +74,7 @@ def perform(
     hands: dict[str, tuple[Worksheet, Hand]] = {}
     for player in PLAYERS:
         progress(f"{player.student.first_name} works")
-        variants = problem_set.variants(made.assigned[player.student.id])
+        variants = made.assigned[player.student.id].variants
         sheet = worksheet(problem_set, player.student, variants)
         hand = player.hand(sheet, {variant.problem.code: solutions.key(variant) for variant in variants})
         hands[player.student.id] = sheet, hand

@@ -1,0 +1,158 @@
+"""An edition of a problem: what of it was handed out, by which it is marked for ever, whatever becomes of its file."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+import msgspec
+
+from corollary.derive.load import NotDerivable, source
+from corollary.problem.bank import UnknownCode, bank_of
+from corollary.problem.given import Given
+from corollary.problem.part import Part
+from corollary.problem.problem import Problem
+from corollary.units.unit import Unit, canonical, unit
+
+
+class AskedPart(msgspec.Struct, frozen=True):
+    """One part as it was asked; `points` without the weight of the problem in the set."""
+
+    id: str
+    title: str
+    types: tuple[str, ...]
+    unit: str
+    points: float
+
+
+class Renamed(msgspec.Struct, frozen=True):
+    """What today's file calls the problem, and what it calls givens and parts, by their names when it was handed out."""
+
+    code: str = ""
+    givens: dict[str, str] = {}
+    parts: dict[str, str] = {}
+
+
+class Edition(msgspec.Struct, frozen=True):
+    """`statement` and `derivation` are the SHA-256 of the problem's file and of its solution's; `units` are those of the
+    givens, in their order; `weight` is the problem's in the set."""
+
+    code: str
+    statement: str
+    derivation: str
+    weight: float
+    units: dict[str, str]
+    parts: tuple[AskedPart, ...]
+    renamed: Renamed = Renamed()
+
+    @property
+    def code_now(self) -> str:
+        return self.renamed.code or self.code
+
+    def given_now(self, symbol: str) -> str:
+        return self.renamed.givens.get(symbol, symbol)
+
+    def part_now(self, part: str) -> str:
+        return self.renamed.parts.get(part, part)
+
+
+def edition_of(problem: Problem, weight: float) -> Edition:
+    """The edition that is handed out today."""
+    return Edition(
+        problem.code,
+        fingerprint(problem),
+        _derivation(problem),
+        weight,
+        {given.symbol: canonical(given.unit) for given in problem.givens},
+        tuple(
+            AskedPart(part.id, part.title, part.answer_types, canonical(part.unit), part.points)
+            for part in problem.parts
+        ),
+    )
+
+
+def fingerprint(problem: Problem) -> str:
+    """Of the problem's file as it is."""
+    return hashlib.sha256(problem.path.read_bytes()).hexdigest()
+
+
+def _derivation(problem: Problem) -> str:
+    """Of the solution's file; empty where there is none."""
+    try:
+        return hashlib.sha256(source(bank_of(problem), problem)).hexdigest()
+    except (NotDerivable, UnknownCode):
+        return ""
+
+
+def as_handed_out(today: Problem, edition: Edition, old: Problem | None) -> Problem:
+    """The problem in the words, units and names in which it was handed out, with those of its parts that today's file has.
+
+    `old` is the problem as its file was then (None: it can no longer be read, and today's words stand in). A part that was
+    never asked is left out; a given that was added is there, and one that is gone stays for the sake of the words. Points are
+    today's. The same object as `today` when nothing has changed.
+    """
+    if edition.renamed == Renamed() and edition.statement == fingerprint(today):
+        return today
+    parts_before = {edition.part_now(part.id): part for part in edition.parts}
+    parts = [_part(part, parts_before[part.id], old) for part in today.parts if part.id in parts_before]
+    givens_before = {edition.given_now(symbol): symbol for symbol in edition.units}
+    givens = [_given(given, edition, givens_before.get(given.symbol), old) for given in today.givens]
+    have = {given.symbol for given in givens}
+    gone = [given for given in (old.givens if old is not None else ()) if given.symbol not in have]
+    words = old or today
+    return replace(
+        words,
+        code=edition.code,
+        givens=(*givens, *gone),
+        conditions=today.conditions,
+        parts=tuple(parts),
+        name=today.name,
+        topic=today.topic,
+        path=today.path,
+        written=today,
+    )
+
+
+def _part(today: Part, asked: AskedPart, old: Problem | None) -> Part:
+    """Today's part under the id, and in the words and the unit, it was asked in."""
+    before = next((part for part in old.parts if part.id == asked.id), None) if old is not None else None
+    label = asked.id if asked.id != today.id else ""
+    if before is None or before.answer_types != today.answer_types:
+        return replace(today, asked_as=label, unit=_same_dimension(today.unit, asked.unit))
+    return replace(
+        today,
+        asked_as=label,
+        title=before.title,
+        text=before.text,
+        unit=_same_dimension(today.unit, asked.unit),
+        signature=before.signature,
+    )
+
+
+def _given(today: Given, edition: Edition, before: str | None, old: Problem | None) -> Given:
+    """Today's given in the unit, and with the decimals, it was handed out in."""
+    if before is None:
+        return today
+    places = next((given.places for given in old.givens if given.symbol == before), None) if old else None
+    found = _same_dimension(today.unit, edition.units[before])
+    return replace(today, unit=found, places=today.places if places is None else places)
+
+
+def _same_dimension(today: Unit, before: str) -> Unit:
+    """The unit of before, if it measures the same: else it was a mistake, and the number is meant in today's."""
+    try:
+        found = unit(before)
+    except ValueError:  # of a package that is gone
+        return today
+    return found if found.dimension == today.dimension else today
+
+
+def values_now(problem: Problem, edition: Edition, handed_out: Mapping[str, Fraction]) -> dict[str, Fraction]:
+    """The numbers of a problem as it was handed out, by its symbols: those handed out, the printed ones for what was added."""
+    by_name_now = {edition.given_now(symbol): value for symbol, value in handed_out.items()}
+    todays = {given.symbol for given in problem.as_written.givens}
+    gone = {symbol: value for symbol, value in handed_out.items() if symbol not in todays}
+    known = gone | by_name_now
+    return {given.symbol: known.get(given.symbol, given.value) for given in problem.givens}

@@ -1,0 +1,75 @@
+"""Where a problem set came from: its bank, and its file when it lies outside the bank.
+
+Recorded when a set is generated, so that it can be marked later by whoever has only the course.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from corollary.atomic import write_whole
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
+from corollary.problem.problem_set import ProblemSet, find_set
+from corollary.records.files import Course, NotACourse
+from corollary.records.settings import read_settings
+
+
+def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = None) -> None:
+    """Records the bank, and the set's file when it lies outside the bank. The chapter's bank is recorded as such: it moves
+    when the program is installed anew."""
+    place = None if _is_chapters(bank) else bank.place
+    record = {"bank": place, "set": None if file is None else str(file.resolve())}
+    write_whole(_origin(course, set_name), json.dumps(record) + "\n")
+
+
+def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
+    """The set of this name, or in the file of this path, and its bank: the one in `folder`, else the one that the set was
+    generated from, else the chapter's.
+
+    Raises NotACourse when the record is damaged, UnknownCode when the bank has moved, and Malformed.
+    """
+    is_file = name.endswith(".md")
+    set_name = Path(name).stem if is_file else name
+    if folder is not None or not _origin(course, set_name).exists():
+        bank, file = open_bank(folder), None
+    else:
+        bank, file = _recorded(course, set_name)
+    usual = read_settings(course.folder).usual
+    return bank, find_set(bank, name if is_file or file is None else file, usual)
+
+
+def read_origin(course: Course, set_name: str) -> tuple[Bank, ProblemSet]:
+    """The bank and the set. Raises NotACourse when nothing was recorded, UnknownCode when it has moved, and Malformed."""
+    bank, file = _recorded(course, set_name)
+    return bank, find_set(bank, set_name if file is None else file, read_settings(course.folder).usual)
+
+
+def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:
+    try:
+        record = json.loads(_origin(course, set_name).read_text(encoding="utf-8"))
+        place, file = record["bank"], record["set"]
+    except (OSError, ValueError, TypeError, KeyError):
+        raise NotACourse(
+            f"{course.folder} does not say which bank {set_name} comes from; generate it again (everybody keeps their numbers)"
+        ) from None
+    if place is None:
+        return chapter_bank(), file
+    try:
+        return open_bank(Path(place)), file
+    except UnknownCode:
+        raise UnknownCode(
+            f"the bank that {set_name} was generated from is no longer in {place}; say where it is with --bank, "
+            f"or generate {set_name} again from there (everybody keeps their numbers)"
+        ) from None
+
+
+def _is_chapters(bank: Bank) -> bool:
+    try:
+        return bank.place == chapter_bank().place
+    except UnknownCode:
+        return False
+
+
+def _origin(course: Course, set_name: str) -> Path:
+    return course.record("origin", f"{set_name}.json")

@@ -1,0 +1,72 @@
+"""A set is marked by the bank it was generated from, and one that has moved is asked for."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from corollary.problem.bank import Bank, UnknownCode, chapter_bank
+from corollary.problem.roster import Student
+from corollary.records.files import Course, NotACourse, create_course
+from corollary.records.origin import read_origin, set_of, write_origin
+
+SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
+
+
+@pytest.fixture
+def course(tmp_path: Path) -> Course:
+    return create_course(tmp_path / "course", [Student("ada")])
+
+
+@pytest.fixture
+def foreign(tmp_path: Path) -> Bank:
+    """A bank of somebody's own, with one problem and the set `kicks`."""
+    theirs = tmp_path / "theirs"
+    for step in ("problems", "solutions"):
+        shutil.copytree(chapter_bank().folder / step / "impulse", theirs / step / "impulse")
+    (theirs / "problems" / "sets").mkdir()
+    (theirs / "problems" / "sets" / "kicks.md").write_text(SET)
+    return Bank(theirs)
+
+
+def test_the_bank_it_was_generated_from_needs_no_naming(course: Course, foreign: Bank) -> None:
+    write_origin(course, "kicks", foreign)
+    bank, found = set_of(course, "kicks")
+    assert bank.folder == foreign.folder
+    assert [problem.code for problem in found.problems] == ["X12.5"]
+    assert read_origin(course, "kicks") == (bank, found)
+
+
+def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
+    write_origin(course, "kicks", foreign)
+    moved = foreign.folder.rename(tmp_path / "moved")
+    with pytest.raises(
+        UnknownCode, match=r"kicks was generated from is no longer in .*theirs; say where it is with --bank"
+    ):
+        set_of(course, "kicks")
+    assert set_of(course, "kicks", moved)[0].folder == moved
+
+
+def test_a_set_outside_the_bank_is_found_again_by_name_or_by_path(
+    course: Course, foreign: Bank, tmp_path: Path
+) -> None:
+    file = tmp_path / "extra.md"
+    file.write_text(SET.replace("Kicks", "More kicks"))
+    write_origin(course, "extra", foreign, file)
+    assert set_of(course, "extra")[1].title == "More kicks"
+    elsewhere = file.rename(tmp_path / "course" / "extra.md")
+    bank, found = set_of(course, str(elsewhere))
+    assert (bank.folder, found.title) == (foreign.folder, "More kicks")
+
+
+def test_without_a_record_it_is_the_chapters_and_a_damaged_one_is_told(course: Course) -> None:
+    assert set_of(course, "momentum_1")[0] == chapter_bank()
+    path = course.folder / ".corollary" / "origin" / "momentum_1.json"
+    path.parent.mkdir(parents=True)
+    path.write_text("{")
+    with pytest.raises(NotACourse, match="does not say which bank momentum_1 comes from"):
+        set_of(course, "momentum_1")
