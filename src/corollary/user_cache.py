@@ -53,6 +53,14 @@ def programs(rooms: Iterable[str]) -> str:
     )
 
 
+def folder() -> Path | None:
+    """Where all of it lies; None when the user has no home."""
+    try:
+        return _place("any").parent
+    except RuntimeError:
+        return None
+
+
 def _place(name: str) -> Path:
     """Raises RuntimeError when the user has no home, and so no folder of the platform's for what may be lost."""
     named = Path(os.environ.get("XDG_CACHE_HOME", ""))

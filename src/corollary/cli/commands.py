@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -50,11 +51,15 @@ app = Commands(
 click.version_option(__version__, message="%(version)s", help="Show the version and leave.")(app)
 
 
-def _command(name: str, sentence: str, *parameters: click.Parameter, module: str = "") -> None:
-    """One more command: `run` of its module in this folder gets the parameters by name, and gives the exit status."""
-    needs = COURSE in parameters
-    prepared = partial(completed, course_needed=needs, any_bank=BANK in parameters)
-    callback = partial(run, module or name, prepared)
+def _command(
+    name: str, sentence: str, *parameters: click.Parameter, module: str = "", settings: bool = True
+) -> None:
+    """One more command: `run` of its module in this folder gets the parameters by name, and gives the exit status.
+
+    `settings`: what is left out is as the course has it.
+    """
+    of_course = partial(completed, course_needed=COURSE in parameters, any_bank=BANK in parameters)
+    callback = partial(run, module or name, of_course if settings else dict[str, Any])
     app.add_command(click.Command(name, params=list(parameters), help=sentence, callback=callback))
 
 
@@ -250,6 +255,13 @@ _command(
     SOLUTION,
     click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
     JSON,
+)
+_command(
+    "doctor",
+    "Whether this machine and this course are fit for work: versions, isolation, nbgrader, disk, time zone.",
+    _path("--course", text="A course to look at; the one around the working folder when left out."),
+    JSON,
+    settings=False,
 )
 _command(
     "demo",

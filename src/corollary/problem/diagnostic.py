@@ -1,9 +1,10 @@
-"""What is wrong with an author's file: sentences that name file, line and remedy."""
+"""What is wrong, in sentences with a remedy: with a line of an author's file, or with a thing that a course needs."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,3 +23,14 @@ class Malformed(Exception):
     def __init__(self, complaints: list[Diagnostic]):
         self.complaints = sorted(complaints, key=lambda complaint: complaint.line)
         super().__init__("\n".join(map(str, self.complaints)))
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What was found of one thing that a course needs. `state`: "good"; "weak", when something works less well or is missing
+    without harm; "broken", when work will fail. `remedy` says what to do, or is empty."""
+
+    name: str
+    state: Literal["good", "weak", "broken"]
+    sentence: str
+    remedy: str = ""

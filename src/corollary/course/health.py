@@ -1,0 +1,239 @@
+"""How well this machine is set up to run a course: programs, isolation, disk, time zone, encoding, settings, banks, plug-ins."""
+
+from __future__ import annotations
+
+import locale
+import os
+import platform
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from corollary import user_cache
+from corollary.course.workers import cores
+from corollary.nbgrader.health import nbgrader_findings
+from corollary.plug_ins import PlugInFault, load, plug_ins
+from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank
+from corollary.problem.dates import machine_zone, zone_named
+from corollary.problem.diagnostic import Finding, Malformed
+from corollary.records.files import Course, NotACourse, open_course, students
+from corollary.records.origin import set_of
+from corollary.records.settings import FILE, Settings, read_settings
+
+GROUPS = ("corollary.banks", "corollary.answers", "corollary.laws", "corollary.exports")
+NEEDED = ("sympy", "python-flint", "numpy", "matplotlib", "msgspec", "nbformat", "ipython")
+JUPYTER = ("jupyterlab", "notebook")  # either, to look at notebooks and formgrader
+LITTLE, TOO_LITTLE = (
+    1 << 30,
+    100 << 20,
+)  # bytes free; a notebook may fill a folder of hundreds of MB while it runs
+
+
+def findings(folder: Path | None) -> Iterator[Finding]:
+    """Everything that was found, one after another; `folder`: a course. Nothing is changed."""
+    yield from _programs()
+    course, settings = None, Settings()
+    if folder is not None:
+        try:
+            settings = read_settings(folder)
+            yield Finding(
+                "settings",
+                "good",
+                str(folder / FILE) if (folder / FILE).exists() else f"no {FILE}; all as usual",
+            )
+        except Malformed as error:
+            yield Finding("settings", "broken", str(error), f"correct {folder / FILE}")
+        try:
+            course = open_course(folder)
+            yield Finding("course", "good", f"{course.folder}, {len(students(course))} on the roster")
+        except NotACourse as error:
+            yield Finding("course", "broken", str(error), "name the course with --course, or generate a set")
+    yield _isolation(settings)
+    yield from nbgrader_findings(course)
+    yield from _places(folder)
+    yield _time_zone(settings)
+    yield _encoding()
+    jobs = "" if settings.jobs is None else f", of which the settings take {settings.jobs}"
+    yield Finding("cores", "good", f"{cores()}{jobs}")
+    yield from _banks(course, settings)
+    yield from _plug_ins()
+
+
+def _programs() -> Iterator[Finding]:
+    yield Finding("corollary", "good", version("corollary"))
+    old = sys.version_info < (3, 11)
+    yield Finding(
+        "Python",
+        "broken" if old else "good",
+        f"{platform.python_version()} in {sys.executable}",
+        "use 3.11 or newer" if old else "",
+    )
+    windows = sys.platform == "win32"
+    yield Finding(
+        "platform",
+        "weak" if windows else "good",
+        f"{platform.system()} {platform.release()}"
+        + (": everything works here but grading" if windows else ""),
+        "grade in WSL, or in the container of the Dockerfile" if windows else "",
+    )
+    for name in NEEDED:
+        found = _version(name)
+        yield Finding(
+            name,
+            "good" if found else "broken",
+            found or "not installed",
+            "" if found else f"pip install {name}",
+        )
+    found = [f"{name} {number}" for name in JUPYTER if (number := _version(name))]
+    yield Finding(
+        "Jupyter",
+        "good" if found else "weak",
+        ", ".join(found) or "not installed: notebooks cannot be looked at here",
+        "" if found else "pip install jupyterlab",
+    )
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return ""
+
+
+def _isolation(settings: Settings) -> Finding:
+    try:
+        from corollary.sandbox.isolation import GUARANTEES, WeakIsolation
+        from corollary.sandbox.runner import probe_isolation
+        from corollary.sandbox.zygote import CannotStart
+    except ImportError as error:
+        return Finding(
+            "isolation",
+            "weak",
+            f"notebooks cannot be run here ({error})",
+            "grade on Linux, in WSL or in a container",
+        )
+    try:
+        found = probe_isolation()
+    except (CannotStart, WeakIsolation, OSError) as error:
+        return Finding(
+            "isolation",
+            "broken",
+            f"nothing can be run: {error}",
+            "grade on another machine, or in a container",
+        )
+    required = 1 if settings.isolation is None else settings.isolation
+    holds = "; ".join(GUARANTEES[name] for name in found.guaranteed) or "nothing is guaranteed"
+    state = "broken" if found.level < required else "weak" if found.missing else "good"
+    short = [name for name in ("landlockpy", "pyseccomp") if sys.platform == "linux" and not _version(name)]
+    remedy = (
+        "pip install 'corollary[isolation]'"
+        if short
+        else "see docs/instructor.md, Isolation"
+        if found.missing
+        else ""
+    )
+    missing = f"; missing: {'; '.join(found.missing)}" if found.missing else ""
+    return Finding("isolation", state, f"level {found.level} ({found.line}): {holds}{missing}", remedy)
+
+
+def _places(folder: Path | None) -> Iterator[Finding]:
+    places = {
+        "disk": folder or Path.cwd(),
+        "temporary files": Path(tempfile.gettempdir()),
+        "cache": user_cache.folder(),
+    }
+    for name, place in places.items():
+        if place is None:
+            yield Finding(
+                name,
+                "weak",
+                "there is no home folder, so nothing solved is kept",
+                "set XDG_CACHE_HOME to a folder",
+            )
+            continue
+        there = next((each for each in (place, *place.parents) if each.exists()), place)
+        free = shutil.disk_usage(there).free
+        sentence = f"{place}, {free / 1e9:.1f} GB free"
+        if not os.access(there, os.W_OK):
+            needed = name != "cache"
+            yield Finding(
+                name, "broken" if needed else "weak", f"{place} cannot be written in", f"chmod u+w {there}"
+            )
+        elif free < LITTLE:
+            yield Finding(name, "broken" if free < TOO_LITTLE else "weak", sentence, "make room")
+        else:
+            yield Finding(name, "good", sentence)
+
+
+def _time_zone(settings: Settings) -> Finding:
+    if zone_named("Europe/Oslo") is None:
+        return Finding("time zone", "broken", "this machine has no table of time zones", "pip install tzdata")
+    machine = machine_zone()
+    own = machine.key if machine is not None else "not known by name"
+    if settings.timezone:
+        return Finding("time zone", "good", f"{settings.timezone} (the machine's is {own})")
+    return Finding(
+        "time zone",
+        "weak",
+        f"the machine's, {own}",
+        f'write timezone = "…" into {FILE}, so that dates are the same everywhere',
+    )
+
+
+def _encoding() -> Finding:
+    used = (sys.stdout.encoding or "", sys.getfilesystemencoding(), locale.getpreferredencoding(False))
+    words = "output {}, file names {}, text {}".format(*used)
+    narrow = [each for each in used if each.lower().replace("-", "") not in {"utf8", "cp65001"}]
+    return Finding(
+        "encoding",
+        "weak" if narrow else "good",
+        words + (": letters that it lacks are written as ?" if narrow else ""),
+        "set PYTHONUTF8=1, or a locale with UTF-8" if narrow else "",
+    )
+
+
+def _banks(course: Course | None, settings: Settings) -> Iterator[Finding]:
+    def found(name: str, look: Callable[[], str], remedy: str) -> Finding:
+        try:
+            return Finding(name, "good", look())
+        except (UnknownCode, Malformed, NotACourse, PlugInFault) as error:
+            return Finding(name, "broken", str(error), remedy)
+
+    def bank(place: Path | None) -> str:
+        opened = open_bank(place)
+        return f"{opened.place}, {len(files(opened))} problems"
+
+    yield found("chapter's bank", lambda: bank(Path(chapter_bank().place)), "reinstall corollary")
+    if settings.bank:
+        yield found("course's bank", lambda: bank(Path(settings.bank)), f"correct bank in {FILE}")
+    elif os.environ.get("COROLLARY_BANK"):
+        yield found("COROLLARY_BANK", lambda: bank(None), "set COROLLARY_BANK to a bank's folder")
+    if course is None:
+        return
+    for path in sorted(course.record("origin", "any").parent.glob("*.json")):
+        name = path.stem
+        yield found(
+            f"set {name}",
+            lambda name=name: f"{set_of(course, name)[1].title}, from {set_of(course, name)[0].place}",
+            f"say where its bank is: corollary generate {name} --bank DIR",
+        )
+
+
+def _plug_ins() -> Iterator[Finding]:
+    for group in GROUPS:
+        try:
+            theirs = plug_ins(group)
+        except PlugInFault as error:
+            yield Finding(group, "broken", str(error), "uninstall one of the two")
+            continue
+        for entry in theirs.values():
+            try:
+                load(entry, "the plug-in")
+                yield Finding(f"{group}: {entry.name}", "good", entry.value)
+            except PlugInFault as error:
+                yield Finding(
+                    f"{group}: {entry.name}", "broken", str(error), "update or uninstall its package"
+                )
