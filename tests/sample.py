@@ -17,7 +17,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import at
 from corollary.records.marks import handed_in, rows
 from corollary.records.report_model import Report, report
-from corollary.sandbox.result import Axes, CellRun, Figure, Line
+from corollary.sandbox.result import Axes, CellRun, DrawnLine, Figure
 
 KICK = r"""
     ---
@@ -124,7 +124,7 @@ def marked(of: ProblemSet, student: str = "ada") -> Marked:
         "linear",
         "linear",
         (),
-        (Line((0, 1), (0, 1), "F", "line"),),
+        (DrawnLine((0, 1), (0, 1), "F", "line"),),
     )
     return Marked(
         Student(student, "Ada", "Lovelace <x>"),

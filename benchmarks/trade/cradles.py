@@ -7,7 +7,7 @@ import importlib.util
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.models.bounce import contact_time
-from corollary.scenes.row import Row, RowResult
+from corollary.scenes.row import RowOfBodies, RowResult
 
 from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
 from .references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE_5_HERTZ
@@ -15,10 +15,12 @@ from .references import CRADLE_3_CUBIC, CRADLE_3_HERTZ, CRADLE_3_SPRINGS, CRADLE
 MASS, STIFFNESS, SPEED = 0.1, 1e4, 1.0
 
 
-def line(count: int, q: float) -> Row:
+def line(count: int, q: float) -> RowOfBodies:
     """The chapter's balls in a row, all touching; the first comes in."""
     velocities = (SPEED,) + (0.0,) * (count - 1)
-    return Row((MASS,) * count, velocities, (0.0,) * (count - 1), (Contact(STIFFNESS, q),) * (count - 1))
+    return RowOfBodies(
+        (MASS,) * count, velocities, (0.0,) * (count - 1), (Contact(STIFFNESS, q),) * (count - 1)
+    )
 
 
 def program(count: int, q: float, until: float) -> Program:
@@ -75,13 +77,13 @@ def _answer(passage: RowResult) -> Answer:
     return Answer(passage.velocities, passage.evaluations)
 
 
-def _compiled(row: Row, tolerance: float) -> Answer:
+def _compiled(row: RowOfBodies, tolerance: float) -> Answer:
     from corollary.scenes.integrate import compiled  # here, since it brings numba
 
     return _answer(compiled.collide(row, tolerance))
 
 
-def _exact(row: Row) -> Answer:
+def _exact(row: RowOfBodies) -> Answer:
     from corollary.scenes.models import modal  # here, since it brings numpy
 
     return _answer(modal.collide(row))

@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Real
-from corollary.sandbox.job import Call, Cell, Job, Limits
+from corollary.sandbox.job import Cell, FunctionCall, Job, Limits
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner
 
@@ -42,7 +42,7 @@ def run(narrow_runner: Runner) -> Iterator[Callable[..., ExecutionResult]]:
     def take(
         *sources: str,
         names: tuple[str, ...] = ("a", "b"),
-        calls: tuple[Call, ...] = (),
+        calls: tuple[FunctionCall, ...] = (),
         pictures: bool = False,
     ) -> ExecutionResult:
         cells = tuple(Cell(f"c{number}", source) for number, source in enumerate(sources))

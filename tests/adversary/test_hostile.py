@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from corollary.formula.value import Exact, Nothing, Real
-from corollary.sandbox.job import Call
+from corollary.sandbox.job import FunctionCall
 from corollary.sandbox.result import ExecutionResult
 
 Run = Callable[..., ExecutionResult]
@@ -66,7 +66,7 @@ def test_many_slow_cells_meet_the_limit_of_the_whole(run: Run) -> None:
 
 
 def test_a_slow_function_is_interrupted_and_the_next_call_answers(run: Run) -> None:
-    calls = (Call("slow", "f", (("x", 1.0),), 0.5), Call("fast", "g", (("x", 3.0),), 0.5))
+    calls = (FunctionCall("slow", "f", (("x", 1.0),), 0.5), FunctionCall("fast", "g", (("x", 3.0),), 0.5))
     taken = run(
         "def f(x):\n    while True: pass\ndef g(x):\n    print('here')\n    return x / 2", calls=calls
     )
@@ -145,7 +145,7 @@ def test_a_thread_left_behind_ends_with_the_notebook(run: Run) -> None:
     ],
 )
 def test_a_crash_costs_its_own_cell_alone(run: Run, source: str, words: str) -> None:
-    taken = run("a = 8.6", source, "b = 2.5", calls=(Call("k", "f", ()),))
+    taken = run("a = 8.6", source, "b = 2.5", calls=(FunctionCall("k", "f", ()),))
     assert taken.values == {"a": Real(8.6), "b": Real(2.5)}
     assert statuses(taken) == ["ok", "error", "ok"]
     if taken.trouble:
@@ -155,7 +155,11 @@ def test_a_crash_costs_its_own_cell_alone(run: Run, source: str, words: str) -> 
 
 def test_a_function_that_ends_the_process_costs_its_own_calls_alone(run: Run) -> None:
     source = "import os\ndef f(): os._exit(0)\ndef g(): return 2.5"
-    taken = run("a = 8.6", source, calls=(Call("f/0", "f", ()), Call("g/0", "g", ()), Call("f/1", "f", ())))
+    taken = run(
+        "a = 8.6",
+        source,
+        calls=(FunctionCall("f/0", "f", ()), FunctionCall("g/0", "g", ()), FunctionCall("f/1", "f", ())),
+    )
     assert taken.values["a"] == Real(8.6)
     assert taken.calls["g/0"].value == Real(2.5)
     assert taken.calls["f/0"].trouble

@@ -13,7 +13,7 @@ from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
 from corollary.verify.extreme_scenes import extremes
 from corollary.verify.extremes import Pushed, push, pushed, ulps
-from corollary.verify.scene_extremes import Extreme, Met, play
+from corollary.verify.scene_extremes import Extreme, ExtremeRun, play
 from corollary.verify.scene_laws import meets
 
 CODES = ("X12.2", "X12.5", "X12.7", "X12.12", "E12.7.2", "E12.7.1", "E12.3.1")
@@ -106,7 +106,7 @@ TABLE = extremes()
 
 
 @pytest.fixture(scope="module")
-def played() -> dict[int, Met]:
+def played() -> dict[int, ExtremeRun]:
     return {id(extreme): play(extreme) for extreme in TABLE}
 
 

@@ -9,7 +9,7 @@ import pytest
 from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.regularised import collide
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, GuardFailed
 
 
@@ -65,7 +65,9 @@ def test_every_setting_pushed_to_its_ends(scene):
 
 @pytest.mark.parametrize("mass", [1e-6, 1e-4, 1e-2, 1e-3, 1e2, 1e6, 1e9])
 def test_a_middle_ball_of_any_mass(mass):
-    found = collide(Row((1.0, mass, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-11)
+    found = collide(
+        RowOfBodies((1.0, mass, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-11
+    )
     a, b, c = found.velocities
     assert a + mass * b + c == pytest.approx(1.0, abs=1e-11 * max(1.0, mass * abs(b)))
     assert a * a + mass * b * b + c * c == pytest.approx(1.0, abs=1e-8)
@@ -75,7 +77,7 @@ def test_a_middle_ball_of_any_mass(mass):
 
 def test_a_middle_ball_lighter_than_dust_ends_with_a_sentence_after_a_bounded_number_of_steps():
     with pytest.raises(GuardFailed, match="did not end within 50000 steps"):
-        collide(Row((1.0, 1e-9, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12)
+        collide(RowOfBodies((1.0, 1e-9, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12)
 
 
 @pytest.mark.parametrize("near", [1e-3, 1e-6, 1e-8, 1e-10])

@@ -150,6 +150,14 @@ def test_names_come_from_the_classroom(modules):
             )
 
 
+def test_one_name_is_one_class(modules):
+    homes: dict[str, list[str]] = {}
+    for module in modules:
+        for node in module.nodes(ast.ClassDef):
+            homes.setdefault(node.name, []).append(f"{module.name}:{node.lineno}")
+    assert not {name: places for name, places in homes.items() if len(places) > 1}
+
+
 def test_classes_are_abstract_or_final(modules):
     """A class of ours is inherited from only when it is abstract; exceptions of other libraries' making may be refined."""
     classes = {node.name: node for module in modules for node in module.nodes(ast.ClassDef)}

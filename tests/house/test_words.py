@@ -58,7 +58,9 @@ def _names(tree: ast.Module) -> Iterator[tuple[str, int]]:
     for node in ast.walk(tree):
         match node:
             case ast.Name(name, ast.Store()) | ast.arg(name):
-                if name != "closed" or "Stream" not in {each.name for each in _classes_around(tree, node)}:
+                if name != "closed" or "OutputStream" not in {
+                    each.name for each in _classes_around(tree, node)
+                }:
                     yield name, node.lineno
             case ast.FunctionDef(name) | ast.ClassDef(name):
                 if name != "close":

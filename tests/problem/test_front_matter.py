@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.front_matter import List, Table, Text, exact, split
+from corollary.problem.front_matter import ListNode, TableNode, TextNode, exact, split
 
 
 def front(tmp_path, source: str):
@@ -39,18 +39,18 @@ GUESSED = [
 @pytest.mark.parametrize("text", GUESSED)
 def test_every_value_is_the_text_that_was_written(tmp_path, text):
     table, _, _ = front(tmp_path, f"name: {text}")
-    assert table.entries["name"] == Text(text, 2)
+    assert table.entries["name"] == TextNode(text, 2)
 
 
 def test_lines_are_those_of_the_file(tmp_path):
     table, body, line = front(tmp_path, "a: 1\n\nb:\n  - x\n  - {c: y}")
     assert table.entries["a"].line == 2
     items = table.entries["b"]
-    assert isinstance(items, List)
+    assert isinstance(items, ListNode)
     assert [item.line for item in items.items] == [5, 6]
     inner = items.items[1]
-    assert isinstance(inner, Table)
-    assert inner.entries["c"] == Text("y", 6)
+    assert isinstance(inner, TableNode)
+    assert inner.entries["c"] == TextNode("y", 6)
     assert (body, line) == ("body", 8)
 
 

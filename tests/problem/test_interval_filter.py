@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from corollary.formula.arithmetics import ready
 from corollary.formula.ball import RationalPi, Undefined, certified, holds
 from corollary.formula.syntax import author_formula
-from corollary.problem.interval_filter import INTERVALS, Interval, Letter, holding
+from corollary.problem.interval_filter import INTERVALS, GivenAtPoints, Interval, holding
 
 DECIMALS = st.decimals(-20, 20, places=2).map(Fraction)
 CONDITIONS = [
@@ -33,9 +33,9 @@ def test_as_one_by_one(text, rows):
     ]
     relation = author_formula(text)
     letters = {
-        "a": Letter([RationalPi(a) for a, _, _ in rows], np.arange(len(rows))),
-        "b": Letter([RationalPi(b) for _, b, _ in rows], np.arange(len(rows))),
-        "c": Letter([RationalPi(Fraction(c, 36), 1) for _, _, c in rows], np.arange(len(rows))),
+        "a": GivenAtPoints([RationalPi(a) for a, _, _ in rows], np.arange(len(rows))),
+        "b": GivenAtPoints([RationalPi(b) for _, b, _ in rows], np.arange(len(rows))),
+        "c": GivenAtPoints([RationalPi(Fraction(c, 36), 1) for _, _, c in rows], np.arange(len(rows))),
     }
     one_by_one = [
         _holds(relation, {name: letter.numbers[n] for name, letter in letters.items()})
@@ -65,8 +65,8 @@ def test_the_bound_holds_the_error(text, a, b):
 
 
 def test_letters_are_broadcast():
-    a = Letter([RationalPi(Fraction(n)) for n in range(3)], np.arange(3).reshape(3, 1))
-    b = Letter([RationalPi(Fraction(n)) for n in range(4)], np.arange(4).reshape(1, 4))
+    a = GivenAtPoints([RationalPi(Fraction(n)) for n in range(3)], np.arange(3).reshape(3, 1))
+    b = GivenAtPoints([RationalPi(Fraction(n)) for n in range(4)], np.arange(4).reshape(1, 4))
     assert holding(author_formula("a < b"), {"a": a, "b": b}).tolist() == [
         [x < y for y in range(4)] for x in range(3)
     ]

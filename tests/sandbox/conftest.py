@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from corollary.sandbox.job import Call, Cell, Job, Limits
+from corollary.sandbox.job import Cell, FunctionCall, Job, Limits
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner
 
@@ -24,7 +24,7 @@ def run(runner: Runner) -> Run:
     def take(
         *sources: str,
         names: tuple[str, ...] = ("a", "b"),
-        calls: tuple[Call, ...] = (),
+        calls: tuple[FunctionCall, ...] = (),
         pictures: bool = False,
     ) -> ExecutionResult:
         return runner.execute(

@@ -14,7 +14,7 @@ import pytest
 
 from corollary.formula.value import Exact, Items, Nothing, Real, Text
 from corollary.sandbox.isolation import WeakIsolation
-from corollary.sandbox.job import Call, Cell, Job
+from corollary.sandbox.job import Cell, FunctionCall, Job
 from corollary.sandbox.runner import Runner
 
 
@@ -119,11 +119,11 @@ def test_functions_are_called_on_numbers_from_outside(run) -> None:
         "def collide(m1, m2, v1, v2=0.0):\n    print('called')\n    return [m1 * v1, (m2, v2)]\nnot_one = 3"
     )
     calls = (
-        Call("p/0", "collide", (("m1", 2.0), ("m2", 3), ("v1", 1.5))),
-        Call("p/1", "collide", (("m1", 2.0),)),
-        Call("p/2", "not_one", ()),
-        Call("p/3", "missing", ()),
-        Call("p/4", "collide", (("m1", 1.0), ("m2", (1.0, 2.0)), ("v1", 2.0))),
+        FunctionCall("p/0", "collide", (("m1", 2.0), ("m2", 3), ("v1", 1.5))),
+        FunctionCall("p/1", "collide", (("m1", 2.0),)),
+        FunctionCall("p/2", "not_one", ()),
+        FunctionCall("p/3", "missing", ()),
+        FunctionCall("p/4", "collide", (("m1", 1.0), ("m2", (1.0, 2.0)), ("v1", 2.0))),
     )
     calls = run(source, calls=calls).calls
     assert calls["p/0"].value == Items((Real(3.0), Items((Exact(Fraction(3)), Real(0.0)), (2,))), (2,))
@@ -136,10 +136,10 @@ def test_functions_are_called_on_numbers_from_outside(run) -> None:
 
 def test_arguments_do_not_show_in_the_notebook(run) -> None:
     source = "def f(x): return x\nimport gc"
-    taken = run(source, calls=(Call("secret-key", "f", (("x", 1.25),)),))
+    taken = run(source, calls=(FunctionCall("secret-key", "f", (("x", 1.25),)),))
     assert taken.calls["secret-key"].value == Real(1.25)
     peek = "def f(x):\n    import sys\n    return str([sys._getframe(n).f_locals for n in range(4)])"
-    looked = run(peek, calls=(Call("another-secret", "f", (("x", 1.25),)),)).calls["another-secret"]
+    looked = run(peek, calls=(FunctionCall("another-secret", "f", (("x", 1.25),)),)).calls["another-secret"]
     assert "another-secret" not in str(looked.value)
 
 

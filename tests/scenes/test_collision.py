@@ -5,12 +5,14 @@ import pytest
 from corollary.scenes.collision import MOST_FOR_NORMAL_MODES, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 
 def cradle(count, q, masses=None):
     velocities = (1.0, *(0.0,) * (count - 1))
-    return Row(masses or (1.0,) * count, velocities, (0.0,) * (count - 1), (Contact(1.0, q),) * (count - 1))
+    return RowOfBodies(
+        masses or (1.0,) * count, velocities, (0.0,) * (count - 1), (Contact(1.0, q),) * (count - 1)
+    )
 
 
 def off(found, line):

@@ -52,7 +52,7 @@ LOST = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Axes:
+class AxisRemarks:
     """A text without its remarks on axes; the sign that takes each component to the usual axes; the remarks as written."""
 
     text: str
@@ -91,7 +91,7 @@ def with_direction(value: Value, question: Question, read: Callable[[Value], Ans
     return _either(answer, found.words) if found.sign is None else _signed(answer, found.sign, found.words)
 
 
-def axes_of(text: str, components: tuple[str, ...]) -> Axes:
+def axes_of(text: str, components: tuple[str, ...]) -> AxisRemarks:
     """What a text says of axes. A remark on an axis that the answer does not have stays in the text, as in a text too long."""
     signs: list[int] = [1] * max(1, len(components))
     words: list[str] = []
@@ -104,7 +104,7 @@ def axes_of(text: str, components: tuple[str, ...]) -> Axes:
                 signs[place] = -signs[place]
         words.insert(0, text[remark.start("axis") :].strip(" ,;().\t\n"))
         text = text[: remark.start()]
-    return Axes(text.rstrip(" ,;") if words else text, tuple(signs), ", ".join(words))
+    return AxisRemarks(text.rstrip(" ,;") if words else text, tuple(signs), ", ".join(words))
 
 
 def direction_of(text: str, directed: bool) -> Direction | None:
@@ -131,7 +131,7 @@ def _places(axis: str, way: str, components: tuple[str, ...]) -> list[int]:
     return [place for place, name in enumerate(components) if letter in (None, name)]
 
 
-def _turned(answer: Answer, axes: Axes) -> Answer:
+def _turned(answer: Answer, axes: AxisRemarks) -> Answer:
     """An answer taken to the usual axes."""
     match answer:
         case Numbers() if len(answer.values) == len(axes.signs):

@@ -52,7 +52,7 @@ class Quantity:
 
 
 @dataclass(frozen=True, slots=True)
-class Option:
+class RightOption:
     """The letter of the right option, and what students who choose another overlook."""
 
     letter: str
@@ -100,7 +100,7 @@ class Expected:
 
     question: Question
     quantity: Quantity | None = None
-    option: Option | None = None
+    option: RightOption | None = None
     requirement: Requirement | None = None
     claim: Claim | None = None
     rubric: tuple[str, ...] = ()

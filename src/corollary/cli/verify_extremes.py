@@ -15,7 +15,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.verify.extreme_scenes import extremes
 from corollary.verify.extremes import Pushed, push
-from corollary.verify.scene_extremes import Met, play
+from corollary.verify.scene_extremes import ExtremeRun, play
 
 
 def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, as_json: bool) -> int:
@@ -53,7 +53,7 @@ def _problem(each: Pushed) -> dict[str, Any]:
     }
 
 
-def _scene(each: Met) -> dict[str, Any]:
+def _scene(each: ExtremeRun) -> dict[str, Any]:
     return {
         "what": each.what,
         "scene": each.scene,
@@ -66,7 +66,7 @@ def _scene(each: Met) -> dict[str, Any]:
     }
 
 
-def _tables(pushed: list[Pushed], met: list[Met], broken: list[str], seconds: float) -> None:
+def _tables(pushed: list[Pushed], met: list[ExtremeRun], broken: list[str], seconds: float) -> None:
     from rich.console import Console
     from rich.table import Table
 

@@ -33,7 +33,7 @@ class ClosedForms:
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
+class SceneOutcome:
     """Unknowns as the outcome of a scene; the settings are formulas of givens and earlier unknowns."""
 
     scene: str
@@ -41,7 +41,7 @@ class Measured:
     observe: str
 
 
-Rule = ClosedForms | Measured
+Rule = ClosedForms | SceneOutcome
 
 
 @dataclass(frozen=True, slots=True)

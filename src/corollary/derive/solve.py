@@ -14,8 +14,8 @@ from corollary.derive.optimum import best
 from corollary.derive.parts import misfits, unsolved
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
-    Measured,
     Rule,
+    SceneOutcome,
     Solution,
     SolvedChoice,
     SolvedExample,
@@ -187,7 +187,7 @@ class _Solver:
             statement=entry.statement,
             names=_names(entry.unknowns),
             laws=(),
-            local=Measured(entry.scene, settings, entry.observe),
+            local=SceneOutcome(entry.scene, settings, entry.observe),
             in_givens=None,
             routes=(),
             mistakes=mistakes,

@@ -9,7 +9,7 @@ from dataclasses import replace
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
-    Measured,
+    SceneOutcome,
     Solution,
     SolvedNeglected,
     Unknown,
@@ -152,7 +152,7 @@ def _result(
                     steps.append(latex(trees[place], known))
                 steps.append(answer)
                 lines += [*(f"$${line}$$" for line in broken(list(dict.fromkeys(steps)))), ""]
-            case Measured(scene, _settings, observe):
+            case SceneOutcome(scene, _settings, observe):
                 lines += [f"$${letter(name)} = {answer}$$", ""]
                 if name == find.names[-1]:
                     measured = _(

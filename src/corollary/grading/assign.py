@@ -25,7 +25,7 @@ class NoVariant(LookupError):
 
 
 @dataclass(frozen=True, slots=True)
-class Assigned:
+class AssignedVariant:
     """A student's variant of one problem, and how many draws were refused before it."""
 
     key: Key
@@ -36,20 +36,24 @@ class Assigned:
         return self.key.variant
 
 
-def assign_variant(solution: Solution, secret: bytes, student: str, in_use: Iterable[int] = ()) -> Assigned:
+def assign_variant(
+    solution: Solution, secret: bytes, student: str, in_use: Iterable[int] = ()
+) -> AssignedVariant:
     """The student's own variant; `in_use` are the indices of other students' variants. Raises NoVariant."""
     problem, occupied, reasons = solution.problem, set(in_use), list[str]()
     if all(given.grid.count == 1 for given in problem.givens):
-        return Assigned(make_key(solution, chapter(problem)), 0)
-    fallback: Assigned | None = None
+        return AssignedVariant(make_key(solution, chapter(problem)), 0)
+    fallback: AssignedVariant | None = None
     for redrawn, variant in enumerate(draws(problem, secret, student)):
         key, reason = admitted(solution, variant)
         if key is None:
             reasons.append(reason)
         elif variant.index in occupied:
-            fallback = fallback or Assigned(key, redrawn)  # every variant may be in use: then students share
+            fallback = fallback or AssignedVariant(
+                key, redrawn
+            )  # every variant may be in use: then students share
         else:
-            return Assigned(key, redrawn)
+            return AssignedVariant(key, redrawn)
         if redrawn >= ENOUGH and fallback is not None:
             return fallback
     if fallback is not None:

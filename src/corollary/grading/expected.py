@@ -11,10 +11,10 @@ from corollary.answers.expected import (
     Expected,
     FollowThrough,
     NamedLaw,
-    Option,
     Point,
     Quantity,
     Requirement,
+    RightOption,
     Values,
 )
 from corollary.answers.questions import question_of
@@ -46,7 +46,7 @@ def expected_of(
     return Expected(
         question_of(key.variant.problem, part),
         None if truth is None else _quantity(key, truth, earlier or {}),
-        None if letter is None else Option(letter, key.solution.choices[part.id].mistakes),
+        None if letter is None else RightOption(letter, key.solution.choices[part.id].mistakes),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
         _rubric(key, part.id) if truth is None else (),

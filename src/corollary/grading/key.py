@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from corollary.answers.evaluation import as_exact, number
 from corollary.answers.expected import Values
-from corollary.derive.solution import Measured, Solution, Unknown
+from corollary.derive.solution import SceneOutcome, Solution, Unknown
 from corollary.formula.ast import Relation
 from corollary.formula.ball import RationalPi, Undefined, certified, holds
 from corollary.grading.replay import compute, simulated
@@ -99,7 +99,7 @@ def answer(
         return tuple(each.value for each in found), all(each.proven for each in found), 0.0
     known = variant.exact | named(solution, before)
     match find.local:
-        case Measured(scene, settings, observe):
+        case SceneOutcome(scene, settings, observe):
             at = tuple((name, number(tree, known)) for name, tree in settings.items())
             numbers, error = simulated(scene, at, observe)
             return numbers, False, error

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from corollary.answers.evaluation import as_exact, number
 from corollary.answers.expected import Values
-from corollary.derive.solution import ClosedForms, Measured, Rule, Solution, Unknown
+from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import names
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.scenes.run import BadSetting, GuardFailed
@@ -54,7 +54,7 @@ def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Values:
     match rule:
         case ClosedForms(trees):
             return tuple(number(tree, values) for tree in trees)
-        case Measured(scene, settings, observe):
+        case SceneOutcome(scene, settings, observe):
             return observed(
                 scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe
             )

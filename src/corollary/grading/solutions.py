@@ -9,7 +9,7 @@ from corollary.derive.cache import solution_of
 from corollary.derive.load import source
 from corollary.derive.solution import Solution
 from corollary.derive.worked_solution import worked_solution
-from corollary.grading.assign import Assigned, assign_variant
+from corollary.grading.assign import AssignedVariant, assign_variant
 from corollary.grading.key import Key, make_key
 from corollary.grading.neglect import neglects
 from corollary.problem.bank import Bank
@@ -41,7 +41,7 @@ class Solutions:
 
     def assign_variant(
         self, problem: Problem, secret: bytes, student: str, in_use: Iterable[int]
-    ) -> Assigned:
+    ) -> AssignedVariant:
         """`in_use` are the indices of other students' variants. Raises NotDerivable and NoVariant."""
         return assign_variant(self.of(problem), secret, student, in_use)
 

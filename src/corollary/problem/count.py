@@ -11,7 +11,7 @@ import numpy as np
 from corollary.formula.ast import names
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given
-from corollary.problem.interval_filter import Letter, holding
+from corollary.problem.interval_filter import GivenAtPoints, holding
 from corollary.problem.problem import Condition, Problem
 
 MOST = 300_000  # numbers worked out for one condition
@@ -69,7 +69,7 @@ def _counted(group: list[Given], conditions: list[Condition]) -> int:
     letters = {}
     for given in group:
         axis = [-1 if other is given else 1 for other in group]
-        letters[given.symbol] = Letter(
+        letters[given.symbol] = GivenAtPoints(
             _numbers(given, range(given.grid.count)), np.arange(given.grid.count).reshape(axis)
         )
     return int(_holding_all(conditions, letters, [given.grid.count for given in group]).sum())
@@ -81,12 +81,14 @@ def _estimated(code: str, group: list[Given], conditions: list[Condition]) -> in
         places = _spread(f"{code} {given.symbol}", given.grid.count)
         few = given.grid.count <= SAMPLED
         numbers = _numbers(given, range(given.grid.count) if few else places)
-        letters[given.symbol] = Letter(numbers, np.array(places) if few else np.arange(SAMPLED))
+        letters[given.symbol] = GivenAtPoints(numbers, np.array(places) if few else np.arange(SAMPLED))
     holding_of_sample = int(_holding_all(conditions, letters, [SAMPLED]).sum())
     return prod(given.grid.count for given in group) * holding_of_sample // SAMPLED
 
 
-def _holding_all(conditions: list[Condition], letters: dict[str, Letter], shape: list[int]) -> np.ndarray:
+def _holding_all(
+    conditions: list[Condition], letters: dict[str, GivenAtPoints], shape: list[int]
+) -> np.ndarray:
     result = np.ones(shape, dtype=bool)
     for condition in conditions:
         result &= holding(condition.relation, letters)

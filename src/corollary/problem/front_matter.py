@@ -14,28 +14,28 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 
 
 @dataclass(frozen=True, slots=True)
-class Text:
+class TextNode:
     text: str
     line: int
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class TableNode:
     entries: dict[str, Node]
     line: int
 
 
 @dataclass(frozen=True, slots=True)
-class List:
+class ListNode:
     items: tuple[Node, ...]
     line: int
 
 
-Node = Text | Table | List
+Node = TextNode | TableNode | ListNode
 DEEPEST = 50
 
 
-def split(path: Path) -> tuple[Table, str, int]:
+def split(path: Path) -> tuple[TableNode, str, int]:
     """The front matter of a Markdown file, the body, and the line on which the body begins.
 
     Raises Malformed when the file cannot be read, has no front matter, or the front matter is not YAML.
@@ -73,7 +73,7 @@ def _compose(source: str) -> yaml.Node | None:
     return yaml.compose(source, Loader=yaml.SafeLoader)
 
 
-def _table(path: Path, source: str) -> Table:
+def _table(path: Path, source: str) -> TableNode:
     try:
         root = _compose(source)
     except RecursionError:
@@ -84,12 +84,12 @@ def _table(path: Path, source: str) -> Table:
     except yaml.YAMLError as error:
         raise Malformed([Diagnostic(path, 1, f"front matter is not YAML: {error}")]) from None
     if root is None:
-        return Table({}, 2)
+        return TableNode({}, 2)
     complaints: list[Diagnostic] = []
     node = _node(path, root, complaints, depth=0)
-    if not isinstance(node, Table):
+    if not isinstance(node, TableNode):
         complaints.append(Diagnostic(path, 2, "front matter must be a list of `name: value` lines"))
-    if complaints or not isinstance(node, Table):
+    if complaints or not isinstance(node, TableNode):
         raise Malformed(complaints)
     return node
 
@@ -101,11 +101,11 @@ def _node(path: Path, node: yaml.Node, complaints: list[Diagnostic], depth: int)
             complaints.append(
                 Diagnostic(path, line, "front matter is nested too deeply (or refers to itself)")
             )
-            return Text("", line)
+            return TextNode("", line)
         case yaml.ScalarNode():
-            return Text(node.value, line)
+            return TextNode(node.value, line)
         case yaml.SequenceNode():
-            return List(tuple(_node(path, item, complaints, depth + 1) for item in node.value), line)
+            return ListNode(tuple(_node(path, item, complaints, depth + 1) for item in node.value), line)
         case yaml.MappingNode():
             entries: dict[str, Node] = {}
             for key, value in node.value:
@@ -116,16 +116,16 @@ def _node(path: Path, node: yaml.Node, complaints: list[Diagnostic], depth: int)
                     complaints.append(Diagnostic(path, at, f"`{name}` is given twice; keep one of them"))
                 else:
                     entries[name] = _node(path, value, complaints, depth + 1)
-            return Table(entries, line)
+            return TableNode(entries, line)
         case _:
             complaints.append(Diagnostic(path, line, "this kind of YAML node has no meaning here"))
-            return Text("", line)
+            return TextNode("", line)
 
 
 class Reader:
     """Takes entries out of one table, collecting complaints instead of stopping at the first."""
 
-    def __init__(self, path: Path, table: Table, what: str, complaints: list[Diagnostic]):
+    def __init__(self, path: Path, table: TableNode, what: str, complaints: list[Diagnostic]):
         self.path, self.table, self.what, self.complaints = path, table, what, complaints
         self.seen: set[str] = set()
 
@@ -138,9 +138,9 @@ class Reader:
     def line_of(self, name: str, default: str | None = None) -> tuple[str, int]:
         self.seen.add(name)
         match self.table.entries.get(name):
-            case Text(text, line) if text.strip() or default == "":
+            case TextNode(text, line) if text.strip() or default == "":
                 return text, line
-            case Text(_, line):
+            case TextNode(_, line):
                 self.complain(
                     line, f"`{name}` of {self.what} is empty; say what it is, or leave the line out"
                 )
@@ -149,7 +149,7 @@ class Reader:
                 return default, self.table.line
             case None:
                 self.complain(self.table.line, f"{self.what} has no `{name}`")
-            case Table(_, line) | List(_, line):
+            case TableNode(_, line) | ListNode(_, line):
                 self.complain(line, f"`{name}` of {self.what} must be one value")
         return "", self.table.line
 
@@ -164,27 +164,27 @@ class Reader:
             )
         return number
 
-    def table_of(self, name: str) -> Table:
+    def table_of(self, name: str) -> TableNode:
         self.seen.add(name)
         match self.table.entries.get(name):
-            case Table() as table:
+            case TableNode() as table:
                 return table
             case None:
-                return Table({}, self.table.line)
-            case Text(_, line) | List(_, line):
+                return TableNode({}, self.table.line)
+            case TextNode(_, line) | ListNode(_, line):
                 self.complain(line, f"`{name}` of {self.what} must hold `name: value` lines")
-                return Table({}, line)
+                return TableNode({}, line)
 
     def list_of(self, name: str) -> tuple[Node, ...]:
         self.seen.add(name)
         match self.table.entries.get(name):
-            case List(items, _):
+            case ListNode(items, _):
                 return items
             case None:
                 return ()
-            case Text() as one:
+            case TextNode() as one:
                 return (one,)
-            case Table(_, line):
+            case TableNode(_, line):
                 self.complain(line, f"`{name}` of {self.what} must be a list of `- …` lines")
                 return ()
 

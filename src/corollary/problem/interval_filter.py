@@ -109,14 +109,14 @@ SIGNS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Letter:
+class GivenAtPoints:
     """A given at many points: its exact numbers, and which of them each point has. Letters are broadcast together."""
 
     numbers: Sequence[RationalPi]
     at: np.ndarray
 
 
-def holding(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
+def holding(relation: Relation, letters: Mapping[str, GivenAtPoints]) -> np.ndarray:
     """Where a condition holds; it does not where a side has no value."""
     tied = {name: letters[name] for name in sorted(names(relation) & letters.keys())}
     places = np.broadcast_arrays(*(letter.at for letter in tied.values()))
@@ -133,7 +133,7 @@ def holding(relation: Relation, letters: Mapping[str, Letter]) -> np.ndarray:
     return holding
 
 
-def _gap(relation: Relation, letters: Mapping[str, Letter]) -> Interval:
+def _gap(relation: Relation, letters: Mapping[str, GivenAtPoints]) -> Interval:
     """Left side minus right side; NaN with an infinite bound where this arithmetic lacks a function or overflows."""
     try:
         numbers = {name: _doubles(letter) for name, letter in letters.items()}
@@ -142,7 +142,7 @@ def _gap(relation: Relation, letters: Mapping[str, Letter]) -> Interval:
         return Interval(np.asarray(np.nan), np.asarray(np.inf))
 
 
-def _doubles(letter: Letter) -> Interval:
+def _doubles(letter: GivenAtPoints) -> Interval:
     ratios = np.array([float(number.ratio) for number in letter.numbers])[letter.at]
     return Interval(ratios, abs(ratios) * ULP) * INTERVALS.pi ** letter.numbers[0].pi
 

@@ -12,7 +12,7 @@ from corollary.messages import did_you_mean
 from corollary.problem.bank import Bank, UnknownCode, find
 from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.front_matter import Reader, Table, Text, split
+from corollary.problem.front_matter import Reader, TableNode, TextNode, split
 from corollary.problem.problem import Problem
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
@@ -122,11 +122,11 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
     chosen: list[tuple[Problem, float]] = []
     for node in front.list_of("problems"):
         weight: Fraction | None = Fraction(1)
-        if isinstance(node, Table):
+        if isinstance(node, TableNode):
             row = Reader(front.path, node, "a problem of the set", front.complaints)
             code, weight = row.text("code"), row.fraction("weight", "1")
             row.finish()
-        elif isinstance(node, Text):
+        elif isinstance(node, TextNode):
             code = node.text
         else:
             front.complain(node.line, "a problem of the set is a code, or {code: X12.5, weight: 2}")
@@ -144,7 +144,7 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
     return chosen
 
 
-def _scheme(path: Path, table: Table, complaints: list[Diagnostic]) -> Scheme:
+def _scheme(path: Path, table: TableNode, complaints: list[Diagnostic]) -> Scheme:
     row = Reader(path, table, "credit", complaints)
     shares = {}
     for name, default in (("follows", "1"), ("slip", "0.5"), ("mistaken", "0.25"), ("late", "1")):

@@ -10,7 +10,7 @@ from corollary.formula.ast import Relation, names
 from corollary.formula.functions import SPELLINGS
 from corollary.formula.syntax import author_formula
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.front_matter import List, Reader, Table, Text, split
+from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.parts_markdown import read_parts
 from corollary.problem.problem import Condition, Problem
@@ -87,8 +87,10 @@ def read_problem(path: Path) -> Problem:
     )
 
 
-def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[Diagnostic]) -> Given | None:
-    if not isinstance(node, Table):
+def _given(
+    path: Path, symbol: str, node: TableNode | TextNode | ListNode, complaints: list[Diagnostic]
+) -> Given | None:
+    if not isinstance(node, TableNode):
         complaints.append(
             Diagnostic(
                 path,
@@ -156,9 +158,13 @@ def _given(path: Path, symbol: str, node: Table | Text | List, complaints: list[
 
 
 def _condition(
-    path: Path, node: Table | Text | List, known: frozenset[str], hard: bool, complaints: list[Diagnostic]
+    path: Path,
+    node: TableNode | TextNode | ListNode,
+    known: frozenset[str],
+    hard: bool,
+    complaints: list[Diagnostic],
 ) -> Condition | None:
-    if not isinstance(node, Text):
+    if not isinstance(node, TextNode):
         complaints.append(
             Diagnostic(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5")
         )

@@ -16,7 +16,7 @@ from corollary.records.edition import Edition, Renamed, as_handed_out, edition_o
 from corollary.records.files import Course
 from corollary.records.numbers import (
     Assigned,
-    Numbers,
+    StudentNumbers,
     read_numbers,
     sets_with_numbers,
     words_of,
@@ -121,7 +121,7 @@ def _problem(course: Course, problem_set: ProblemSet, edition: Edition) -> Probl
     return same if same is today else as_handed_out(today, edition, words_of(course, edition))
 
 
-def _variant(problem: Problem, edition: Edition, numbers: Numbers) -> Variant:
+def _variant(problem: Problem, edition: Edition, numbers: StudentNumbers) -> Variant:
     return Variant(problem, values_now(problem, edition, numbers.exact), numbers.index)
 
 

@@ -20,7 +20,7 @@ from corollary.records.files import Course, NotACourse
 FORMAT = 1
 
 
-class Numbers(msgspec.Struct, frozen=True):
+class StudentNumbers(msgspec.Struct, frozen=True):
     """One student's numbers in one problem, in the units of its edition (named by its place in the list): exact, as text.
 
     `index` is the place in the grid that they were drawn from."""
@@ -34,7 +34,7 @@ class Numbers(msgspec.Struct, frozen=True):
         return {symbol: Fraction(text) for symbol, text in self.values.items()}
 
 
-Row = dict[str, Numbers]  # by the code that the problem had when it was handed out
+Row = dict[str, StudentNumbers]  # by the code that the problem had when it was handed out
 
 
 class Assigned(msgspec.Struct):
@@ -46,7 +46,7 @@ class Assigned(msgspec.Struct):
     carried: dict[str, dict[str, int]] = {}
     format: int = FORMAT
 
-    def edition(self, numbers: Numbers) -> Edition:
+    def edition(self, numbers: StudentNumbers) -> Edition:
         return self.editions[numbers.edition]
 
     def place(self, problem: Problem, weight: float) -> int:
@@ -57,9 +57,11 @@ class Assigned(msgspec.Struct):
         return self.editions.index(edition)
 
 
-def numbers_of(variant: Variant, edition: int) -> Numbers:
+def numbers_of(variant: Variant, edition: int) -> StudentNumbers:
     """What is recorded of a variant."""
-    return Numbers(edition, {symbol: _text(value) for symbol, value in variant.values.items()}, variant.index)
+    return StudentNumbers(
+        edition, {symbol: _text(value) for symbol, value in variant.values.items()}, variant.index
+    )
 
 
 def read_numbers(course: Course, set_name: str) -> Assigned | None:

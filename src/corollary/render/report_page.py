@@ -16,7 +16,7 @@ from corollary.render.wording import LOOKS, points
 
 
 @dataclass(frozen=True, slots=True)
-class Interval:
+class HistogramBin:
     """So many totals from `low` to `high` points."""
 
     low: float
@@ -46,12 +46,12 @@ def report_page(report: Report, problem_set: ProblemSet) -> str:
     )
 
 
-def _intervals(report: Report) -> list[Interval]:
+def _intervals(report: Report) -> list[HistogramBin]:
     """One interval a point while that makes at most 20; else 20."""
     high = report.out_of or 1.0
     bins = round(high) if 4 <= high <= 20 and high == round(high) else 20 if high > 20 else 10
     counts = interval_counts([one.points for one in report.handed_in], 0, high, bins)
-    return [Interval(high * at / bins, high * (at + 1) / bins, count) for at, count in enumerate(counts)]
+    return [HistogramBin(high * at / bins, high * (at + 1) / bins, count) for at, count in enumerate(counts)]
 
 
 def _waiting(report: Report) -> dict[tuple[str, str, str], list[str]]:
@@ -62,7 +62,7 @@ def _waiting(report: Report) -> dict[tuple[str, str, str], list[str]]:
     return found
 
 
-def _totals(report: Report, intervals: list[Interval]) -> str:
+def _totals(report: Report, intervals: list[HistogramBin]) -> str:
     mean, median = report.mean or 0.0, report.median or 0.0
     return histogram(
         [one.points for one in report.handed_in],

@@ -16,7 +16,7 @@ class Cell:
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class FunctionCall:
     """A call of the student's function, made after all cells have run.
 
     `key` names the call in the result ("P12.14.h/0") and stays outside; the worker gets the function's name, the seconds,
@@ -40,7 +40,7 @@ class Job:
 
     cells: tuple[Cell, ...]
     names: tuple[str, ...]
-    calls: tuple[Call, ...] = ()
+    calls: tuple[FunctionCall, ...] = ()
     pictures: bool = True
 
 

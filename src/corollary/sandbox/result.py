@@ -12,7 +12,7 @@ Status = Literal["ok", "error", "timeout", "not run"]
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class DrawnLine:
     """One curve, cloud of points or row of bars: `x` and `y` are equally long, in data coordinates."""
 
     x: tuple[float, ...]
@@ -33,7 +33,7 @@ class Axes:
     xscale: str
     yscale: str
     legend: tuple[str, ...]
-    lines: tuple[Line, ...]
+    lines: tuple[DrawnLine, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from functools import lru_cache
 from corollary.scenes.integrate import regularised
 from corollary.scenes.models.bounce import contact_time, largest_overlap
 from corollary.scenes.models.dashpot import damped_spring
-from corollary.scenes.row import Row, RowResult, energy, natural_units, reduced_mass
+from corollary.scenes.row import RowOfBodies, RowResult, energy, natural_units, reduced_mass
 from corollary.scenes.run import BadSetting, GuardFailed, Model
 
 # What rounding leaves of a closed formula.
@@ -35,7 +35,7 @@ class Collided:
 
 
 @lru_cache(maxsize=1024)
-def collide(line: Row, tolerance: float) -> Collided:
+def collide(line: RowOfBodies, tolerance: float) -> Collided:
     """What the line comes to; found once and kept.
 
     Raises GuardFailed when no run keeps momentum and energy, BadSetting when compiled steps are asked for and numba is missing.
@@ -49,13 +49,13 @@ def collide(line: Row, tolerance: float) -> Collided:
     return _integrated(line, tolerance)
 
 
-def _one_free_contact(line: Row) -> bool:
+def _one_free_contact(line: RowOfBodies) -> bool:
     return (
         len(line.masses) == 2 and line.contacts[0].eta == 0.0 and line.weight == 0.0 and line.gaps[0] >= 0.0
     )
 
 
-def _one_damped_spring(line: Row) -> bool:
+def _one_damped_spring(line: RowOfBodies) -> bool:
     return (
         len(line.masses) == 2
         and line.contacts[0].q == 1.0
@@ -66,11 +66,11 @@ def _one_damped_spring(line: Row) -> bool:
     )
 
 
-def _springs(line: Row) -> bool:
+def _springs(line: RowOfBodies) -> bool:
     return line.weight == 0.0 and all(c.q == 1.0 and c.eta == 0.0 for c in line.contacts)
 
 
-def _by_normal_modes(line: Row) -> Collided:
+def _by_normal_modes(line: RowOfBodies) -> Collided:
     from corollary.scenes.models import modal  # here, since it brings numpy, which most scenes never need
 
     result = modal.collide(line)
@@ -96,7 +96,7 @@ def _by_normal_modes(line: Row) -> Collided:
     )
 
 
-def _energy_lost(line: Row, result: RowResult) -> float:
+def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
     """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
     before = energy(line, [-gap for gap in line.gaps], line.velocities)
     after = energy(line, [0.0] * len(line.gaps), result.velocities)
@@ -104,7 +104,7 @@ def _energy_lost(line: Row, result: RowResult) -> float:
     return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 
 
-def _two_bodies(line: Row) -> Collided:
+def _two_bodies(line: RowOfBodies) -> Collided:
     (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
     if u <= v:
         return Collided(
@@ -136,7 +136,7 @@ def _two_bodies(line: Row) -> Collided:
     )
 
 
-def _spring_and_dashpot(line: Row) -> Collided:
+def _spring_and_dashpot(line: RowOfBodies) -> Collided:
     (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
     mass, closing = reduced_mass(a, b), u - v
     found = damped_spring(mass, contact.k, contact.eta, closing)
@@ -159,7 +159,7 @@ def _spring_and_dashpot(line: Row) -> Collided:
     return Collided(result, errors, "piecewise exact", why, 0)
 
 
-def _integrated(line: Row, tolerance: float) -> Collided:
+def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
     follow = _follower(line)
     coarse, fine = follow(line, max(tolerance, 1e-14)), follow(line, max(tolerance / 30.0, 1e-15))
@@ -183,7 +183,7 @@ def _integrated(line: Row, tolerance: float) -> Collided:
     return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
 
 
-def _follower(line: Row) -> Callable[[Row, float], RowResult]:
+def _follower(line: RowOfBodies) -> Callable[[RowOfBodies, float], RowResult]:
     """Plain Python, or the compiled loop where it is asked for and knows all that acts; both take the same steps."""
     if os.environ.get(COMPILED, "0") in ("", "0") or line.weight or any(c.eta > 0.0 for c in line.contacts):
         return regularised.collide
@@ -196,7 +196,7 @@ def _follower(line: Row) -> Callable[[Row, float], RowResult]:
     return compiled.collide
 
 
-def _reason(line: Row) -> str:
+def _reason(line: RowOfBodies) -> str:
     if any(c.eta > 0.0 for c in line.contacts):
         return "damping takes energy at every moment of the contact: no integral of motion is left"
     if _springs(line):

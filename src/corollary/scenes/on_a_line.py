@@ -11,7 +11,7 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.models.bounce import largest_overlap
 from corollary.scenes.models.pair import refuse_too_soft
-from corollary.scenes.row import Row, reduced_mass
+from corollary.scenes.row import RowOfBodies, reduced_mass
 from corollary.scenes.run import Observable, Observed, Run
 from corollary.scenes.scene import Scene
 
@@ -51,7 +51,7 @@ def _refuse_too_soft(scene: Scene, overlaps: Sequence[float]) -> None:
             refuse_too_soft(overlap, a.radius + b.radius)
 
 
-def as_line(scene: Scene) -> Row | None:
+def as_line(scene: Scene) -> RowOfBodies | None:
     """The scene as bodies in a row that touch their neighbours, if it is one; weight needs a floor below."""
     if (
         scene.axes != 1
@@ -66,7 +66,7 @@ def as_line(scene: Scene) -> Row | None:
     walls = [i for i, body in enumerate(row) if math.isinf(body.mass)]
     if len(contacts) != 1 or row != list(scene.bodies) or len(walls) > 1 or (weight and walls != [0]):
         return None
-    return Row(
+    return RowOfBodies(
         masses=tuple(body.mass for body in row),
         velocities=tuple(body.velocity[0] for body in row),
         gaps=tuple(b.place[0] - a.place[0] - a.radius - b.radius for a, b in pairwise(row)),
@@ -75,11 +75,11 @@ def as_line(scene: Scene) -> Row | None:
     )
 
 
-def _kinetic(line: Row, velocities: tuple[float, ...]) -> float:
+def _kinetic(line: RowOfBodies, velocities: tuple[float, ...]) -> float:
     return sum(0.5 * m * v * v for m, v in zip(line.masses, velocities, strict=True) if not math.isinf(m))
 
 
-def _alone(line: Row, after: tuple[float, ...]) -> dict[Observable, Observed]:
+def _alone(line: RowOfBodies, after: tuple[float, ...]) -> dict[Observable, Observed]:
     """What velocities say of bodies on which nothing acts but each other."""
     loose = [
         (m, u, v) for m, u, v in zip(line.masses, line.velocities, after, strict=True) if not math.isinf(m)
@@ -91,7 +91,7 @@ def _alone(line: Row, after: tuple[float, ...]) -> dict[Observable, Observed]:
     }
 
 
-def _conserved(line: Row, observe: Collection[Observable]) -> Run:
+def _conserved(line: RowOfBodies, observe: Collection[Observable]) -> Run:
     (a, b), (u, v) = line.masses, line.velocities
     mass, meet = reduced_mass(a, b), u > v
     after = (u - 2.0 * mass / a * (u - v), v + 2.0 * mass / b * (u - v)) if meet else (u, v)
@@ -108,7 +108,7 @@ def _conserved(line: Row, observe: Collection[Observable]) -> Run:
     )
 
 
-def _collided(line: Row, found: Collided, observe: Collection[Observable]) -> Run:
+def _collided(line: RowOfBodies, found: Collided, observe: Collection[Observable]) -> Run:
     result = found.result
     before = _kinetic(line, line.velocities)
     known: dict[Observable, tuple[Observed, str]] = {

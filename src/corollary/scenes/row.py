@@ -15,7 +15,7 @@ from corollary.scenes.run import GuardFailed, Outcome
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class RowOfBodies:
     """n bodies from left to right (or bottom to top), and the n - 1 contacts between neighbours.
 
     `gaps` are the distances between neighbouring surfaces (0: just touching, negative: squeezed). `weight` is the acceleration
@@ -68,7 +68,7 @@ def reduced_mass(a: float, b: float) -> float:
     return 1.0 / (1.0 / a + 1.0 / b)
 
 
-def natural_units(line: Row) -> Units | None:
+def natural_units(line: RowOfBodies) -> Units | None:
     """Units in which the collision is of order one; none when nothing ever moves toward anything.
 
     The unit of overlap is the largest there can be, not the one of the contact force alone: weight counts too.
@@ -94,9 +94,9 @@ def _squeeze(contact: Contact, mass: float, speed: float) -> float:
     return min(elastic, mass * speed / contact.eta) if contact.eta > 0.0 else elastic
 
 
-def in_units(line: Row, units: Units) -> Row:
+def in_units(line: RowOfBodies, units: Units) -> RowOfBodies:
     """The same line in its natural units."""
-    return Row(
+    return RowOfBodies(
         masses=tuple(m / units.mass for m in line.masses),
         velocities=tuple(v / units.speed for v in line.velocities),
         gaps=tuple(gap / units.overlap for gap in line.gaps),
@@ -121,26 +121,26 @@ def in_si(result: RowResult, units: Units) -> RowResult:
     )
 
 
-def overlaps(line: Row, state: Sequence[float]) -> Sequence[float]:
+def overlaps(line: RowOfBodies, state: Sequence[float]) -> Sequence[float]:
     return state[1 : len(line.masses)]
 
 
-def velocities(line: Row, state: Sequence[float]) -> Sequence[float]:
+def velocities(line: RowOfBodies, state: Sequence[float]) -> Sequence[float]:
     return state[len(line.masses) :]
 
 
-def closing_speeds(line: Row, state: Sequence[float]) -> list[float]:
+def closing_speeds(line: RowOfBodies, state: Sequence[float]) -> list[float]:
     """How fast the overlap of each contact grows."""
     return [a - b for a, b in pairwise(state[len(line.masses) :])]
 
 
-def closing_speed(line: Row, state: Sequence[float], contact: int) -> float:
+def closing_speed(line: RowOfBodies, state: Sequence[float], contact: int) -> float:
     """How fast the overlap of a contact grows."""
     left = len(line.masses) + contact
     return state[left] - state[left + 1]
 
 
-def energy(line: Row, overlaps: Sequence[float], velocities: Sequence[float]) -> float:
+def energy(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float]) -> float:
     """Kinetic, stored and (beside a wall on the left) potential energy."""
     total = sum(0.5 * m * v * v for m, v in zip(line.masses, velocities, strict=True) if not math.isinf(m))
     total += sum(stored(c, d) for c, d in zip(line.contacts, overlaps, strict=True))
@@ -151,7 +151,7 @@ def energy(line: Row, overlaps: Sequence[float], velocities: Sequence[float]) ->
     return total
 
 
-def guard(line: Row, energy_after: float, velocities: Sequence[float], tolerance: float) -> None:
+def guard(line: RowOfBodies, energy_after: float, velocities: Sequence[float], tolerance: float) -> None:
     """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some.
 
     Raises GuardFailed. The line is in natural units, so `tolerance` is a relative one.

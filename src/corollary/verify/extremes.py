@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from corollary.answers.evaluation import as_exact
-from corollary.derive.solution import Measured, Solution
+from corollary.derive.solution import SceneOutcome, Solution
 from corollary.formula.ast import names
 from corollary.formula.ball import Certified, RationalPi, Undefined, certified
 from corollary.grading.replay import compute
@@ -97,7 +97,7 @@ def replay_in_doubles(solution: Solution, givens: Mapping[str, RationalPi]) -> d
     known: dict[str, RationalPi] = dict(givens)
     found: dict[str, float] = {}
     for find in solution.unknowns:
-        if isinstance(find.local, Measured) or any(
+        if isinstance(find.local, SceneOutcome) or any(
             names(tree) - known.keys() - {"pi"} for tree in find.local.trees
         ):
             continue

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.run import BadSetting, GuardFailed, Observed
-from corollary.verify.scene_laws import Law
+from corollary.verify.scene_laws import SceneLaw
 
 ROUNDING = 2e-14  # a law is met when it is off by no more than the run states, and a few roundings
 
@@ -21,11 +21,11 @@ class Extreme:
     what: str
     scene: str
     settings: Mapping[str, Observed]
-    law: Law
+    law: SceneLaw
 
 
 @dataclass(frozen=True, slots=True)
-class Met:
+class ExtremeRun:
     """`outcome` is that of the run, or `refused`; `why` says why so, or by which model it ran. `off` is how far the law was missed, `stated` the
     error the run states for what it observed."""
 
@@ -42,19 +42,19 @@ class Met:
         return self.outcome == "refused" or self.off <= self.stated + ROUNDING
 
 
-def play(extreme: Extreme) -> Met:
+def play(extreme: Extreme) -> ExtremeRun:
     """Run one; a refusal is an outcome."""
     begin = time.perf_counter()
     try:
         found = run(extreme.scene, extreme.settings)
     except (BadSetting, GuardFailed) as refused:
-        return Met(
+        return ExtremeRun(
             extreme.what, extreme.scene, "refused", str(refused), 0.0, 0.0, time.perf_counter() - begin
         )
     off, stated = extreme.law.off(found), found.errors[extreme.law.observed]
     seconds = time.perf_counter() - begin
     # A law that cannot even be evaluated is broken.
-    return Met(
+    return ExtremeRun(
         extreme.what,
         extreme.scene,
         found.outcome,

@@ -10,7 +10,7 @@ from corollary.scenes.run import Observed, Run
 
 
 @dataclass(frozen=True, slots=True)
-class Law:
+class SceneLaw:
     """What must hold of one observed value: `off` says by how much a run misses it (relative; nan when it cannot be told)."""
 
     observed: str
@@ -21,7 +21,7 @@ def numbers(seen: Observed) -> tuple[float, ...]:
     return seen if isinstance(seen, tuple) else (seen,)
 
 
-def row_law(*masses: float) -> Law:
+def row_law(*masses: float) -> SceneLaw:
     """Momentum and energy of a row whose first body came in at 1 m/s: relative to what it brought."""
     shares = [m / masses[0] for m in masses]
 
@@ -31,10 +31,10 @@ def row_law(*masses: float) -> Law:
         energy = math.fsum(s * v * v for s, v in zip(shares, velocities, strict=True)) - 1.0
         return max(abs(momentum), abs(energy))
 
-    return Law("velocities", off)
+    return SceneLaw("velocities", off)
 
 
-def meets(name: str, *expected: float, within: float = 0.0) -> Law:
+def meets(name: str, *expected: float, within: float = 0.0) -> SceneLaw:
     """An observed value against a closed form; relative to its length. Where the form is a limit, it may be off by `within`."""
 
     def off(found: Run) -> float:
@@ -42,12 +42,12 @@ def meets(name: str, *expected: float, within: float = 0.0) -> Law:
         size = math.hypot(*expected) or 1.0
         return max(math.dist(seen, expected) / size - within, 0.0) if len(seen) == len(expected) else math.nan
 
-    return Law(name, off)
+    return SceneLaw(name, off)
 
 
-def ends(outcome: str, then: Law) -> Law:
+def ends(outcome: str, then: SceneLaw) -> SceneLaw:
     """The run ends so, and the law holds."""
-    return Law(then.observed, lambda found: then.off(found) if found.outcome == outcome else math.nan)
+    return SceneLaw(then.observed, lambda found: then.off(found) if found.outcome == outcome else math.nan)
 
 
 def two(ma: float, mb: float, va: float, vb: float, r: float) -> tuple[float, float]:
@@ -56,7 +56,7 @@ def two(ma: float, mb: float, va: float, vb: float, r: float) -> tuple[float, fl
     return va - mb * change, vb + ma * change
 
 
-def pair_law(ma: float, mb: float, name: str = "velocities") -> Law:
+def pair_law(ma: float, mb: float, name: str = "velocities") -> SceneLaw:
     """Momentum of two spheres of which A came in at (1, 0), and their energy if undamped: relative to what A brought."""
 
     def off(found: Run) -> float:
@@ -66,4 +66,4 @@ def pair_law(ma: float, mb: float, name: str = "velocities") -> Law:
         energy = ax * ax + ay * ay + share * (bx * bx + by * by) - 1.0
         return max(momentum, abs(energy) if not found.settings["eta"] else max(energy, 0.0))
 
-    return Law(name, off)
+    return SceneLaw(name, off)

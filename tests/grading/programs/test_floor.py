@@ -16,7 +16,7 @@ from corollary.grading.programs.floor import (
     judge_bounce_plot,
     reference,
 )
-from corollary.sandbox.result import Axes, Line
+from corollary.sandbox.result import Axes, DrawnLine
 
 from .conftest import RIGHT, bounce, forward_euler
 
@@ -124,7 +124,7 @@ def test_nonsense_is_refused_with_a_sentence(answer):
 
 
 def axes(ylabel, x, *ys, xlabel="t [s]"):
-    lines = tuple(Line(tuple(x), tuple(y), "", "line") for y in ys)
+    lines = tuple(DrawnLine(tuple(x), tuple(y), "", "line") for y in ys)
     return Axes("", xlabel, ylabel, (0.0, 1.0), (0.0, 1.0), "linear", "linear", (), lines)
 
 

@@ -8,7 +8,7 @@ from corollary.scenes import collision
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, GuardFailed
 
 
@@ -22,7 +22,9 @@ def compiled():
 
 def cradle(count, q, **others):
     velocities = (1.0, *(0.0,) * (count - 1))
-    return Row((1.0,) * count, velocities, (0.0,) * (count - 1), (Contact(1.0, q),) * (count - 1), **others)
+    return RowOfBodies(
+        (1.0,) * count, velocities, (0.0,) * (count - 1), (Contact(1.0, q),) * (count - 1), **others
+    )
 
 
 LINES = {
@@ -31,17 +33,17 @@ LINES = {
         for n in (2, 3, 5, 8)
         for q in (1.0, 1.25, 1.37, 1.5, 2.0, 3.0, 10.0)
     },
-    "gaps": Row(
+    "gaps": RowOfBodies(
         (1.0, 2.0, 0.5, 1.0),
         (1.0, 0.0, 0.3, -0.5),
         (0.2, 0.0, 3.0),
         (Contact(2.0, 1.5), Contact(0.3, 2.0), Contact(1.0)),
     ),
-    "wall": Row((math.inf, 0.1, 0.3), (0.0, 0.0, -2.0), (0.0, 0.1), (Contact(1e4, 1.5),) * 2),
-    "squeezed": Row((1.0, 1.0, 3.0), (0.0, 0.0, 0.0), (-0.1, 0.0), (Contact(5.0, 1.5),) * 2),
-    "simultaneous": Row((1.0, 1.0, 1.0), (1.0, 0.0, -1.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2),
-    "heavy": Row((1.0, 1e2, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2),
-    "light": Row((1.0, 1e-3, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2),
+    "wall": RowOfBodies((math.inf, 0.1, 0.3), (0.0, 0.0, -2.0), (0.0, 0.1), (Contact(1e4, 1.5),) * 2),
+    "squeezed": RowOfBodies((1.0, 1.0, 3.0), (0.0, 0.0, 0.0), (-0.1, 0.0), (Contact(5.0, 1.5),) * 2),
+    "simultaneous": RowOfBodies((1.0, 1.0, 1.0), (1.0, 0.0, -1.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2),
+    "heavy": RowOfBodies((1.0, 1e2, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2),
+    "light": RowOfBodies((1.0, 1e-3, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2),
 }
 
 
@@ -71,18 +73,20 @@ def test_long_rows(compiled):
 
 def test_nothing_moves_nothing_happens(compiled):
     for velocities in ((0.0, 0.0), (0.0, 1.0), (-1.0, 1.0)):
-        found = compiled.collide(Row((1.0, 1.0), velocities, (0.1,), (Contact(1.0, 1.5),)), 1e-12)
+        found = compiled.collide(RowOfBodies((1.0, 1.0), velocities, (0.1,), (Contact(1.0, 1.5),)), 1e-12)
         assert (found.outcome, found.velocities, found.duration) == ("missed", velocities, 0.0)
 
 
 def test_a_middle_ball_lighter_than_dust_is_refused(compiled):
     with pytest.raises(GuardFailed, match="did not end"):
-        compiled.collide(Row((1.0, 1e-11, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12)
+        compiled.collide(
+            RowOfBodies((1.0, 1e-11, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-12
+        )
 
 
 def test_out_of_all_range_is_an_overflow(compiled):
     with pytest.raises(OverflowError):
-        compiled.collide(Row((1.0, 1.0), (1e200, 0.0), (0.0,), (Contact(1.0, 1.5),)), 1e-12)
+        compiled.collide(RowOfBodies((1.0, 1.0), (1e200, 0.0), (0.0,), (Contact(1.0, 1.5),)), 1e-12)
 
 
 def test_it_is_used_where_it_is_asked_for(compiled, monkeypatch):
@@ -99,7 +103,7 @@ def test_it_is_used_where_it_is_asked_for(compiled, monkeypatch):
         found = run("cradle", {"N": 4.0, "q": 1.5})
         assert found.observed["velocities"] == pytest.approx(plain.observed["velocities"], abs=1e-13)
         assert len(calls) == count
-    damped = Row((1.0, 1.0), (1.0, 0.0), (0.0,), (Contact(1.0, 1.5, 0.1),))
+    damped = RowOfBodies((1.0, 1.0), (1.0, 0.0), (0.0,), (Contact(1.0, 1.5, 0.1),))
     collision.collide(damped, 1e-12)
     assert len(calls) == 2  # what it does not know is left to plain Python
     collision.collide.cache_clear()

@@ -9,14 +9,14 @@ import pytest
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.models import modal
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 integrate = pytest.importorskip("scipy.integrate")
 
 
 def cradle(count, q, tail=0.0):
     velocities = (1.0, *(0.0,) * (count - 1))
-    return Row((1.0,) * count, velocities, (tail,) * (count - 1), (Contact(1.0, q),) * (count - 1))
+    return RowOfBodies((1.0,) * count, velocities, (tail,) * (count - 1), (Contact(1.0, q),) * (count - 1))
 
 
 def in_plain_time(line, until, tolerance):
@@ -69,7 +69,7 @@ def test_springs_agree_with_their_exact_swings():
 
 def test_a_row_of_springs_in_the_chapters_units():
     """Ahead of the wave there is nothing but rounding, which must not be taken for a motion."""
-    line = Row((0.1,) * 20, (1.0, *(0.0,) * 19), (0.0,) * 19, (Contact(1e4, 1.0),) * 19)
+    line = RowOfBodies((0.1,) * 20, (1.0, *(0.0,) * 19), (0.0,) * 19, (Contact(1e4, 1.0),) * 19)
     assert modal.collide(line).velocities == pytest.approx(
         modal.collide(cradle(20, 1.0)).velocities, abs=1e-13
     )

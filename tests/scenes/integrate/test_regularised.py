@@ -13,14 +13,14 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.integrate.regularised import collide
 from corollary.scenes.models import bounce, modal
-from corollary.scenes.row import Row, energy
+from corollary.scenes.row import RowOfBodies, energy
 from corollary.scenes.run import GuardFailed
 
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
 
 
 def cradle(count, q, **others):
-    return Row(
+    return RowOfBodies(
         (1.0,) * count,
         (1.0,) + (0.0,) * (count - 1),
         (0.0,) * (count - 1),
@@ -62,7 +62,7 @@ def test_a_tighter_tolerance_costs_little_and_gains_much():
 
 lines = st.integers(2, 5).flatmap(
     lambda n: st.builds(
-        Row,
+        RowOfBodies,
         st.tuples(*[st.floats(0.1, 10.0)] * n),
         st.tuples(*[st.integers(-100, 100).map(lambda v: v / 100.0)] * n),
         st.tuples(*[st.sampled_from([0.0, 1e-9, 0.1, 3.0])] * (n - 1)),
@@ -91,7 +91,7 @@ def test_momentum_and_energy_are_kept_and_no_body_passes_through_another(line):
 
 def test_an_overlap_that_nearly_ends_and_turns_back():
     """Its own variable does not grow where its speed turns: the time must take over."""
-    line = Row(
+    line = RowOfBodies(
         (5.392647120560536, 0.3111643669578199, 9.093658973051353, 5.569843140251806, 3.6224949109301647),
         (1.0, 0.66, -0.66, 0.37, 0.0),
         (3.0, 0.1, 0.0, 0.0),
@@ -111,14 +111,14 @@ def test_an_overlap_that_nearly_ends_and_turns_back():
 @settings(max_examples=10, deadline=None)
 def test_damping_never_gives_energy(line, eta):
     first, *others = line.contacts
-    damped = Row(line.masses, line.velocities, line.gaps, (Contact(first.k, first.q, eta), *others))
+    damped = RowOfBodies(line.masses, line.velocities, line.gaps, (Contact(first.k, first.q, eta), *others))
     found = collide(damped, 1e-10)
     none = [0.0] * len(line.gaps)
     assert energy(line, none, found.velocities) <= energy(line, none, line.velocities) * (1.0 + 1e-9) + 1e-12
 
 
 def test_springs_agree_with_their_exact_motion_in_a_crooked_case():
-    line = Row(
+    line = RowOfBodies(
         (0.17, 0.32, 4.4, 0.45),
         (0.88, 0.42, 0.12, -0.99),
         (0.0, 0.41, 0.43),
@@ -128,21 +128,23 @@ def test_springs_agree_with_their_exact_motion_in_a_crooked_case():
 
 
 def test_simultaneous_openings():
-    found = collide(Row((1.0, 1.0, 1.0), (1.0, 0.0, -1.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-13)
+    found = collide(
+        RowOfBodies((1.0, 1.0, 1.0), (1.0, 0.0, -1.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2), 1e-13
+    )
     assert found.velocities == pytest.approx((-1.0, 0.0, 1.0), abs=1e-12)
     assert found.openings == 2
 
 
 def test_wide_gaps_make_separate_collisions_found_without_a_step_of_flight():
-    near = collide(Row((1.0,) * 3, (1.0, 0.0, 0.0), (1e3, 1e3), (Contact(1.0, 1.5),) * 2), 1e-13)
-    far = collide(Row((1.0,) * 3, (1.0, 0.0, 0.0), (1e9, 1e9), (Contact(1.0, 1.5),) * 2), 1e-13)
+    near = collide(RowOfBodies((1.0,) * 3, (1.0, 0.0, 0.0), (1e3, 1e3), (Contact(1.0, 1.5),) * 2), 1e-13)
+    far = collide(RowOfBodies((1.0,) * 3, (1.0, 0.0, 0.0), (1e9, 1e9), (Contact(1.0, 1.5),) * 2), 1e-13)
     assert far.velocities == pytest.approx((0.0, 0.0, 1.0), abs=1e-12)
     assert far.evaluations == near.evaluations
 
 
 def test_a_damped_contact_of_a_spring_has_its_closed_restitution():
     m, k, c = 0.1, 2000.0, 4.0
-    found = collide(Row((math.inf, m), (0.0, -3.0), (0.0,), (Contact(k, 1.0, c),)), 1e-13)
+    found = collide(RowOfBodies((math.inf, m), (0.0, -3.0), (0.0,), (Contact(k, 1.0, c),)), 1e-13)
     # x'' = -(k/m) x - (c/m) x' from x = 0; it is back at zero after half a damped swing.
     swing = math.sqrt(k / m - (c / (2 * m)) ** 2)
     assert found.velocities[1] / 3.0 == pytest.approx(math.exp(-c / (2 * m) * math.pi / swing), rel=1e-11)
@@ -163,15 +165,15 @@ def peak_of_damped_spring(m, k, c, v):
 @pytest.mark.parametrize("c", [28.3, 40.0, 1e4])
 def test_an_overdamped_spring_sticks(c):
     """c^2 > 4 k m: the overlap only fades."""
-    found = collide(Row((math.inf, 0.1), (0.0, -3.0), (0.0,), (Contact(2000.0, 1.0, c),)), 1e-12)
+    found = collide(RowOfBodies((math.inf, 0.1), (0.0, -3.0), (0.0,), (Contact(2000.0, 1.0, c),)), 1e-12)
     assert found.outcome == "sticks"
     assert found.velocities == (0.0, 0.0)
     assert math.isinf(found.duration)
 
 
 def test_nothing_moves_nothing_happens():
-    assert collide(Row((1.0, 1.0), (0.0, 0.0), (0.1,), (Contact(1.0),)), 1e-12).outcome == "missed"
-    assert collide(Row((1.0, 1.0), (0.0, 1.0), (0.0,), (Contact(1.0),)), 1e-12).outcome == "missed"
+    assert collide(RowOfBodies((1.0, 1.0), (0.0, 0.0), (0.1,), (Contact(1.0),)), 1e-12).outcome == "missed"
+    assert collide(RowOfBodies((1.0, 1.0), (0.0, 1.0), (0.0,), (Contact(1.0),)), 1e-12).outcome == "missed"
 
 
 @given(
@@ -191,7 +193,7 @@ def test_whatever_the_damping_a_ball_is_released_or_sticks(q, thickness, weight,
 
     def kept(more):
         eta = critical * 10.0**thickness * more
-        line = Row((math.inf, m), (0.0, -speed), (0.0,), (Contact(k, q, eta),), weight=weight)
+        line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (Contact(k, q, eta),), weight=weight)
         found = collision.collide(line, tolerance)
         assert found.result.outcome in ("released", "sticks")
         return (found.result.velocities[1] / speed) ** 2, found.errors["velocities"]
@@ -212,7 +214,7 @@ def with_wrong_steps(monkeypatch, change):
     monkeypatch.setattr(regularised, "attempt", badly_tried)
 
 
-THREE = Row((1.0, 1.0, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2)
+THREE = RowOfBodies((1.0, 1.0, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5),) * 2)
 
 
 def test_steps_that_lose_momentum_but_no_energy_are_found_out(monkeypatch):

@@ -13,11 +13,11 @@ from corollary.scenes.integrate.row_problem import error_size
 from corollary.scenes.integrate.runge_kutta import error_estimate, step
 from corollary.scenes.integrate.time_variable import TIME, TimeVariable, beside, in_time
 from corollary.scenes.integrate.written_out import power_text
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 lines = st.integers(2, 5).flatmap(
     lambda n: st.builds(
-        Row,
+        RowOfBodies,
         st.tuples(*[st.sampled_from([0.1, 1.0, 7.0])] * n),
         st.tuples(*[st.floats(-1.0, 1.0)] * n),
         st.tuples(*[st.floats(-1.0, 1.0)] * (n - 1)),

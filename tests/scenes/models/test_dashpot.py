@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate import regularised
 from corollary.scenes.models.dashpot import damped_spring
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 sizes = st.floats(1e-3, 1e3)
 
@@ -19,7 +19,9 @@ def test_steps_find_the_same(share):
     m, k, v = 0.1, 2000.0, 3.0
     eta = 2.0 * share * math.sqrt(k * m)
     found = damped_spring(m, k, eta, v)
-    stepped = regularised.collide(Row((math.inf, m), (0.0, -v), (0.0,), (Contact(k, 1.0, eta),)), 1e-13)
+    stepped = regularised.collide(
+        RowOfBodies((math.inf, m), (0.0, -v), (0.0,), (Contact(k, 1.0, eta),)), 1e-13
+    )
     assert found.sticks == (stepped.outcome == "sticks") == (share >= 1.0)
     assert found.restitution * v == pytest.approx(stepped.velocities[1], abs=1e-9)
     assert found.overlap == pytest.approx(stepped.overlaps[0], rel=1e-10)

@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.modal import collide
-from corollary.scenes.row import Row, energy
+from corollary.scenes.row import RowOfBodies, energy
 from corollary.scenes.run import GuardFailed
 
 REFERENCES = json.loads((Path(__file__).parent.parent / "references.json").read_text())
 
 
 def cradle(count):
-    return Row(
+    return RowOfBodies(
         (1.0,) * count,
         (1.0,) + (0.0,) * (count - 1),
         (0.0,) * (count - 1),
@@ -26,7 +26,7 @@ def cradle(count):
 
 
 def test_two_balls_swing_half_a_period():
-    found = collide(Row((2.0, 3.0), (1.0, -1.0), (0.5,), (Contact(7.0, 1.0),)))
+    found = collide(RowOfBodies((2.0, 3.0), (1.0, -1.0), (0.5,), (Contact(7.0, 1.0),)))
     mass = 1.2
     assert found.duration == pytest.approx(math.pi * math.sqrt(mass / 7.0), rel=1e-14)
     assert found.overlaps[0] == pytest.approx(2.0 * math.sqrt(mass / 7.0), rel=1e-14)
@@ -51,7 +51,9 @@ def test_a_row_of_twenty():
 
 def test_a_wall_is_a_body_that_does_not_move():
     found = collide(
-        Row((math.inf, 1.0, 2.0), (0.0, 0.0, -1.0), (0.0, 0.0), (Contact(5.0, 1.0), Contact(3.0, 1.0)))
+        RowOfBodies(
+            (math.inf, 1.0, 2.0), (0.0, 0.0, -1.0), (0.0, 0.0), (Contact(5.0, 1.0), Contact(3.0, 1.0))
+        )
     )
     assert found.velocities[0] == 0.0
     assert 0.5 * found.velocities[1] ** 2 + found.velocities[2] ** 2 == pytest.approx(1.0, abs=1e-13)
@@ -78,7 +80,7 @@ def test_a_slow_pair_meets_when_the_others_are_miles_away():
         )
     )
     found = collide(
-        Row((0.001,) * 4 + (0.32572811782446665, 0.001), speeds, (0.0, 0.3, 0.3, 0.3, 0.0), contacts)
+        RowOfBodies((0.001,) * 4 + (0.32572811782446665, 0.001), speeds, (0.0, 0.3, 0.3, 0.3, 0.0), contacts)
     )
     assert found.openings < 20
     assert list(found.velocities) == sorted(found.velocities)
@@ -87,7 +89,7 @@ def test_a_slow_pair_meets_when_the_others_are_miles_away():
 @given(
     st.integers(2, 6).flatmap(
         lambda n: st.builds(
-            Row,
+            RowOfBodies,
             st.tuples(*[st.floats(1e-3, 1e3)] * n),
             st.tuples(*[st.floats(-1.0, 1.0)] * n),
             st.tuples(*[st.sampled_from([0.0, 0.3])] * (n - 1)),

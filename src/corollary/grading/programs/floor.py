@@ -42,7 +42,7 @@ OF_PLOT = 0.03  # of the largest force or momentum: a figure is judged, not a me
 
 
 @dataclass(frozen=True, slots=True)
-class Bounce:
+class Rebound:
     """Velocity with which the ball leaves the floor, the largest net force, and how long they touched."""
 
     velocity: float
@@ -77,7 +77,7 @@ def bounce_inputs(given: Given, draw: Draw) -> list[Inputs]:
 
 
 @lru_cache(maxsize=256)
-def reference(m: float, k: float, R: float, y0: float, v0: float, g: float) -> Bounce:
+def reference(m: float, k: float, R: float, y0: float, v0: float, g: float) -> Rebound:
     """What a program must find, from the energy integral."""
     seen = run(
         "ball_on_floor", {"m": m, "k": k, "q": 1.5, "R": R, "y0": y0, "v0": v0, "g": g}, tolerance=1e-12
@@ -86,7 +86,7 @@ def reference(m: float, k: float, R: float, y0: float, v0: float, g: float) -> B
     assert isinstance(speed, float)
     assert isinstance(force, float)
     assert isinstance(duration, float)
-    return Bounce(speed, force - m * g, duration)
+    return Rebound(speed, force - m * g, duration)
 
 
 def judge_bounce(given: Given, called: Sequence[Called]) -> Fault | Remark | None:
@@ -164,7 +164,7 @@ def _distance(called: Called, scheme: Scheme) -> float:
         return math.inf
     nearness = (NAMED, NAMED, COUNTED * step / wrong[2])
     return max(
-        error / near for error, near in zip(Bounce(*wrong).errors(called.returned), nearness, strict=True)
+        error / near for error, near in zip(Rebound(*wrong).errors(called.returned), nearness, strict=True)
     )
 
 

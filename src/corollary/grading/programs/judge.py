@@ -17,7 +17,7 @@ from corollary.grading.programs.convergence import Called
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
-from corollary.sandbox.job import Argument, Call
+from corollary.sandbox.job import Argument, FunctionCall
 from corollary.units.unit import unit
 
 
@@ -37,13 +37,13 @@ def plot_of(solution: Solution, part: Part) -> Plot | None:
     )
 
 
-def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[Call]:
+def asks(solution: Solution, variant: Variant, part: Part, secret: bytes, student: str) -> list[FunctionCall]:
     """The calls of a part's function, on inputs nobody knows beforehand."""
     code = code_of(solution, part)
     if code is None:
         return []
     return [
-        Call(
+        FunctionCall(
             f"{variant.problem.answer_name(part)}/{place}",
             part.function,
             tuple((name, _argument(value)) for name, value in inputs.items()),

@@ -30,7 +30,7 @@ class NotContained(Exception):
     """A notebook could harm the machine; nothing is run."""
 
 
-class Isolation:
+class Layers:
     """What every worker inherits: the layers that are in force here, and why the others are not."""
 
     def __init__(self, config):

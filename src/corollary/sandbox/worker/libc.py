@@ -78,11 +78,11 @@ def drop_capabilities():
 def load_filter(program):
     """Puts a compiled seccomp program (bytes of 8-byte instructions) in force, for good."""
 
-    class Program(ctypes.Structure):
+    class FilterProgram(ctypes.Structure):
         _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_void_p))
 
     instructions = ctypes.create_string_buffer(program, len(program))
-    compiled = Program(len(program) // 8, ctypes.addressof(instructions))
+    compiled = FilterProgram(len(program) // 8, ctypes.addressof(instructions))
     prctl(PR_SET_SECCOMP, _SECCOMP_MODE_FILTER, ctypes.addressof(compiled))
 
 

@@ -86,7 +86,7 @@ class Outputs:
         ]
 
 
-class Stream:
+class OutputStream:
     """Stands for standard output or standard error."""
 
     encoding = "utf-8"

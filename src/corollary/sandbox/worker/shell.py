@@ -19,14 +19,14 @@ from traitlets import Type
 from traitlets.config import Config
 
 from . import figures
-from .outputs import Outputs, Stream
+from .outputs import Outputs, OutputStream
 
 _CELL = re.compile(r'File "<ipython-input-(\d+)-[0-9a-f]+>"')
 _NO_KEYBOARD = "input() has no answer here, for nobody sits at the keyboard: write the value into the cell"
 _NO_COMMANDS = "Commands of the operating system are not run here.\n"
 
 
-class Result(DisplayHook):
+class ResultHook(DisplayHook):
     """The value of a cell's last expression."""
 
     outputs: Outputs
@@ -44,7 +44,7 @@ class Result(DisplayHook):
         return None
 
 
-class Display(DisplayPublisher):
+class OutputPublisher(DisplayPublisher):
     """What `display(…)` shows."""
 
     outputs: Outputs
@@ -59,8 +59,8 @@ class Display(DisplayPublisher):
 class Shell(InteractiveShell):
     """IPython's shell without files, history, colours, keyboard and processes."""
 
-    displayhook_class = Type(Result)
-    display_pub_class = Type(Display)
+    displayhook_class = Type(ResultHook)
+    display_pub_class = Type(OutputPublisher)
     outputs: Outputs
 
     def init_virtualenv(self):
@@ -127,7 +127,7 @@ def new_shell(outputs):
     config.HistoryManager.hist_file = ":memory:"
     config.InteractiveShell.colors = "nocolor"
     config.InteractiveShell.cache_size = 1000
-    Shell.outputs = Result.outputs = Display.outputs = outputs
+    Shell.outputs = ResultHook.outputs = OutputPublisher.outputs = outputs
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         shell = Shell.instance(config=config)
@@ -152,7 +152,7 @@ def refuse_input(prompt=""):
 
 
 def streams(outputs):
-    return Stream("stdout", outputs), Stream("stderr", outputs)
+    return OutputStream("stdout", outputs), OutputStream("stderr", outputs)
 
 
 def reset(shell):

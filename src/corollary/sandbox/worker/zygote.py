@@ -31,7 +31,7 @@ def serve(config):
     """Builds the isolation, says that it is ready, and forks a worker for each channel that arrives; ends with its parent."""
     control = socket.socket(fileno=config["control"])
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process that grades
-    isolation = layers.Isolation(config)
+    isolation = layers.Layers(config)
     if libc.on_linux():
         layers.enter_root(isolation, config)
         libc.prctl(libc.PR_SET_CHILD_SUBREAPER, 1)

@@ -12,11 +12,11 @@ from numba import njit  # pyright: ignore[reportMissingImports]
 
 from corollary.scenes.integrate.compiled_loop import MOST_STEPS, NO_STEP, RELEASED, STILL, TOO_LONG, follow
 from corollary.scenes.integrate.time_variable import smoothing_powers
-from corollary.scenes.row import Row, RowResult
+from corollary.scenes.row import RowOfBodies, RowResult
 from corollary.scenes.run import GuardFailed
 
 
-def collide(line: Row, tolerance: float = 1e-13) -> RowResult:
+def collide(line: RowOfBodies, tolerance: float = 1e-13) -> RowResult:
     """The same as `regularised.collide`, for a line without damping and weight.
 
     Raises GuardFailed as it does, OverflowError when a number leaves the range of a computer.

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from corollary.scenes.forces.contact import push
 from corollary.scenes.integrate.row_problem import RowProblem
-from corollary.scenes.integrate.step import Step
+from corollary.scenes.integrate.step import IntegrationStep
 from corollary.scenes.integrate.time_variable import TIME, TimeVariable
 
 # A step in time must leave so much of an overlap whose force is not smooth where it ends: nearer to the end the error of the step
@@ -18,7 +18,7 @@ def first_crossing(
     problem: RowProblem,
     state: list[float],
     base: Sequence[float],
-    step: Step,
+    step: IntegrationStep,
     speeds: Sequence[float],
     touching: Sequence[bool],
 ) -> int | None:
@@ -46,7 +46,7 @@ def first_crossing(
     return first
 
 
-def _rough(problem: RowProblem, state: list[float], step: Step, j: int) -> bool:
+def _rough(problem: RowProblem, state: list[float], step: IntegrationStep, j: int) -> bool:
     """Whether the end of a contact can be felt in a step in time: its force is not smooth there, and not too faint to matter."""
     pushed = push(problem.line.contacts[j], state[1 + j], 0.0) * (step.after[0] - state[0])
     return step.variable is TIME and problem.powers[j] > 1 and pushed > problem.tolerance
@@ -56,7 +56,7 @@ def grazes(
     problem: RowProblem,
     state: list[float],
     base: Sequence[float],
-    step: Step,
+    step: IntegrationStep,
     speeds: Sequence[float],
     touching: Sequence[bool],
 ) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.integrate.motion import Trajectory
-from corollary.scenes.integrate.step import Step
+from corollary.scenes.integrate.step import IntegrationStep
 from corollary.scenes.scene import Scene, overlap, pairs, place
 
 
@@ -77,7 +77,7 @@ def _ending(scene: Scene, path: Trajectory, i: int) -> _Moment:
     return max((_crossing(scene, step, a, b) for a, b in found), key=lambda moment: moment.before)
 
 
-def _crossing(scene: Scene, step: Step, a: int, b: int) -> _Moment:
+def _crossing(scene: Scene, step: IntegrationStep, a: int, b: int) -> _Moment:
     """When the overlap was zero in a step that ends just beyond: one step of Newton's method back from there."""
     depth, growing = overlap(scene, step.after, a, b)
     if growing == 0.0:

@@ -6,15 +6,15 @@ from collections.abc import Callable, Sequence
 
 from corollary.scenes.forces.contact import push
 from corollary.scenes.integrate.runge_kutta import Slope
-from corollary.scenes.integrate.step import EVALUATIONS, Step
+from corollary.scenes.integrate.step import EVALUATIONS, IntegrationStep
 from corollary.scenes.integrate.time_variable import beside
-from corollary.scenes.row import Row, closing_speed
+from corollary.scenes.row import RowOfBodies, closing_speed
 
 
 class Extrema:
     """The greatest overlap and force of each contact so far; every step of a motion is handed to `look_within`."""
 
-    def __init__(self, line: Row) -> None:
+    def __init__(self, line: RowOfBodies) -> None:
         self.line = line
         self.overlaps = [max(-gap, 0.0) for gap in line.gaps]
         self.forces = [push(c, d, 0.0) for c, d in zip(line.contacts, self.overlaps, strict=True)]
@@ -29,7 +29,12 @@ class Extrema:
                 self.forces[j] = max(self.forces[j], force)
 
     def look_within(
-        self, state: list[float], step: Step, touching: Sequence[bool], base: Sequence[float], in_time: Slope
+        self,
+        state: list[float],
+        step: IntegrationStep,
+        touching: Sequence[bool],
+        base: Sequence[float],
+        in_time: Slope,
     ) -> None:
         """Look for a maximum within a step from a state; `base` is the slope there, `in_time` the law that gave it."""
         after, count = step.after, len(self.overlaps)
@@ -49,7 +54,9 @@ class Extrema:
             if touching[j] and state[1 + j] >= 0.0 <= after[1 + j]:
                 self._peak(state, step, base, in_time, j)
 
-    def _peak(self, state: list[float], step: Step, base: Sequence[float], in_time: Slope, j: int) -> None:
+    def _peak(
+        self, state: list[float], step: IntegrationStep, base: Sequence[float], in_time: Slope, j: int
+    ) -> None:
         """The largest force of a damped contact within a step."""
 
         def growth(y: list[float]) -> float:
@@ -72,7 +79,7 @@ class Extrema:
         )
 
 
-def largest_overlap(step: Step, j: int) -> tuple[float, int]:
+def largest_overlap(step: IntegrationStep, j: int) -> tuple[float, int]:
     """The largest overlap of a contact within a step in which its closing speed falls through zero; and the evaluations spent.
 
     A cubic through the closing speeds at both ends says where; there the overlap still missing is speed^2/(2 deceleration).

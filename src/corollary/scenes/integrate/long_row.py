@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.runge_kutta import Coefficients, Slope
 from corollary.scenes.integrate.time_variable import TIME, TimeVariable
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 Array = NDArray[np.float64]
 
 
-def law_of_motion(line: Row, touching: Sequence[bool], variable: TimeVariable = TIME) -> Slope:
+def law_of_motion(line: RowOfBodies, touching: Sequence[bool], variable: TimeVariable = TIME) -> Slope:
     """The same as `written_out.law_of_motion`."""
     count, contact, power = len(line.contacts), variable.contact, variable.power
     on = np.array(touching)

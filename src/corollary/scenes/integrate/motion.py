@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, law_of_motion
-from corollary.scenes.integrate.step import EVALUATIONS, Step, tried
+from corollary.scenes.integrate.step import EVALUATIONS, IntegrationStep, tried
 from corollary.scenes.models.pair import refuse_too_soft
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.scene import Event, Scene, overlap, pairs, seen_from, start_of, velocity
@@ -26,7 +26,7 @@ class Trajectory:
     (m) that one step was allowed to make in a place.
     """
 
-    steps: list[Step] = field(default_factory=list[Step])
+    steps: list[IntegrationStep] = field(default_factory=list[IntegrationStep])
     time: float = 0.0
     state: list[float] = field(default_factory=list[float])
     evaluations: int = 0
@@ -154,7 +154,7 @@ def _will_meet(scene: Scene, state: Sequence[float], a: int, b: int, within: flo
     return nearest < scene.bodies[a].radius + scene.bodies[b].radius
 
 
-def _grazes(scene: Scene, step: Step) -> bool:
+def _grazes(scene: Scene, step: IntegrationStep) -> bool:
     """Whether two bodies may touch and part inside a step; judged by straight lines, so it errs on shorter steps."""
     if not scene.contacts:
         return False
@@ -171,7 +171,7 @@ def _grazes(scene: Scene, step: Step) -> bool:
     return False
 
 
-def _refuse_too_soft(scene: Scene, step: Step) -> None:
+def _refuse_too_soft(scene: Scene, step: IntegrationStep) -> None:
     """Raises BadSetting when two bodies that touch are so soft that their centres all but meet, or have met within a step."""
     if not scene.contacts:
         return
@@ -184,7 +184,7 @@ def _refuse_too_soft(scene: Scene, step: Step) -> None:
             refuse_too_soft(reach if met else depth, reach)
 
 
-def _first_event(events: list[Event], step: Step, path: Trajectory) -> tuple[float, Event | None]:
+def _first_event(events: list[Event], step: IntegrationStep, path: Trajectory) -> tuple[float, Event | None]:
     """The part of the step at which the first event happens, by false position, and which it is.
 
     A step ends just beyond an event, so that the next one begins under the new law; but just before a wall, on the right side.

@@ -14,7 +14,7 @@ from corollary.scenes.integrate.contact_events import due, first_crossing, graze
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.extrema import Extrema
 from corollary.scenes.integrate.row_problem import LONG, RowProblem, attempt, row_problem
-from corollary.scenes.integrate.step import EVALUATIONS, Step
+from corollary.scenes.integrate.step import EVALUATIONS, IntegrationStep
 from corollary.scenes.integrate.time_variable import (
     TIME,
     TimeVariable,
@@ -26,7 +26,7 @@ from corollary.scenes.integrate.time_variable import (
 from corollary.scenes.models.flight import after_flight, first_touch, inactive
 from corollary.scenes.models.sticking import common_velocities, resting_overlaps, stays
 from corollary.scenes.row import (
-    Row,
+    RowOfBodies,
     RowResult,
     closing_speed,
     closing_speeds,
@@ -63,7 +63,7 @@ class Motion:
     evaluations: int = 0
 
 
-def collide(line: Row, tolerance: float = 1e-13) -> RowResult:
+def collide(line: RowOfBodies, tolerance: float = 1e-13) -> RowResult:
     """Follow the line from its start to the last opening; `tolerance` is the error allowed to a single step, in natural units.
 
     Raises GuardFailed when momentum or energy is lost, or the end is not reached.
@@ -101,7 +101,7 @@ def _follow(problem: RowProblem) -> RowResult:
     )
 
 
-def _settle(line: Row, motion: Motion) -> None:
+def _settle(line: RowOfBodies, motion: Motion) -> None:
     """Where bodies just touch, the speed says whether the contact begins or has ended."""
     if 0.0 not in motion.state:
         return
@@ -110,7 +110,7 @@ def _settle(line: Row, motion: Motion) -> None:
             motion.touching[j] = closing_speed(line, motion.state, j) >= 0.0
 
 
-def _release_faint(line: Row, motion: Motion, noise: float) -> None:
+def _release_faint(line: RowOfBodies, motion: Motion, noise: float) -> None:
     """Contacts with too little left in them to matter end on their own, as if nothing pushed."""
     for j, on in enumerate(motion.touching):
         overlap, opening = motion.state[1 + j], -closing_speed(line, motion.state, j)
@@ -171,7 +171,7 @@ def _advance(problem: RowProblem, motion: Motion, extrema: Extrema) -> None:
     _note_touches(motion, tried.variable.contact if tried.lands else None)
 
 
-def _accepted(problem: RowProblem, motion: Motion, base: Sequence[float]) -> tuple[Step, bool]:
+def _accepted(problem: RowProblem, motion: Motion, base: Sequence[float]) -> tuple[IntegrationStep, bool]:
     """The first tried that is exact enough and crosses no beginning or end of a contact; and whether it is on its way to one."""
     state, touching = motion.state, motion.touching
     landing = motion.landing and nears_zero(problem, state, base, motion.variable)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from corollary.scenes.integrate import written_out
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.runge_kutta import Slope
-from corollary.scenes.integrate.step import Step
+from corollary.scenes.integrate.step import IntegrationStep
 from corollary.scenes.integrate.time_variable import (
     TimeVariable,
     beside,
@@ -18,7 +18,7 @@ from corollary.scenes.integrate.time_variable import (
     value_in,
 )
 from corollary.scenes.integrate.written_out import StepFunction
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 # From this many bodies on arrays are faster than sums written out (benchmarks/scenes.py).
 LONG = 14
@@ -30,13 +30,13 @@ AT_WORK = 12
 class RowProblem:
     """A line in natural units; `noise` is the speed that cannot be told from none."""
 
-    line: Row
+    line: RowOfBodies
     tolerance: float
     noise: float
     damped: bool
     powers: tuple[int, ...]
     step: StepFunction
-    law_of_motion: Callable[[Row, Sequence[bool], TimeVariable], Slope]
+    law_of_motion: Callable[[RowOfBodies, Sequence[bool], TimeVariable], Slope]
     laws: dict[tuple[int | None, int, tuple[bool, ...]], Slope] = field(
         default_factory=dict[tuple[int | None, int, tuple[bool, ...]], Slope]
     )
@@ -50,7 +50,7 @@ class RowProblem:
         return found
 
 
-def row_problem(line: Row, tolerance: float) -> RowProblem:
+def row_problem(line: RowOfBodies, tolerance: float) -> RowProblem:
     """How a line is followed with this error allowed to a step."""
     if len(line.masses) < LONG:
         step, law = written_out.step(DOP853, 2 * len(line.masses) - 1), written_out.law_of_motion
@@ -79,7 +79,7 @@ def attempt(
     state: list[float],
     base: Sequence[float],
     stride: float,
-) -> Step:
+) -> IntegrationStep:
     """Try a step of about `stride`; a step toward zero ends there at most. A step out of all range has an infinite size.
 
     `base` is the slope of (overlaps, velocities) in time.
@@ -98,7 +98,7 @@ def attempt(
         after = in_time(variable, 0.0 if lands else x + h, y)
     except ArithmeticError:
         first, after, size = [], state, math.inf
-    return Step(slope, x, h, before, first, after, size, lands, variable, True, problem.step)
+    return IntegrationStep(slope, x, h, before, first, after, size, lands, variable, True, problem.step)
 
 
 def error_size(fifth: float, third: float, h: float, count: int) -> float:

@@ -14,7 +14,7 @@ from corollary.scenes.forces.contact import smoothing_power
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.extrema import maximum_between
-from corollary.scenes.integrate.step import Step, tried
+from corollary.scenes.integrate.step import IntegrationStep, tried
 from corollary.scenes.models.pair import Pair, Parting, Touching, deepest, loaded_speed, refuse_too_soft
 from corollary.scenes.models.sticking import never_faster
 from corollary.scenes.run import GuardFailed
@@ -157,7 +157,7 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
     raise GuardFailed(f"The contact did not end within {MOST_STEPS} steps. {remedy}")
 
 
-def _try(groups: Groups, state: list[float], h: float, tolerance: float) -> Step:
+def _try(groups: Groups, state: list[float], h: float, tolerance: float) -> IntegrationStep:
     """One step in stretched time; when that would pass the release, one with w as the variable that ends there."""
     allowed = [tolerance] * len(state)
     stepped = tried(groups.slope, 0.0, state, h, allowed)

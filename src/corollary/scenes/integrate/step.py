@@ -22,7 +22,7 @@ def from_table(
 
 
 @dataclass(slots=True)
-class Step:
+class IntegrationStep:
     """From `before` at x over h to `after`; `size` is the estimate of its error in units of the tolerance.
 
     `first` is the slope at the start. `lands` says that x ends at zero, where a contact begins or ends. In a row of bodies x is the
@@ -52,12 +52,12 @@ class Step:
 
 def tried(
     slope: Slope, x: float, before: list[float], h: float, allowed: Sequence[float], lands: bool = False
-) -> Step:
+) -> IntegrationStep:
     """A step of DOP853; `allowed` is the error allowed to each component. A step out of all range has an infinite size."""
     try:
         first = slope(x, before)
         after, slopes = from_table(slope, x, h, before, first)
         size = error_estimate(DOP853, slopes, h, allowed)
     except (OverflowError, ZeroDivisionError):
-        return Step(slope, x, h, before, before, list(before), math.inf, lands)
-    return Step(slope, x, h, before, first, after, size, lands)
+        return IntegrationStep(slope, x, h, before, before, list(before), math.inf, lands)
+    return IntegrationStep(slope, x, h, before, first, after, size, lands)

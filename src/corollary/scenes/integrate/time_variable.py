@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.forces.contact import smoothing_power
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ def value_in(variable: TimeVariable, state: Sequence[float]) -> float:
     return overlap if variable.power == 1 else max(overlap, 0.0) ** (1.0 / variable.power)
 
 
-def smoothing_powers(line: Row) -> tuple[int, ...]:
+def smoothing_powers(line: RowOfBodies) -> tuple[int, ...]:
     """For each contact the power in which its force is smooth."""
     known = {contact: smoothing_power(contact) for contact in set(line.contacts)}
     return tuple(known[contact] for contact in line.contacts)

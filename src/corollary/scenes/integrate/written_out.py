@@ -15,7 +15,7 @@ from typing import Any
 
 from corollary.scenes.integrate.runge_kutta import Coefficients, Slope, Tableau
 from corollary.scenes.integrate.time_variable import TIME, TimeVariable
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 
 StepFunction = Callable[
     [Slope, float, float, Sequence[float], Sequence[float]], tuple[Sequence[float], float, float]
@@ -91,7 +91,7 @@ class Form:
     pushes: bool
 
 
-def law_of_motion(line: Row, touching: Sequence[bool], variable: TimeVariable = TIME) -> Slope:
+def law_of_motion(line: RowOfBodies, touching: Sequence[bool], variable: TimeVariable = TIME) -> Slope:
     """The rate of change of (overlaps, velocities) on a variable; only contacts that touch push."""
     pushes = variable.contact is not None and touching[variable.contact]
     damped = any(c.eta > 0.0 for c in line.contacts)

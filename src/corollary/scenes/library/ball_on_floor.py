@@ -9,7 +9,7 @@ from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.bounce import bounce, deepest
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
@@ -76,7 +76,7 @@ def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float
     if thick > OVERDAMPED and (contact.q > 1.0 or g > 0.0):
         change = 4.0 * math.log(thick) / thick**2 * (m * speed / contact.eta / deep) ** (contact.q - 1.0)
         return _overdamped(m, contact, speed, g, change)
-    line = Row((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
+    line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
     found = collide(line, tolerance)
     result, errors = found.result, found.errors
     rebound = result.velocities[1]

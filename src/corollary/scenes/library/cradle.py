@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
@@ -34,7 +34,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
     m = masses[0]
     length = (m * v0 / k * v0) ** (1.0 / (q + 1.0))
-    line = Row(
+    line = RowOfBodies(
         masses=tuple(mass / m for mass in masses),
         velocities=(1.0,) * coming + (0.0,) * (count - coming),
         gaps=tuple(gap / length for gap in row(settings, "gaps", count - 1, "gaps")),

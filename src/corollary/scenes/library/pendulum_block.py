@@ -9,7 +9,7 @@ from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.gauss import integral
-from corollary.scenes.row import Row
+from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -30,7 +30,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     m, block, length, g, k = (one(settings, name) for name in ("m", "M", "L", "g", "k"))
     work, error_estimate, spent = integral(lambda angle: m * g * length * math.cos(angle), 0.0, 0.5 * math.pi)
     speed = math.sqrt(2.0 * work / m)
-    found = collide(Row((m, block), (speed, 0.0), (0.0,), (Contact(k, 1.5),)), tolerance)
+    found = collide(RowOfBodies((m, block), (speed, 0.0), (0.0,), (Contact(k, 1.5),)), tolerance)
     sphere, pushed = found.result.velocities
     swung = speed * found.result.duration / length
     observed: dict[str, Observed] = {

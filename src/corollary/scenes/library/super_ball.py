@@ -10,7 +10,7 @@ from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
-from corollary.scenes.row import Row, RowResult
+from corollary.scenes.row import RowOfBodies, RowResult
 from corollary.scenes.run import BadSetting, GuardFailed, Observable, Observed, Run
 from corollary.scenes.scene import Body, Scene
 
@@ -45,7 +45,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """
     ma, mb, h0, g, k, q, gap = (one(settings, name) for name in ("mA", "mB", "h0", "g", "k", "q", "gap"))
     speed = math.sqrt(2.0 * g * h0)
-    line = Row((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
+    line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
     found = collide(line, tolerance)
     if one(settings, "weighed"):
         return _weighed(line, found.result, g, gap, tolerance)
@@ -66,7 +66,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     return Run(observed, errors, found.model, found.why, found.spent, found.result.outcome)
 
 
-def _weighed(line: Row, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
+def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
     """The same with weight, followed until all touches are over; `free` is what comes of it without.
 
     Energy gives each height: it does not change as the balls fly on, nor when the floor turns the lower one round again.

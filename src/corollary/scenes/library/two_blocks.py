@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.row import Row, reduced_mass
+from corollary.scenes.row import RowOfBodies, reduced_mass
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -31,7 +31,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     log = -math.log(r) if r else math.inf
     share = log / math.hypot(math.pi, log) if r else 1.0
     eta = 2.0 * share * math.sqrt(k * reduced_mass(ma, mb)) * (1.0 if r else 1.0 + 1e-9)
-    found = collide(Row((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
+    found = collide(RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
     result = found.result
     a, b = result.velocities
     before = ma * va * va + mb * vb * vb

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.forces.contact import stored
-from corollary.scenes.row import Row, reduced_mass
+from corollary.scenes.row import RowOfBodies, reduced_mass
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class Meeting:
     after: float
 
 
-def fall_of(line: Row, contact: int) -> float:
+def fall_of(line: RowOfBodies, contact: int) -> float:
     """How fast the closing speed of a contact grows by weight alone: only beside a wall or floor."""
     if line.weight == 0.0:
         return 0.0
@@ -26,7 +26,7 @@ def fall_of(line: Row, contact: int) -> float:
     return right - left
 
 
-def inactive(line: Row, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
+def inactive(line: RowOfBodies, state: Sequence[float], touching: Sequence[bool], noise: float) -> bool:
     """Whether no contact pushes or is about to: all are open, or touch without closing and with too little stored to matter.
 
     `noise` is the speed that cannot be told from none; where a dashpot brings it about, closing has to end first: it decides
@@ -46,7 +46,7 @@ def inactive(line: Row, state: Sequence[float], touching: Sequence[bool], noise:
     return True
 
 
-def first_touch(line: Row, state: Sequence[float], noise: float, bounced: bool) -> Meeting | None:
+def first_touch(line: RowOfBodies, state: Sequence[float], noise: float, bounced: bool) -> Meeting | None:
     """The next touch, if there is one; after a bounce, bodies that only weight would bring back together count as released."""
     count = len(line.masses)
     best = None
@@ -69,7 +69,7 @@ def first_touch(line: Row, state: Sequence[float], noise: float, bounced: bool) 
     return best
 
 
-def after_flight(line: Row, state: Sequence[float], meeting: Meeting) -> list[float]:
+def after_flight(line: RowOfBodies, state: Sequence[float], meeting: Meeting) -> list[float]:
     """The state at the meeting."""
     count, t = len(line.masses), meeting.after
     speeds = state[count:]

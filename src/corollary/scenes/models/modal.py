@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from corollary.scenes.row import Row, RowResult, energy, guard, in_si, in_units, natural_units
+from corollary.scenes.row import RowOfBodies, RowResult, energy, guard, in_si, in_units, natural_units
 from corollary.scenes.run import GuardFailed, Outcome
 
 Array = NDArray[np.floating]
@@ -73,7 +73,7 @@ class OneOverlap:
         return sum(b * math.cos(w * time) - a * w * math.sin(w * time) for w, a, b in self.modes)
 
 
-def normal_modes(line: Row, touching: Flags, overlaps: Array, rates: Array) -> NormalModes:
+def normal_modes(line: RowOfBodies, touching: Flags, overlaps: Array, rates: Array) -> NormalModes:
     """The motion of the overlaps while exactly these contacts touch.
 
     overlap'' = -M K overlap, where M couples neighbours by their inverse masses and K holds the springs that touch. With
@@ -95,7 +95,7 @@ def normal_modes(line: Row, touching: Flags, overlaps: Array, rates: Array) -> N
     )
 
 
-def collide(line: Row) -> RowResult:
+def collide(line: RowOfBodies) -> RowResult:
     """Follow a line of springs (q = 1, no damping, no weight) exactly from one opening or closing to the next.
 
     Raises GuardFailed when momentum or energy is lost, or the end is not reached.
@@ -107,7 +107,7 @@ def collide(line: Row) -> RowResult:
     return in_si(_follow(in_units(line, units)), units)
 
 
-def _follow(line: Row) -> RowResult:
+def _follow(line: RowOfBodies) -> RowResult:
     overlaps = -np.array(line.gaps)
     rates = np.array(line.velocities[:-1]) - np.array(line.velocities[1:])
     touching = overlaps >= 0.0
@@ -221,7 +221,7 @@ def _zero(value: Callable[[float], float], left: float, right: float) -> float:
 
 
 def _arrived(
-    line: Row, overlaps: Array, rates: Array, largest: Array, duration: float, openings: int
+    line: RowOfBodies, overlaps: Array, rates: Array, largest: Array, duration: float, openings: int
 ) -> RowResult:
     """Velocities from the differences to that of the heaviest body (or the wall), which momentum (or the wall) gives."""
     behind = -np.concatenate([[0.0], np.cumsum(rates)])

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 from corollary.scenes.forces.contact import Contact, stored
 from corollary.scenes.models.flight import fall_of
-from corollary.scenes.row import Row, reduced_mass
+from corollary.scenes.row import RowOfBodies, reduced_mass
 
 
-def stays(line: Row, state: Sequence[float], touching: Sequence[bool], tolerance: float) -> bool:
+def stays(line: RowOfBodies, state: Sequence[float], touching: Sequence[bool], tolerance: float) -> bool:
     """Whether the bodies that touch will touch for ever, and their overlaps have seen their largest.
 
     Certain for a single damped contact that opens: with z = -rate/overlap, dz/dt = z^2 - (eta/mu) z + (k/mu) overlap^(q-1): once
@@ -52,7 +52,7 @@ def never_faster(drag: float, spring: float, z: float) -> bool:
     return room > 0.0 and z < 0.5 * (drag + math.sqrt(room))
 
 
-def resting_overlaps(line: Row, touching: Sequence[bool]) -> list[float]:
+def resting_overlaps(line: RowOfBodies, touching: Sequence[bool]) -> list[float]:
     """How deep weight alone squeezes each contact that stays, in the end."""
     rests: list[float] = []
     for j, on in enumerate(touching):
@@ -63,7 +63,9 @@ def resting_overlaps(line: Row, touching: Sequence[bool]) -> list[float]:
     return rests
 
 
-def common_velocities(line: Row, state: Sequence[float], touching: Sequence[bool]) -> tuple[float, ...]:
+def common_velocities(
+    line: RowOfBodies, state: Sequence[float], touching: Sequence[bool]
+) -> tuple[float, ...]:
     """Velocities once every chain of touching bodies moves as one."""
     count = len(line.masses)
     speeds = list(state[count:])
