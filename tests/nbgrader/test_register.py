@@ -423,12 +423,23 @@ def test_registering_again_takes_up_changes(course: Course, week: ProblemSet, bo
     }
 
 
-def test_parts_cannot_change_under_recorded_work(course: Course, week: ProblemSet):
+def test_parts_that_are_gone_stay_under_recorded_work_and_new_ones_are_added(
+    course: Course, week: ProblemSet, book: Gradebook
+):
     record(course, week, [marked(week, ADA, *GOOD)], {"ada": hand_in(course, week, ADA)})
-    register(course, week, chapters_own(week))
-    shorter = replace(week, problems=week.problems[:1], weights=week.weights[:1])
-    with pytest.raises(NotRegistered, match="give the changed set a new name"):
-        register(course, shorter, chapters_own(shorter))
+    kick = week.problems[0]
+    first, *rest = kick.parts
+    changed = replace(kick, parts=(*rest, replace(first, id="z")))
+    shorter = replace(week, problems=(changed,), weights=week.weights[:1])
+    register(course, shorter, chapters_own(shorter))
+    register(course, shorter, chapters_own(shorter))
+    names = {cell.name for cell in book.find_notebook("week_1", "week_1").grade_cells}
+    assert {kick.answer_name(part) for part in (*kick.parts, *changed.parts)} <= names
+    scores = {
+        grade.name: grade.auto_score for grade in book.find_submission("week_1", "ada").notebooks[0].grades
+    }
+    assert scores[kick.answer_name(first)] == GOOD[0][1]
+    assert scores[changed.answer_name(changed.parts[-1])] is None
 
 
 def test_who_was_recorded_before_an_accident_stays_recorded(

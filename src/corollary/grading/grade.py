@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.answers.verdict import Unmarked, Verdict
 from corollary.problem.part import Part
@@ -38,6 +38,14 @@ class Grade:
         """What one part has earned."""
         return next(each for each in self.parts if each.part.id == part)
 
+    def joined(self, earlier: Grade) -> Grade:
+        """With the parts of another one of the same problem."""
+        problem = self.variant.problem
+        parts = (*problem.parts, *earlier.variant.problem.parts)
+        return Grade(
+            replace(self.variant, problem=replace(problem, parts=parts)), (*self.parts, *earlier.parts)
+        )
+
     @property
     def points(self) -> float:
         return sum(part.points for part in self.parts)
@@ -64,6 +72,14 @@ class Marked:
     machine_failed: bool = (
         False  # the notebook could not be run, for no reason of its own: nothing is to be recorded
     )
+
+    def joined(self, earlier: tuple[Grade, ...]) -> Marked:
+        """With earlier marks of parts that are not asked any more, each behind its problem's or, where that is gone, behind all."""
+        by_code = {grade.variant.problem.code: grade for grade in self.grades}
+        for grade in earlier:
+            code = grade.variant.problem.code
+            by_code[code] = by_code[code].joined(grade) if code in by_code else grade
+        return replace(self, grades=tuple(by_code.values()))
 
     @property
     def points(self) -> float:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from corollary.grading.grade import Marked
+from corollary.grading.grade import Grade, Marked
 from corollary.grading.integrity import notes
 from corollary.grading.marking import mark, not_marked
 from corollary.grading.solutions import Solutions
@@ -34,7 +34,7 @@ _ = catalogue(__name__)
 class Submission:
     """What a student handed in: its bytes (or why there are none), the variants that the student was given, how late it is
     in seconds, the fingerprint of all that its marks and its page depend on, whether its feedback may give right values by
-    now, and the student's own deadline."""
+    now, the student's own deadline, and earlier marks of parts that are not asked any more."""
 
     student: Student
     content: bytes | Unreadable
@@ -43,6 +43,7 @@ class Submission:
     fingerprint: str
     reveal: bool = False
     due: datetime | None = None
+    retained: tuple[Grade, ...] = ()
 
     @property
     def notebook(self) -> Notebook | Unreadable:
@@ -84,6 +85,7 @@ def mark_submission(context: GradingContext, runner: Runner, submission: Submiss
     try:
         keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
         marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)
+        marked = marked.joined(submission.retained)
         marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
         revealed = keys if submission.reveal else {}
         return MarkedSubmission(
@@ -100,7 +102,8 @@ def left_to_a_person(
 ) -> MarkedSubmission:
     """A submission that could not be marked through no fault of its student: every part waits for a person."""
     sentence = _("It could not be marked by the program ({why}).", why=why)
-    return MarkedSubmission(not_marked(context.worksheet(submission), sentence, submission.late), node, {})
+    marked = not_marked(context.worksheet(submission), sentence, submission.late)
+    return MarkedSubmission(marked.joined(submission.retained), node, {})
 
 
 def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:

@@ -72,9 +72,17 @@ def in_gradebook(
     return {
         student
         for student, record in records.items()
-        if scores.get(student) == {part: _recorded_score(one) for part, one in record.parts.items()}
+        if _has_all(scores.get(student, {}), record)
         and moments[student] == _in_utc(handed_in(course, name, student))
     }
+
+
+def _has_all(scores: Mapping[str, float | None], record: Record) -> bool:
+    """Whether the scores are those recorded; a part that the student was not asked has none."""
+    recorded = {part: _recorded_score(one) for part, one in record.parts.items()}
+    return recorded == {part: scores[part] for part in recorded if part in scores} and not any(
+        score for part, score in scores.items() if part not in recorded
+    )
 
 
 def _recorded_score(part: PartRecord) -> float | None:
@@ -171,7 +179,9 @@ def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Ca
     No answer from a notebook that could not be run to its end is no points and a flag: the machine may be to blame.
     """
     if grade.manual_score is None:  # pyright: ignore[reportUnnecessaryComparison]
-        return part is None or part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
+        if part is None:  # added after the student's sheet was handed out, or gone before it was marked
+            return False
+        return part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
     return not same(grade.name)
 
 

@@ -11,6 +11,7 @@ from nbformat import NotebookNode
 
 from corollary.atomic import write_whole
 from corollary.nbgrader.config import write_config
+from corollary.nbgrader.corrected import brought_together
 from corollary.nbgrader.gradebook import (
     GradebookLocked,
     NotRegistered,
@@ -27,15 +28,14 @@ from corollary.records.files import Course, students
 def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookNode) -> None:
     """Makes the set an assignment of the course, or brings it up to date: config, source, release, gradebook, students, date.
 
-    Raises NoNbgrader, NotOurs, GradebookLocked, and NotRegistered when nbgrader refuses (parts added or removed after
-    somebody's work was recorded).
+    Parts that are gone stay in it once somebody's work is recorded. Raises NoNbgrader, NotOurs, GradebookLocked, and
+    NotRegistered when nbgrader refuses.
     """
     need_nbgrader()
     from nbgrader.api import Student
 
     write_config(course)
     name = problem_set.name
-    write_whole(course.notebook("source", ".", name), file_text(source_notebook))
     with gradebook(course) as book:
         due = None if problem_set.due is None else problem_set.due.astimezone(UTC).replace(tzinfo=None)
         about_set: dict[str, Any] = {"duedate": due, "course_id": book.course_id}
@@ -48,6 +48,8 @@ def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookN
             }
             book.db.merge(Student(id=each.id, **about))
         book.db.commit()
+        source_notebook = brought_together(book, name, source_notebook)
+    write_whole(course.notebook("source", ".", name), file_text(source_notebook))
     _generate(course, name)
 
 
@@ -64,10 +66,6 @@ def _generate(course: Course, name: str) -> None:
     if "locked" in log:
         raise GradebookLocked(
             f"{course.gradebook} is locked by another program; close it, and generate again"
-        )
-    if "Cannot add or remove cells" in log:
-        raise NotRegistered(
-            f"parts of {name} were added or removed, but work on it is in the gradebook already; give the changed set a new name"
         )
     last = next((line for line in reversed(log.splitlines()) if line.strip()), "it gave no reason")
     raise NotRegistered(f"nbgrader could not make the assignment {name}: {last.strip()}")

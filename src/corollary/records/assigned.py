@@ -12,7 +12,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import Variant, at
 from corollary.records.carried_over import carried_over, indices_of
-from corollary.records.edition import Edition, Renamed, as_handed_out, edition_of, values_now
+from corollary.records.edition import Edition, Renamed, as_handed_out, edition_of, parts_gone, values_now
 from corollary.records.files import Course
 from corollary.records.numbers import (
     Assigned,
@@ -29,11 +29,13 @@ from corollary.records.origin import read_origin
 class AssignedSheet:
     """What one student was given, as far as the set still has it: a variant of each problem, in the order of the set.
 
-    `identity` is a text that is another one when the numbers are, or what was asked.
+    `removed` are the problems of which something is gone, with the parts that are. `identity` is a text that is another one
+    when the numbers are, or what was asked.
     """
 
     variants: tuple[Variant, ...]
     identity: str
+    removed: tuple[Variant, ...] = ()
 
     def variant(self, problem: Problem) -> Variant | None:
         """Of a problem as the set has it today; None when it was never asked."""
@@ -73,6 +75,9 @@ def save_record(course: Course, problem_set: ProblemSet, record: Assigned) -> No
 def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[str, AssignedSheet]:
     """Everybody's sheet, from the record."""
     problems = [_problem(course, problem_set, edition) for edition in record.editions]
+    removed = [
+        _removed(course, edition, problem) for edition, problem in zip(record.editions, problems, strict=True)
+    ]
     order = {problem.code: place for place, problem in enumerate(problem_set.problems)}
     found: dict[str, AssignedSheet] = {}
     for student, row in record.students.items():
@@ -82,7 +87,16 @@ def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[st
             if (problem := problems[numbers.edition]) is not None
         ]
         variants.sort(key=lambda variant: order[variant.problem.as_written.code])
-        found[student] = AssignedSheet(tuple(variants), _identity(record, student))
+        gone = tuple(
+            Variant(
+                problem,
+                {given.symbol: numbers.exact[given.symbol] for given in problem.givens},
+                numbers.index,
+            )
+            for numbers in row.values()
+            if (problem := removed[numbers.edition]) is not None
+        )
+        found[student] = AssignedSheet(tuple(variants), _identity(record, student), gone)
     return found
 
 
@@ -119,6 +133,14 @@ def _problem(course: Course, problem_set: ProblemSet, edition: Edition) -> Probl
         return None
     same = as_handed_out(today, edition, None)
     return same if same is today else as_handed_out(today, edition, words_of(course, edition))
+
+
+def _removed(course: Course, edition: Edition, problem: Problem | None) -> Problem | None:
+    """The problem with those parts that it was handed out with and has no longer; None when it has them all."""
+    have = {part.label for part in problem.parts} if problem is not None else set[str]()
+    if all(part.id in have for part in edition.parts):
+        return None
+    return parts_gone(edition, have, words_of(course, edition))
 
 
 def _variant(problem: Problem, edition: Edition, numbers: StudentNumbers) -> Variant:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import msgspec
 
@@ -14,7 +15,7 @@ from corollary.problem.bank import UnknownCode, bank_of
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.units.unit import Unit, canonical, unit
+from corollary.units.unit import PURE, Unit, canonical, unit
 
 
 class AskedPart(msgspec.Struct, frozen=True):
@@ -113,6 +114,19 @@ def as_handed_out(today: Problem, edition: Edition, old: Problem | None) -> Prob
         path=today.path,
         written=today,
     )
+
+
+def parts_gone(edition: Edition, have: Collection[str], old: Problem | None) -> Problem:
+    """The problem as it was handed out, without the parts that it still has; where its words are lost, the titles alone."""
+    words = old or Problem(
+        edition.code, edition.code, edition.code, "", "", "", (), (), (), "", "", Path(), 0
+    )
+    parts = [part for part in words.parts if part.id not in have] or [
+        Part(each.id, each.title, "", ("explain",), PURE, each.points, (), (), "", 0)
+        for each in edition.parts
+        if each.id not in have
+    ]
+    return replace(words, code=edition.code, parts=tuple(parts))
 
 
 def _part(today: Part, asked: AskedPart, old: Problem | None) -> Part:

@@ -14,6 +14,7 @@ from corollary.problem.roster import Student
 from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course
+from corollary.records.retained import retained
 from corollary.sandbox.file import bytes_of
 
 
@@ -66,7 +67,16 @@ def read_submission(
     """The submission in a file, read as a stranger's file is; never raises for what is in it."""
     late = lateness(course, problem_set, student.id, terms)
     content = bytes_of(path, within=course.folder / "submitted")
-    return Submission(student, content, assigned.variants, late, fingerprint, terms.reveal, terms.due)
+    return Submission(
+        student,
+        content,
+        assigned.variants,
+        late,
+        fingerprint,
+        terms.reveal,
+        terms.due,
+        retained(course, problem_set, student.id, assigned),
+    )
 
 
 def fingerprint(

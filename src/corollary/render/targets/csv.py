@@ -14,8 +14,12 @@ from corollary.render.wording import points
 
 
 def write_marks(problem_set: ProblemSet, report: Report, roster: Sequence[Student]) -> str:
-    """Blank where nothing was handed in and where a part waits for a person: neither is a zero."""
-    parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
+    """Blank where nothing was handed in, where a part was not asked and where it waits for a person: none of these is a zero.
+
+    Parts that are gone, and that somebody has marks for, stand behind those of today.
+    """
+    todays = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
+    parts = list(dict.fromkeys([*todays, *((row.problem, row.part) for row in report.rows)]))
     earned = {
         (row.student, row.problem, row.part): points(row.points)
         for row in report.rows
@@ -29,7 +33,7 @@ def write_marks(problem_set: ProblemSet, report: Report, roster: Sequence[Studen
         total = totals.get(student.id)
         about = (student.id, student.first_name, student.last_name, student.email)
         by_part = (earned.get((student.id, code, part), "") for code, part in parts)
-        sums = (points(total.points) if total else "", points(problem_set.out_of))
+        sums = (points(total.points) if total else "", points((total or problem_set).out_of))
         rows.writerow([*about, *by_part, *sums])
     return table.getvalue()
 

@@ -1,0 +1,143 @@
+"""A problem is corrected after it was handed out, and marked: nobody's numbers move, and no marks are lost."""
+
+from __future__ import annotations
+
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from corollary.course.export import sheets_of_course
+from corollary.grading.solutions import Solutions
+from corollary.problem.roster import Student
+from corollary.records.files import students
+from corollary.render.exports import target
+
+from .changing_bank import ChangingBank, Text, replace
+
+SCORES = (
+    "select s.student_id, b.name, g.auto_score, g.needs_manual_grade from submitted_assignment s "
+    "join submitted_notebook n on n.assignment_id = s.id join grade g on g.notebook_id = n.id "
+    "join base_cell b on b.id = g.cell_id order by 1, 2"
+)
+RANGE = {
+    "m": "value: 0.43, from: 0.36, to: 0.6, step: 0.02, unit: kg",
+    "v": "value: 72, from: 36, to: 108, step: 3.6, unit: km/h",
+    "dt": "value: 0.1, from: 0.02, to: 0.15, step: 0.01, unit: s",
+}
+
+
+def scores(course: Path) -> dict[tuple[str, str], tuple[float | None, int]]:
+    with sqlite3.connect(course / "gradebook.db") as book:
+        return {
+            (student, cell): (score, waits) for student, cell, score, waits in book.execute(SCORES).fetchall()
+        }
+
+
+@pytest.fixture
+def ball(tmp_path: Path) -> ChangingBank:
+    """Ada has all right, and Ben one part wrong; both are marked."""
+    ball = ChangingBank(tmp_path)
+    ball.write(Text())
+    made = ball.generate("ada", "ben")
+    ball.hand_in(made, "ada")
+    ball.hand_in(made, "ben", X1_1_c="1e9")
+    outcome = ball.grade(made.course)
+    assert {student: record.points for student, record in outcome.records.items()} == {"ada": 3.0, "ben": 2.0}
+    return ball
+
+
+def test_another_range_and_another_unit_move_no_marks(ball: ChangingBank) -> None:
+    released = {path: path.read_bytes() for path in ball.course.glob("release/*/week/week.ipynb")}
+    ball.write(Text(givens=RANGE, words="A heavy ball of {{m}} moves at {{v}} for {{dt}}."))
+    made = ball.generate("ada", "ben", "cyd")
+    assert {path: path.read_bytes() for path in released} == released
+    outcome = ball.grade(made.course)
+    assert {student: record.points for student, record in outcome.records.items()} == {"ada": 3.0, "ben": 2.0}
+    assert not [record.notes for record in outcome.records.values() if record.notes]
+    sheets = {sheet.student.id: sheet for sheet in sheets_of_course(made.course, ball.problem_set)}
+    assert sheets["ada"].exercises[0].statement.startswith("A ball of")
+    assert sheets["cyd"].exercises[0].statement.startswith("A heavy ball of")
+
+
+def test_a_part_that_is_gone_keeps_its_marks_and_one_that_is_new_is_for_newcomers(ball: ChangingBank) -> None:
+    ball.write(Text(parts=("a", "d", "b")))
+    made = ball.generate("ada", "ben", "cyd")
+    ball.hand_in(made, "cyd", X1_1_d="1e9")
+    for _ in range(2):
+        outcome = ball.grade(made.course, regrade=True)
+        assert {student: (record.points, record.out_of) for student, record in outcome.records.items()} == {
+            "ada": (3.0, 3.0),
+            "ben": (2.0, 3.0),
+            "cyd": (2.0, 3.0),
+        }
+        assert not outcome.changed
+    assert outcome.records["ben"].parts["X1_1_c"].verdict == "wrong"
+    assert "X1_1_d" not in outcome.records["ada"].parts
+    assert ball.grade(made.course).graded == ()
+    found = scores(ball.course)
+    assert found["ben", "X1_1_c"] == (0.0, 0)
+    assert found["ada", "X1_1_c"] == (1.0, 0)
+    assert found["ada", "X1_1_d"] == (None, 0)
+    assert found["cyd", "X1_1_d"] == (0.0, 0)
+    page = (ball.course / "feedback" / "ben" / "week" / "week.feedback.html").read_text()
+    assert "Force" in page
+    assert "Distance" not in page
+    table = target("csv").marks
+    assert table is not None
+    rows = table(ball.problem_set, outcome.report, students(made.course)).splitlines()
+    assert rows[0].endswith("X1.1 a,X1.1 d,X1.1 b,X1.1 c,total,out_of")
+    assert rows[1].endswith("1,,1,1,3,3")
+    assert rows[3].endswith("1,0,1,,2,3")
+
+
+def test_a_problem_that_is_gone_keeps_its_marks(ball: ChangingBank) -> None:
+    ball.write(Text(), Text(code="X1.2", parts=("d",)))
+    made = ball.generate("ada", "ben", "cyd")
+    ball.hand_in(made, "cyd")
+    assert ball.grade(made.course).records["cyd"].points == 4.0
+    ball.write(Text(code="X1.2", parts=("d",)))
+    outcome = ball.grade(ball.generate("ada", "ben", "cyd").course)
+    assert {student: (record.points, record.out_of) for student, record in outcome.records.items()} == {
+        "ada": (3.0, 3.0),
+        "ben": (2.0, 3.0),
+        "cyd": (4.0, 4.0),
+    }
+
+
+def test_a_part_that_was_never_marked_is_counted_for_nobody(ball: ChangingBank) -> None:
+    made = ball.generate("ada", "ben", "cyd")
+    ball.hand_in(made, "cyd", X1_1_c="1e9")
+    ball.write(Text(parts=("a", "b")))
+    record = ball.grade(made.course).records["cyd"]
+    assert (record.points, record.out_of) == (2.0, 2.0)
+
+
+def test_numbers_that_break_a_condition_of_today_are_marked_as_before(ball: ChangingBank) -> None:
+    ball.write(replace(Text(), conditions=("m > 0", "m > 100")))
+    from corollary.records.files import open_course
+
+    outcome = ball.grade(open_course(ball.course))
+    assert {student: record.points for student, record in outcome.records.items()} == {"ada": 3.0, "ben": 2.0}
+
+
+def test_points_are_those_of_today(ball: ChangingBank) -> None:
+    from corollary.records.files import open_course
+
+    ball.write(Text(points=2))
+    outcome = ball.grade(open_course(ball.course))
+    assert {student: record.points for student, record in outcome.records.items()} == {"ada": 6.0, "ben": 4.0}
+
+
+def test_who_is_shown_a_sheet_is_shown_the_one_that_was_handed_out(ball: ChangingBank) -> None:
+    from corollary.records.assigned import variant_anywhere
+    from corollary.records.files import open_course
+
+    before = variant_anywhere(open_course(ball.course), ball.problem_set.problems[0], "ada")
+    ball.write(Text(givens=RANGE, parts=("a", "d")))
+    variant = variant_anywhere(open_course(ball.course), ball.problem_set.problems[0], "ada")
+    assert variant is not None
+    assert before is not None
+    assert variant.si == before.si
+    assert "(a) Momentum" in Solutions(ball.bank).worked_solution(variant)
+    assert Student("ada") in students(open_course(ball.course))
