@@ -24,9 +24,11 @@ def test_what_a_course_says(tmp_path: Path):
     found = says(
         tmp_path,
         'timezone = "Asia/Tokyo"\nbank = "bank"\nreveal = "yes"\nisolation = 2\njobs = 4\n'
-        'executor = "tcp://here:8786"\nlanguage = "en"\n',
+        'executor = "tcp://here:8786"\nformgrader = "https://hub/formgrader"\nlanguage = "en"\n',
     )
-    assert found == Settings("Asia/Tokyo", str(tmp_path / "bank"), "yes", 2, 4, "tcp://here:8786", "en")
+    assert found == Settings(
+        "Asia/Tokyo", str(tmp_path / "bank"), "yes", 2, 4, "tcp://here:8786", "https://hub/formgrader", "en"
+    )
     assert (found.usual.zone, found.usual.reveal) == (ZoneInfo("Asia/Tokyo"), "after due")
 
 
@@ -67,6 +69,7 @@ def test_the_file_is_written_once_with_the_machines_zone_and_all_else_as_comment
         ("isolation = true", "say a level from 0 to 3"),
         ("jobs = 0", "1 or more"),
         ("executor = 'here'", "tcp://HOST:8786"),
+        ("formgrader = 'hub'", "http://localhost:8888/formgrader"),
         ("language = 'xx'", "the texts are there in en"),
         ("jobs 4", "is not TOML"),
         ("jobs = 4\njobs = 5", "is not TOML"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import runpy
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -131,3 +132,61 @@ def test_dark_pages_are_dark_and_their_drawings_light(pages, chromium):
     page.emulate_media(media="print")
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
     page.context.close()
+
+
+@pytest.fixture
+def thousand(tmp_path, chromium):
+    """The report of a thousand students, opened under its own policy."""
+    sample = SAMPLE["problem_set"](tmp_path / "bank")
+    works = []
+    for number in range(1000):
+        work = SAMPLE["marked"](sample, f"s{number:04}")
+        work = replace(work, student=Student(f"s{number:04}", f"Student{number}", "Doe"))
+        works.append(SAMPLE["late"](work) if number % 100 == 7 else work)
+    path = tmp_path / "report.html"
+    path.write_text(report_page(SAMPLE["summary"](works), sample), encoding="utf-8")
+    context = chromium.new_context(viewport={"width": DESK, "height": 800}, offline=True)
+    page = context.new_page()
+    page.goto(path.as_uri())
+    yield page
+    context.close()
+
+
+def visible(page) -> list[str]:
+    return page.evaluate(
+        "[...document.querySelectorAll('.students tbody tr')].filter(row => !row.hidden).map(row => row.querySelector('summary').innerText)"
+    )
+
+
+def test_students_are_searched_by_name_by_what_was_said_and_by_both(thousand):
+    box = thousand.get_by_role("searchbox")
+    box.fill("student77 doe")
+    assert [one.split()[0] for one in visible(thousand)] == ["Student77"]
+    box.fill("late")
+    assert len(visible(thousand)) == 10
+    assert "10 of 1000" in thousand.locator("output").inner_text()
+    box.fill("late, s0107, X12.5 c mistaken")
+    assert len(visible(thousand)) == 1
+    box.fill("")
+    assert len(visible(thousand)) == 1000
+
+
+def test_students_are_sorted_by_keyboard(thousand):
+    points = thousand.locator(".students thead button").nth(1)
+    points.focus()
+    thousand.keyboard.press("Enter")
+    assert thousand.locator(".students thead th").nth(1).get_attribute("aria-sort") == "descending"
+    thousand.keyboard.press("Enter")
+    assert thousand.locator(".students thead th").nth(1).get_attribute("aria-sort") == "ascending"
+    assert {one.split()[0] for one in visible(thousand)[:10]} == {f"Student{n}" for n in range(7, 1000, 100)}
+    name = thousand.locator(".students thead button").first
+    name.press("Enter")
+    assert [one.split()[0] for one in visible(thousand)[:3]] == ["Student0", "Student1", "Student2"]
+
+
+def test_a_number_leads_to_the_students_it_counts(thousand):
+    thousand.get_by_role("button", name="X12.5 c mistaken").press("Enter")
+    assert thousand.get_by_role("searchbox").input_value() == "X12.5 c mistaken"
+    assert len(visible(thousand)) == 1000
+    thousand.locator(".students summary").first.press("Enter")
+    assert "P12.14 b wrong 0/1" in " ".join(thousand.locator(".students details").first.inner_text().split())

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of, report_record
+from corollary.records.settings import read_settings
 
 
 def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path | None) -> int:
@@ -19,9 +21,13 @@ def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path 
             f"nothing of {problem_set.name} is graded in {course}; run corollary grade {problem_set.name} --course {course} first"
         )
     if output is not None:
-        from corollary.render.report_page import report_page  # brings matplotlib
+        from corollary.render.report_page import report_page  # brings the templates
 
-        output.write_text(report_page(found, problem_set), encoding="utf-8")
+        way = Path(os.path.relpath(opened.folder, output.resolve().parent)).as_posix()
+        formgrader = read_settings(opened.folder).formgrader
+        output.write_text(
+            report_page(found, problem_set, formgrader=formgrader, course=way), encoding="utf-8"
+        )
         say(f"written to {output}")
     if as_json:
         answer(report_record(found))

@@ -25,6 +25,7 @@ from corollary.records.files import Course, students
 from corollary.records.marks import Record, read_records, settle, write_marks
 from corollary.records.regrading import Change, changes
 from corollary.records.report_model import Report, report_of
+from corollary.records.settings import read_settings
 from corollary.records.submission import fingerprint, read_submission, submissions, unclear
 from corollary.render.report_page import report_page
 from corollary.sandbox.runner import Runner
@@ -141,7 +142,9 @@ def grade_set(
     report = report_of(course, problem_set)
     page = course.folder / "reports" / f"{name}.html"
     if not dry_run:
-        write_whole(page, report_page(report, problem_set))
+        write_whole(
+            page, report_page(report, problem_set, formgrader=read_settings(course.folder).formgrader)
+        )
     return Outcome(
         graded=tuple(student for student in todo if student not in not_run),
         skipped=tuple(student for student in digests if student not in todo),

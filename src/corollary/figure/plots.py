@@ -1,8 +1,7 @@
-"""Plots as SVG text: bars, histograms and curves; the same data give the same bytes."""
+"""Plots of curves as SVG text; the same data give the same bytes."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,9 +11,8 @@ from typing import Any, Final
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
-from corollary.figure.colour import BLUE, CYCLE, ink
+from corollary.figure.colour import CYCLE
 from corollary.figure.svg import safe_svg
 
 WIDTH = 7.2
@@ -36,89 +34,12 @@ MARKERS, DASHES = "os^Dv<>P", ("-", "--", "-.", ":")
 
 
 @dataclass(frozen=True, slots=True)
-class Layer:
-    """One colour of stacked bars: `values` has one entry for each bar."""
-
-    name: str
-    values: tuple[float, ...]
-    colour: str
-
-
-@dataclass(frozen=True, slots=True)
 class Curve:
     """One named curve through the points (x, y), in their order."""
 
     name: str
     x: tuple[float, ...]
     y: tuple[float, ...]
-
-
-def stacked_bars(labels: Sequence[str], layers: Sequence[Layer], *, x_label: str, alt: str) -> str:
-    """Horizontal bars, the first label on top, each made of the layers from left to right with its numbers written in."""
-    with _drawn(0.9 + 0.36 * len(labels), alt) as (axes, out):
-        total = max((sum(layer.values[at] for layer in layers) for at in range(len(labels))), default=0) or 1
-        left = [0.0] * len(labels)
-        for layer in layers:
-            if not any(layer.values):
-                continue
-            axes.barh(
-                range(len(labels)),
-                layer.values,
-                0.72,
-                left,
-                color=layer.colour,
-                edgecolor="white",
-                label=layer.name,
-            )
-            number = {"ha": "center", "va": "center", "color": ink(layer.colour), "fontsize": 9}
-            for at, value in enumerate(layer.values):
-                if value / total > 0.035:
-                    axes.text(left[at] + value / 2, at, f"{value:g}", **number)  # pyright: ignore[reportArgumentType]
-            left = [start + value for start, value in zip(left, layer.values, strict=True)]
-        axes.set_yticks(range(len(labels)), [_verbatim(label) for label in labels])
-        axes.set_ylim(len(labels) - 0.4, -0.6)
-        axes.set_xlim(0, total)
-        axes.set_xlabel(x_label)
-        axes.grid(False, axis="y")
-        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-        if any(any(layer.values) for layer in layers):
-            axes.figure.legend(
-                loc="outside upper center", ncols=7, fontsize=9, handlelength=1.1, columnspacing=1.4
-            )
-    return out[0]
-
-
-def histogram(
-    values: Sequence[float], *, low: float, high: float, bins: int, x_label: str, y_label: str, alt: str
-) -> str:
-    """How many values fall in each of `bins` equal intervals from low to high; the last one holds its right end."""
-    counts = interval_counts(values, low, high, bins)
-    width = (high - low) / bins
-    with _drawn(3.0, alt) as (axes, out):
-        axes.bar(
-            [low + at * width for at in range(bins)],
-            counts,
-            width=width,
-            align="edge",
-            color=BLUE,
-            edgecolor="white",
-        )
-        axes.set_xlim(low, high)
-        axes.set_xlabel(x_label)
-        axes.set_ylabel(y_label)
-        axes.grid(False, axis="x")
-        axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    return out[0]
-
-
-def interval_counts(values: Sequence[float], low: float, high: float, bins: int) -> list[int]:
-    """How many values lie in each interval; what lies outside counts in the nearest one, what is no number nowhere."""
-    counts = [0] * bins
-    for value in values:
-        if math.isfinite(value):
-            inside = min(max(value, low), high)
-            counts[min(bins - 1, math.floor((inside - low) / (high - low) * bins))] += 1
-    return counts
 
 
 def lines(

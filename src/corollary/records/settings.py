@@ -35,6 +35,9 @@ TEXT = """\
 # jobs = 2
 # executor = "tcp://HOST:PORT"
 
+# Where formgrader is, for the links of the report.
+# formgrader = "http://localhost:8888/formgrader"
+
 # The language of what students read.
 # language = "en"
 """
@@ -50,6 +53,7 @@ class Settings:
     isolation: int | None = None
     jobs: int | None = None
     executor: str = ""
+    formgrader: str = ""
     language: str = ""
 
     @property
@@ -160,6 +164,11 @@ def _executor(value: object) -> str:
     return "" if right else f'executor: {value}: give the address of a Dask scheduler, as "tcp://HOST:8786"'
 
 
+def _formgrader(value: object) -> str:
+    right = isinstance(value, str) and value.startswith(("http://", "https://"))
+    return "" if right else f'formgrader: {value}: give its address, as "http://localhost:8888/formgrader"'
+
+
 def _language(value: object) -> str:
     have = languages()
     return "" if value in have else f"language: {value}: the texts are there in {', '.join(have)}"
@@ -172,5 +181,6 @@ CHECKS: dict[str, Callable[[object], str]] = {
     "isolation": _isolation,
     "jobs": _jobs,
     "executor": _executor,
+    "formgrader": _formgrader,
     "language": _language,
 }

@@ -15,7 +15,7 @@ from corollary.figure.svg import safe_svg
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise
 from corollary.render.markdown import html, inline
-from corollary.render.wording import percent, points
+from corollary.render.wording import percent, points, points_earned
 
 _ = catalogue(__name__)
 
@@ -78,7 +78,7 @@ def environment() -> Environment:
         "points": points,
         "percent": percent,
     }
-    found.globals |= {"_": _, "plural": _.plural}  # pyright: ignore[reportAttributeAccessIssue]
+    found.globals |= {"_": _, "plural": _.plural, "points_of": points_earned}  # pyright: ignore[reportAttributeAccessIssue]
     return found
 
 

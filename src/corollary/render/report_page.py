@@ -1,57 +1,125 @@
-"""The instructor's report as a page: every plot has its table beside it."""
+"""The instructor's report as a page: what waits for a person first, then the whole, the parts, and every student."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Final
+from urllib.parse import quote
 
-from markupsafe import Markup
-
-from corollary.figure.plots import Layer, histogram, interval_counts, stacked_bars
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
+from corollary.records.marks import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page
-from corollary.render.wording import LOOKS, points
+from corollary.render.wording import LOOKS
+
+FORMGRADER: Final = "http://localhost:8888/formgrader"
+"""Where formgrader is unless somebody says otherwise."""
+WIDTHS: Final = (0.5, 1, 2, 5)
+MOST_INTERVALS: Final = 12
 
 
 @dataclass(frozen=True, slots=True)
 class HistogramBin:
-    """So many totals from `low` to `high` points."""
+    """So many totals from `low` up to, and without, `high` points; the last interval holds its end too. `share` is that of
+    the fullest, from 0 to 1."""
 
     low: float
     high: float
     count: int
+    share: float
 
 
-def report_page(report: Report, problem_set: ProblemSet) -> str:
-    """The report as one page of HTML that needs nothing beside it."""
-    intervals = _intervals(report)
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Where a student's pages lie, as links: `course` leads from the report to the course folder."""
+
+    set_name: str
+    formgrader: str
+    course: str
+
+    def feedback(self, student: str) -> str:
+        """Our page of feedback."""
+        return f"{self.course}/feedback/{quote(student)}/{quote(self.set_name)}/{quote(self.set_name)}.feedback.html"
+
+    def submission(self, student: str) -> str:
+        """What formgrader has of a student in this set."""
+        return f"{self.formgrader}/manage_students/{quote(student)}/{quote(self.set_name)}"
+
+    @property
+    def all_submissions(self) -> str:
+        """All answers to the set in formgrader."""
+        return f"{self.formgrader}/gradebook/{quote(self.set_name)}/{quote(self.set_name)}"
+
+
+@dataclass(frozen=True, slots=True)
+class StudentLine:
+    """One line of the table of students, with what was said of each part."""
+
+    about: HandedIn
+    rows: tuple[Row, ...]
+    waiting: int
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A piece of a part's bar: `start` and `width` in per cent."""
+
+    name: str
+    start: float
+    width: float
+
+
+def report_page(report: Report, problem_set: ProblemSet, *, formgrader: str = "", course: str = "..") -> str:
+    """The report as one page of HTML that needs nothing beside it.
+
+    `formgrader` is the address of nbgrader's page (empty: where Jupyter has it by itself), `course` the way from the report's
+    folder to the course.
+    """
     titles = {
         (problem.code, part.id): part.title for problem in problem_set.problems for part in problem.parts
     }
     return page(
         "report.html",
         title=f"{problem_set.title}: report",
+        script="report.js",
         report=report,
         sharing=SHARING,
         problem_set=problem_set,
-        looks=LOOKS.values(),
+        looks=LOOKS,
         titles=titles,
-        intervals=intervals,
-        totals=Markup(_totals(report, intervals)) if report.handed_in else "",
-        verdicts=Markup(_verdicts(report)) if report.parts else "",
+        intervals=intervals([one.points for one in report.handed_in], report.out_of),
+        bars={(part.problem, part.part): tuple(_bar(part)) for part in report.parts},
         waiting=_waiting(report),
-        waiting_of=Counter(one.student for one in report.waiting),
+        students=_lines(report),
+        places=Places(problem_set.name, (formgrader or FORMGRADER).rstrip("/"), course),
     )
 
 
-def _intervals(report: Report) -> list[HistogramBin]:
-    """One interval a point while that makes at most 20; else 20."""
-    high = report.out_of or 1.0
-    bins = round(high) if 4 <= high <= 20 and high == round(high) else 20 if high > 20 else 10
-    counts = interval_counts([one.points for one in report.handed_in], 0, high, bins)
-    return [HistogramBin(high * at / bins, high * (at + 1) / bins, count) for at, count in enumerate(counts)]
+def intervals(totals: list[float], out_of: float) -> list[HistogramBin]:
+    """The totals counted in at most twelve intervals between round numbers, from 0 to what can be reached."""
+    high = out_of if out_of > 0 else 1.0
+    width = next(
+        size for power in range(12) for base in WIDTHS if high / (size := base * 10**power) <= MOST_INTERVALS
+    )
+    many = max(1, -int(-high // width))
+    counts = Counter(min(many - 1, max(0, int(total // width))) for total in totals)
+    fullest = max(counts.values(), default=1)
+    return [
+        HistogramBin(width * at, min(width * (at + 1), high), counts[at], counts[at] / fullest)
+        for at in range(many)
+    ]
+
+
+def _bar(part: PartTally) -> Iterator[Segment]:
+    total, start = sum(part.counts.values()) or 1, 0.0
+    for name in LOOKS:
+        if part.counts[name]:
+            width = 100 * part.counts[name] / total
+            yield Segment(name, round(start, 2), round(width, 2))
+            start += width
 
 
 def _waiting(report: Report) -> dict[tuple[str, str, str], list[str]]:
@@ -62,33 +130,11 @@ def _waiting(report: Report) -> dict[tuple[str, str, str], list[str]]:
     return found
 
 
-def _totals(report: Report, intervals: list[HistogramBin]) -> str:
-    mean, median = report.mean or 0.0, report.median or 0.0
-    return histogram(
-        [one.points for one in report.handed_in],
-        low=0,
-        high=intervals[-1].high,
-        bins=len(intervals),
-        x_label=f"points of {points(report.out_of)}",
-        y_label="students",
-        alt=f"Histogram of the totals of {len(report.handed_in)} students: mean {points(mean)}, median {points(median)} of"
-        f" {points(report.out_of)} points. The table beside it has the numbers.",
-    )
-
-
-def _verdicts(report: Report) -> str:
-    layers = [
-        Layer(look.short, tuple(part.counts[look.name] for part in report.parts), look.colour)
-        for look in LOOKS.values()
+def _lines(report: Report) -> list[StudentLine]:
+    rows: dict[str, list[Row]] = {}
+    for row in report.rows:
+        rows.setdefault(row.student, []).append(row)
+    waiting = Counter(one.student for one in report.waiting)
+    return [
+        StudentLine(one, tuple(rows.get(one.student, ())), waiting[one.student]) for one in report.handed_in
     ]
-    return stacked_bars(
-        [_label(part) for part in report.parts],
-        layers,
-        x_label="students",
-        alt=f"Bars for {len(report.parts)} parts: how many answers were right, followed, mistaken, a slip, wrong, unread"
-        " or are waiting. The table below has the numbers.",
-    )
-
-
-def _label(part: PartTally) -> str:
-    return f"{part.problem} {part.part}"

@@ -8,7 +8,6 @@ from typing import Final
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Unread, Verdict, word
-from corollary.figure.colour import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION
 from corollary.messages import N_, catalogue
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.dates import written
@@ -19,15 +18,12 @@ _ = catalogue(__name__)
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """How a verdict looks on a page; the colour never says it alone.
-
-    `name` serves as CSS class and icon id, `message` speaks to the student, `short` heads a column of the report.
-    """
+    """How a verdict looks on a page: `name` is its CSS class (and so its colour, which never says it alone) and its icon's id,
+    `message` speaks to the student, `short` heads a column of the report."""
 
     name: str
     message: str
     short: str
-    colour: str
 
     @property
     def phrase(self) -> str:
@@ -39,19 +35,19 @@ LOOKS: Final = MappingProxyType(
     {
         look.name: look
         for look in (
-            Look("right", N_("Right"), "right", GREEN),
-            Look("follows", N_("Right, given your earlier answer"), "follows", SKY),
-            Look("mistaken", N_("A common mistake"), "mistaken", ORANGE),
-            Look("slip", N_("Nearly there: a slip"), "slip", PURPLE),
-            Look("wrong", N_("Not right yet"), "wrong", VERMILLION),
-            Look("unread", N_("Could not be read"), "unread", GREY),
-            Look("unmarked", N_("Waits for your teacher"), "waiting", BLUE),
+            Look("right", N_("Right"), "right"),
+            Look("follows", N_("Right, given your earlier answer"), "follows"),
+            Look("mistaken", N_("A common mistake"), "mistaken"),
+            Look("slip", N_("Nearly there: a slip"), "slip"),
+            Look("wrong", N_("Not right yet"), "wrong"),
+            Look("unread", N_("Could not be read"), "unread"),
+            Look("unmarked", N_("Waits for your teacher"), "waiting"),
         )
     }
 )
 """The look of each verdict, by the word of records and reports, from the best to the worst."""
 
-BLANK: Final = Look("unread", N_("No answer"), "unread", GREY)
+BLANK: Final = Look("unread", N_("No answer"), "unread")
 
 
 def look(verdict: Verdict) -> Look:
