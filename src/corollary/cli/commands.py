@@ -190,7 +190,8 @@ _command(
     BANK,
     JSON,
     _text("--id-column", "The roster's column with the ids, by name or number."),
-    _flag("--yes", "Agree to taking off the roster who is no longer in the file."),
+    _flag("--renew", "Give who has not handed in the sheet of today, where the set was corrected since."),
+    _flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
 )
 _command(
     "grade",

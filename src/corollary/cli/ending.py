@@ -30,6 +30,7 @@ RAISED = {
     "corollary.formula.errors": ["Undefined"],
     "corollary.scenes.run": ["BadSetting"],
     "corollary.records.files": ["NotACourse", "BeingGraded", "UnknownStudent"],
+    "corollary.records.renames": ["NotSettled"],
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],

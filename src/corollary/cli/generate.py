@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 
 from corollary.cli.asking import agreed
+from corollary.cli.corrected import names_settled, say_corrections, say_renewals
 from corollary.cli.dates import warn_of_dates
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.generate import generate
+from corollary.course.renew import Renewals, renewals
 from corollary.course.roster import RosterChange, roster_change, students_before
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.config import check_config
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student, read_roster
+from corollary.records.assigned import open_record, sheets
+from corollary.records.corrections import Correction, corrections
+from corollary.records.files import open_course
 from corollary.records.settings import read_settings
 
 
@@ -26,6 +32,7 @@ def run(
     as_json: bool,
     id_column: str | None = None,
     yes: bool = False,
+    renew: bool = False,
 ) -> int:
     if course.exists() and not course.is_dir():
         refuse(f"{course} is a file; name a folder for the course")
@@ -38,10 +45,33 @@ def run(
     check_config(course)
     for problem in problem_set.problems:  # whatever can be refused is, before the first file is written
         solutions.of(problem)
+    found, plan = list[Correction](), Renewals((), ())
+    if (course / ".corollary" / "key").exists():
+        opened = open_course(course)
+        record = open_record(opened, problem_set)
+        if not names_settled(opened, problem_set, record, yes):
+            return FAILS
+        before = sheets(opened, problem_set, record)
+        found = corrections(opened, problem_set, record, before)
+        say_corrections(found)
+        plan = renewals(opened, problem_set, solutions, record, before, {each.id for each in students})
+        if renew:
+            say_renewals(plan)
+            if plan.sheets and not agreed("Give them the sheet of today?", yes):
+                return FAILS
     with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as progress:
         made = generate(
-            course, problem_set, students, solutions, progress, Path(name) if name.endswith(".md") else None
+            course,
+            problem_set,
+            students,
+            solutions,
+            progress,
+            Path(name) if name.endswith(".md") else None,
+            plan.sheets if renew else (),
         )
+    if not renew and (plan.sheets or plan.handed_in):
+        say("everybody keeps the sheet they have, to the byte; with --renew:")
+        say_renewals(plan)
     if as_json:
         answer(
             {
@@ -49,6 +79,9 @@ def run(
                 "course": str(made.course.folder),
                 "registered": made.registered,
                 "passed_over": made.redrawn,
+                "corrections": [asdict(each) for each in found],
+                "renewed": [each.student for each in plan.sheets] if renew else [],
+                "with_renew": {} if renew else {each.student: each.other for each in plan.sheets},
                 "students": {
                     student: {
                         "sheet": str(path),

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
+from corollary.course.renew import Renewal
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader
 from corollary.notebook.notebook import file_text, notebook
@@ -18,7 +19,7 @@ from corollary.problem.roster import Student
 from corollary.problem.variant import chapter, index_of
 from corollary.records.assigned import AssignedSheet, open_record, save_record, sheets
 from corollary.records.edition import values_now
-from corollary.records.files import Course, create_course
+from corollary.records.files import Course, create_course, one_writer
 from corollary.records.numbers import Assigned, numbers_of
 from corollary.records.origin import write_origin
 from corollary.records.settings import write_settings
@@ -49,29 +50,40 @@ def generate(
     solutions: Solutions,
     progress: Callable[[str], None] = lambda step: None,
     file: Path | None = None,
+    renewed: Sequence[Renewal] = (),
 ) -> Generated:
-    """Makes or completes the course; who has a sheet keeps it, as it is. `file`: the set's, when it lies outside the bank.
+    """Makes or completes the course; who has a sheet keeps it, as it is, but for the `renewed`. `file`: the set's, when it
+    lies outside the bank.
 
-    Raises NoVariant, NotRegistered, GradebookLocked, NotOurs.
+    Raises NoVariant, NotRegistered, GradebookLocked, NotOurs, NotSettled, BeingGraded.
     """
     roster = tuple(roster)
     course = create_course(folder, roster)
     write_settings(course.folder)
-    record = open_record(course, problem_set)
-    new = tuple(student.id for student in roster if student.id not in record.students)
-    redrawn = _deal(course, problem_set, solutions, record, new, progress)
-    write_origin(course, problem_set.name, solutions.bank, file)
-    save_record(course, problem_set, record)
-    assigned = sheets(course, problem_set, record)
-    registered = _register(course, problem_set, source_notebook(problem_set), progress)
-    notebooks: dict[str, Path] = {}
-    for student in roster:
-        progress(f"notebook of {student.id}")
-        path = course.notebook("release", student.id, problem_set.name)
-        if student.id in new or not path.exists():  # what was handed out stays as it is, to the byte
-            variants = assigned[student.id].variants
-            write_whole(path, file_text(notebook(worksheet(problem_set, student, variants))))
-        notebooks[student.id] = path
+    with one_writer(course):
+        record = open_record(course, problem_set)
+        new = tuple(student.id for student in roster if student.id not in record.students)
+        for problem in problem_set.problems:  # in this order, by which the renewed name them
+            record.place(problem, problem_set.weight(problem))
+        for each in renewed:
+            record.students[each.student] = each.row
+            record.carried.pop(each.student, None)
+            # Gone before the record says otherwise: cut short here, the next run writes what the record says.
+            course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
+        redrawn = _deal(course, problem_set, solutions, record, new, progress)
+        write_origin(course, problem_set.name, solutions.bank, file)
+        save_record(course, problem_set, record)
+        assigned = sheets(course, problem_set, record)
+        registered = _register(course, problem_set, source_notebook(problem_set), progress)
+        other = {*new, *(each.student for each in renewed)}
+        notebooks: dict[str, Path] = {}
+        for student in roster:
+            progress(f"notebook of {student.id}")
+            path = course.notebook("release", student.id, problem_set.name)
+            if student.id in other or not path.exists():  # what was handed out stays as it is, to the byte
+                variants = assigned[student.id].variants
+                write_whole(path, file_text(notebook(worksheet(problem_set, student, variants))))
+            notebooks[student.id] = path
     of_roster = {student.id: assigned[student.id] for student in roster}
     return Generated(course, notebooks, of_roster, redrawn, registered, new)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -12,7 +13,15 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import Variant, at
 from corollary.records.carried_over import carried_over, indices_of
-from corollary.records.edition import Edition, Renamed, as_handed_out, edition_of, parts_gone, values_now
+from corollary.records.edition import (
+    Edition,
+    Renamed,
+    as_handed_out,
+    edition_of,
+    fingerprint,
+    parts_gone,
+    values_now,
+)
 from corollary.records.files import Course
 from corollary.records.numbers import (
     Assigned,
@@ -23,6 +32,7 @@ from corollary.records.numbers import (
     write_numbers,
 )
 from corollary.records.origin import read_origin
+from corollary.records.renames import NotSettled, Rename, proposed, settled
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +59,8 @@ def is_assigned(course: Course, set_name: str) -> bool:
 
 
 def read_assigned(course: Course, problem_set: ProblemSet) -> dict[str, AssignedSheet]:
-    """Everybody's sheet; empty when the set was never generated. Raises NotACourse when the record is damaged."""
+    """Everybody's sheet; empty when the set was never generated. Raises NotACourse when the record is damaged, and NotSettled
+    when a name may have changed since."""
     return sheets(course, problem_set, open_record(course, problem_set))
 
 
@@ -72,8 +83,30 @@ def save_record(course: Course, problem_set: ProblemSet, record: Assigned) -> No
     write_numbers(course, problem_set.name, record, todays)
 
 
+def pending(course: Course, problem_set: ProblemSet, record: Assigned) -> list[list[Rename]]:
+    """The names that look changed and that nobody has been asked about, together those of one edition."""
+    known = {edition.code_now for edition in record.editions}
+    todays = {each.code: fingerprint(each) for each in problem_set.problems}
+    found = [
+        proposed(edition, problem_set.problems, known, words_of(course, edition))
+        for edition in record.in_use
+        if todays.get(edition.code_now) != edition.statement
+    ]
+    return [renames for renames in found if renames]
+
+
+def settle(record: Assigned, renames: Sequence[Rename], *, agreed: bool) -> None:
+    """Takes the names of today for those of an edition, or records that they are others."""
+    edition = renames[0].edition
+    record.editions[record.editions.index(edition)] = settled(edition, renames, agreed=agreed)
+
+
 def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[str, AssignedSheet]:
-    """Everybody's sheet, from the record."""
+    """Everybody's sheet, from the record. Raises NotSettled."""
+    for renames in pending(course, problem_set, record):
+        raise NotSettled(
+            f"{renames[0].sentence}; corollary generate {problem_set.name} asks whether it is, and nobody is marked before"
+        )
     problems = [_problem(course, problem_set, edition) for edition in record.editions]
     removed = [
         _removed(course, edition, problem) for edition, problem in zip(record.editions, problems, strict=True)
@@ -101,13 +134,15 @@ def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[st
 
 
 def variant_anywhere(course: Course, problem: Problem, student: str) -> Variant | None:
-    """A student's numbers in a problem, whatever set they came in; None when they have none. Raises NotACourse."""
+    """A student's numbers in a problem, whatever set they came in; None when they have none. Raises NotACourse and NotSettled."""
     found: Variant | None = None
     for name in sets_with_numbers(course):
         record = read_numbers(course, name) or Assigned([], {})
         for numbers in record.students.get(student, {}).values():
             edition = record.edition(numbers)
             if edition.code_now == problem.code:
+                for rename in proposed(edition, [problem], (), words_of(course, edition)):
+                    raise NotSettled(f"{rename.sentence}; corollary generate {name} asks whether it is")
                 found = _variant(as_handed_out(problem, edition, words_of(course, edition)), edition, numbers)
     if found is None:
         for path in sorted(course.record("dealt", "any").parent.glob("*.json")):  # sets not opened since

@@ -102,7 +102,9 @@ def _wrong(
     """Every answer in numbers that was marked wrong, read as it was asked."""
     for student, record in records.items():
         variant = assigned[student].variant(problem) if student in assigned else None
-        for part in variant.problem.parts if variant is not None else ():
+        if variant is None:
+            continue
+        for part in variant.problem.parts:
             marked = record.parts.get(variant.problem.answer_name(part))
             if marked is None or marked.verdict != "wrong":
                 continue

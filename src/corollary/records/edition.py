@@ -64,7 +64,7 @@ def edition_of(problem: Problem, weight: float) -> Edition:
     return Edition(
         problem.code,
         fingerprint(problem),
-        _derivation(problem),
+        derivation_of(problem),
         weight,
         {given.symbol: canonical(given.unit) for given in problem.givens},
         tuple(
@@ -75,12 +75,12 @@ def edition_of(problem: Problem, weight: float) -> Edition:
 
 
 def fingerprint(problem: Problem) -> str:
-    """Of the problem's file as it is."""
+    """The SHA-256 of the problem's file as it is."""
     return hashlib.sha256(problem.path.read_bytes()).hexdigest()
 
 
-def _derivation(problem: Problem) -> str:
-    """Of the solution's file; empty where there is none."""
+def derivation_of(problem: Problem) -> str:
+    """The fingerprint of the solution's file; empty where there is none."""
     try:
         return hashlib.sha256(source(bank_of(problem), problem)).hexdigest()
     except (NotDerivable, UnknownCode):

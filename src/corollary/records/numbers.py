@@ -49,6 +49,12 @@ class Assigned(msgspec.Struct):
     def edition(self, numbers: StudentNumbers) -> Edition:
         return self.editions[numbers.edition]
 
+    @property
+    def in_use(self) -> list[Edition]:
+        """The editions that somebody has."""
+        places = {numbers.edition for row in self.students.values() for numbers in row.values()}
+        return [self.editions[place] for place in sorted(places)]
+
     def place(self, problem: Problem, weight: float) -> int:
         """The place of today's edition of a problem in the list, where it is put if need be."""
         edition = edition_of(problem, weight)

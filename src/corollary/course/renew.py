@@ -1,0 +1,107 @@
+"""What it would change to give everybody the sheet of today: for whom, and whose numbers could not stay."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from fractions import Fraction
+
+from corollary.grading.assign import admitted
+from corollary.grading.solutions import Solutions
+from corollary.problem.problem import Problem
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.variant import Variant, first_broken, index_of
+from corollary.records.assigned import AssignedSheet
+from corollary.records.edition import fingerprint
+from corollary.records.files import Course
+from corollary.records.numbers import Assigned, Row, numbers_of
+from corollary.records.submission import submissions
+
+
+@dataclass(frozen=True, slots=True)
+class Renewal:
+    """One student's new sheet; `other` are the codes of the problems with other numbers than before, or that are new."""
+
+    student: str
+    row: Row
+    other: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Renewals:
+    """`handed_in` are those whose sheet is not that of today either, and who have answered it: they keep it."""
+
+    sheets: tuple[Renewal, ...]
+    handed_in: tuple[str, ...]
+
+
+def renewals(
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    record: Assigned,
+    sheets: dict[str, AssignedSheet],
+    roster: Collection[str],
+) -> Renewals:
+    """For the students of these ids. Numbers stay wherever they could be drawn today. Raises NoVariant and NotDerivable."""
+    outdated = [
+        student
+        for student in record.students
+        if student in roster and _is_outdated(problem_set, record, student)
+    ]
+    answered = submissions(course, problem_set.name)
+    places = {each.code: record.place(each, problem_set.weight(each)) for each in problem_set.problems}
+    rows: dict[str, Row] = {student: {} for student in outdated if student not in answered}
+    other: dict[str, list[str]] = {student: [] for student in rows}
+    for problem in problem_set.problems:
+        stay = {student: _stays(solutions, problem, sheets[student]) for student in rows}
+        used = {
+            place
+            for student, sheet in sheets.items()
+            if student not in rows
+            and (variant := sheet.variant(problem)) is not None
+            and (place := index_of(problem, _in_units_of(problem, variant))) is not None
+        } | {variant.index for variant in stay.values() if variant is not None and variant.index is not None}
+        for student, row in rows.items():
+            variant = stay[student]
+            if variant is None:
+                variant = solutions.assign_variant(problem, course.key, student, used).variant
+                used |= set() if variant.index is None else {variant.index}
+                other[student].append(problem.code)
+            row[problem.code] = numbers_of(variant, places[problem.code])
+    return Renewals(
+        tuple(Renewal(student, row, tuple(other[student])) for student, row in rows.items()),
+        tuple(student for student in outdated if student in answered),
+    )
+
+
+def _is_outdated(problem_set: ProblemSet, record: Assigned, student: str) -> bool:
+    """Whether what the student was given reads otherwise than what a newcomer is given."""
+    have = {
+        (edition.code, edition.statement)
+        for edition in map(record.edition, record.students[student].values())
+    }
+    return have != {(each.code, fingerprint(each)) for each in problem_set.problems}
+
+
+def _stays(solutions: Solutions, problem: Problem, sheet: AssignedSheet) -> Variant | None:
+    """The student's numbers on today's grid; None when they could not be drawn any more."""
+    before = sheet.variant(problem)
+    if before is None:
+        return None
+    values = _in_units_of(problem, before)
+    place = index_of(problem, values)
+    variant = Variant(problem, values, place)
+    if place is None or first_broken(variant) is not None:
+        return None
+    return variant if admitted(solutions.of(problem), variant)[0] is not None else None
+
+
+def _in_units_of(problem: Problem, variant: Variant) -> dict[str, Fraction]:
+    """The numbers in the units of today's givens, where that takes no pi."""
+    return {
+        given.symbol: variant.values[given.symbol]
+        * variant.problem.given(given.symbol).unit.factor
+        / given.unit.factor
+        for given in problem.givens
+    }
