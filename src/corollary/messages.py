@@ -71,6 +71,11 @@ def N_(message: str, /) -> str:
     return message
 
 
+def speak(code: str) -> None:
+    """From now on everything is said in this language, where its catalogue has the text."""
+    _LANGUAGE.set(code)
+
+
 def languages() -> list[str]:
     """The languages that students can be addressed in: English, and those that a room has texts in."""
     found = Path(__file__).parent.glob("*/locale/*/LC_MESSAGES/*.mo")

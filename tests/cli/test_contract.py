@@ -64,8 +64,21 @@ def test_list(tmp_path: Path):
         for part in problem["parts"].values():
             assert set(part["kind"].split("+")) <= KINDS
             assert part["points"] > 0
+            assert part["person"] is (part["kind"] == "explain")
     assert problems["X12.5"]["given"]["m"]["unit"] == "kg"
     assert problems["X12.7"]["parts"]["a"]["components"] == ["x", "y"]
+
+
+def test_show_as_json():
+    found = document("show", "X12.7", "--variant", "5")
+    assert (found["code"], found["variant"], found["topic"]) == ("X12.7", 5, "impulse")
+    assert found["printed"].keys() == found["given"].keys() == {"m", "v0", "theta", "dt"}
+    assert found["parts"]["a"]["components"] == ["x", "y"]
+    assert "solution" not in found
+    assert "solution" in document("show", "X12.7", "--solution")
+    assert document("show", "S12.0")["parts"]["a"]["kind"] == "explain"
+    status, out, err = run("show", "X12.7", "--json", "--format", "md")
+    assert (status, out, "leave out --format" in err) == (2, "", True)
 
 
 def test_key_of_the_chapter():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
@@ -46,3 +47,72 @@ def test_every_exception_is_defined_where_it_is_looked_for(module: str):
         assert issubclass(raised, Exception)
         assert raised.__module__ == module
         assert raised in expected()
+
+
+@pytest.mark.parametrize("whom", ["the command", "everybody at once, as a terminal does"])
+def test_ctrl_c_while_notebooks_run_ends_with_130_and_nobody_is_left(tmp_path: Path, whom: str) -> None:
+    """Two workers, each with a notebook that does not end: stopped, all processes are gone, and nothing was recorded."""
+    names = [f"s{number}" for number in range(4)]
+    (tmp_path / "roster.csv").write_text("\n".join(["id", *names, ""]))
+    (tmp_path / "one.md").write_text("---\ntitle: One\nproblems: [X12.5]\n---\n")
+    command, course = Path(sys.executable).with_name("corollary"), tmp_path / "mech"
+    made = [command, "generate", tmp_path / "one.md", "--roster", tmp_path / "roster.csv", "--course", course]
+    subprocess.run(made, check=True, capture_output=True)
+    for name in names:
+        place = course / "submitted" / name / "one" / "one.ipynb"
+        place.parent.mkdir(parents=True)
+        text = (course / "release" / name / "one" / "one.ipynb").read_text(encoding="utf-8")
+        place.write_text(text.replace("X12_5_a = None", "while True: pass"), encoding="utf-8")
+    words = ["grade", "one", "--jobs", "2", "--require-isolation", "0", "--course", str(course)]
+    program = (
+        "import signal, sys\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        f"sys.argv = ['corollary', *{words!r}]\nfrom corollary.cli.main import main\nmain()"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", program],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    ) as running:
+        seen: dict[int, int] = {}
+        while max(seen.values(), default=0) < 3 and running.poll() is None:
+            time.sleep(0.05)
+            seen = _descendants(running.pid)
+        (os.kill if whom == "the command" else os.killpg)(running.pid, signal.SIGINT)
+        _, err = running.communicate(timeout=120)
+    assert running.returncode == 130, err
+    assert err.endswith("stopped\n")
+    assert "Traceback" not in err
+    for _ in range(400):  # a moment for the system to take them away
+        if not (left := {pid for pid in seen if _lives(pid)}):
+            break
+        time.sleep(0.05)
+    assert not left
+    assert not list(course.glob(".corollary/graded/one/*.json"))
+
+
+def _lives(pid: int) -> bool:
+    """Whether it is still there, and not only waited for by nobody."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
+def _descendants(ancestor: int) -> dict[int, int]:
+    """The processes below another, and how far: its workers, their zygotes, and the notebooks that these run."""
+    parents: dict[int, int] = {}
+    for place in Path("/proc").glob("[0-9]*"):
+        try:
+            parents[int(place.name)] = int((place / "stat").read_text().rpartition(")")[2].split()[1])
+        except OSError:  # it ended meanwhile
+            continue
+    found: dict[int, int] = {}
+    for pid in parents:
+        depth, at = 0, pid
+        while at in parents and at != ancestor:
+            depth, at = depth + 1, parents[at]
+        if at == ancestor and depth:
+            found[pid] = depth
+    return found

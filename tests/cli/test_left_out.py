@@ -8,7 +8,7 @@ import click
 import pytest
 
 from corollary.cli.ending import Refusal
-from corollary.cli.left_out import completed
+from corollary.cli.left_out import completed, find_course
 from corollary.problem.roster import Student
 from corollary.records.files import create_course
 
@@ -82,3 +82,13 @@ def test_no_course_is_looked_for_before_help(course: Path):
     done = CliRunner().invoke(app, ["key", "X12.5"])
     assert done.exit_code == 2
     assert done.stderr.startswith("corollary: corollary.toml:1: is not TOML")
+
+
+def test_a_course_is_found_from_below(tmp_path: Path):
+    course = create_course(tmp_path / "mech", [Student("ada")])
+    below = course.folder / "release" / "ada"
+    below.mkdir(parents=True)
+    assert find_course(below) == find_course(course.folder) == course.folder
+    assert find_course(tmp_path) is None
+    (tmp_path / "corollary.toml").write_text("")  # set up, and nothing generated yet
+    assert find_course(tmp_path / "elsewhere") == tmp_path

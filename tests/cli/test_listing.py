@@ -61,6 +61,69 @@ def test_what_is_malformed_is_complained_of_each_time(bank):
         assert "kicking_a_ball.md:1: begins without front matter" in done.stderr
 
 
+def test_chosen_and_sorted():
+    def codes(*words: str) -> list[str]:
+        return [each["code"] for each in json.loads(said(*words, "--json"))]
+
+    problems = {each["code"]: each for each in json.loads(said("--json"))}
+    assert {problems[code]["topic"] for code in codes("--topic", "impulse")} == {"impulse"}
+    assert set(codes("--topic", "impulse", "--topic", "momentum")) > set(codes("--topic", "impulse"))
+    for code in codes("--type", "plot"):
+        assert any("plot" in part["kind"].split("+") for part in problems[code]["parts"].values())
+    by_a_person = codes("--person")
+    assert "P12.14" in by_a_person
+    assert "X12.5" not in by_a_person
+    for code, problem in problems.items():
+        waits = [part["kind"] == "explain" for part in problem["parts"].values() if part["person"]]
+        assert all(waits)
+        assert bool(waits) is (code in by_a_person)
+    counts = [problems[code]["variants"] for code in codes("--sort", "variants")]
+    assert counts == sorted(counts)
+    titles = [problems[code]["title"].lower() for code in codes("--sort", "title")]
+    assert titles == sorted(titles)
+
+
+def test_for_people_a_part_that_waits_for_a_person_has_a_star():
+    lines = said("--topic", "impulse").splitlines()
+    assert lines[0].strip() == "8 problems, 38 parts (* waits for a person)"
+    (window,) = [line for line in lines if "T12.3" in line]
+    assert "a b c d e f*" in window
+    assert "value, explain" in window
+
+
+def test_one_problem_is_one_problem(bank):
+    for path in (bank / "problems" / "impulse").glob("*.md"):
+        if path.stem != "kicking_a_ball":
+            path.unlink()
+    assert "1 problem, 4 parts" in said("--bank", bank)
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (
+            ["list", "--topic", "impuls"],
+            "--topic impuls is in no problem (did you mean impulse?); there are ",
+        ),
+        (["list", "--type", "explan"], "--type explan is in no problem (did you mean explain?)"),
+        (["key", "kicking_a_bal"], "no problem is called kicking_a_bal (did you mean kicking_a_ball?)"),
+        (["key", "X12-5"], "(did you mean X12.5"),
+        (["scene", "cradel"], "no scene 'cradel' (did you mean cradle?)"),
+        (["scene", "cradle", "--set", "mases=1"], "(did you mean masses?)"),
+        (["show", "X12.5", "--format", "htlm"], "(did you mean html?)"),
+        (["export", "momentum_1", "--to", "htlm"], "(did you mean html?)"),
+        (["export", "momentun_1", "--to", "html"], "no problem set momentun_1 (did you mean momentum_1?)"),
+        (["generat"], "did you mean 'generate'"),
+        (["key", "X12.5", "--casses", "f"], "did you mean"),
+    ],
+)
+def test_what_is_nearly_right_is_guessed(tmp_path, words, sentence):
+    command = Path(sys.executable).with_name("corollary")
+    done = subprocess.run([command, *words], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert sentence.lower() in done.stderr.lower()
+
+
 PROGRAM = """
 import sys
 from corollary.cli.main import main

@@ -9,9 +9,7 @@ from zoneinfo import ZoneInfo
 import pytest
 
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.roster import Student
-from corollary.records.files import create_course
-from corollary.records.settings import FILE, Settings, find_course, read_settings, write_settings
+from corollary.records.settings import FILE, Settings, read_settings, write_settings
 
 
 def says(folder: Path, text: str) -> Settings:
@@ -89,13 +87,3 @@ def test_a_file_that_is_not_utf_8(tmp_path: Path):
     (tmp_path / FILE).write_bytes(b"timezone = '\xff'\n")
     with pytest.raises(Malformed, match="cannot be read"):
         read_settings(tmp_path)
-
-
-def test_a_course_is_found_from_below(tmp_path: Path):
-    course = create_course(tmp_path / "mech", [Student("ada")])
-    below = course.folder / "release" / "ada"
-    below.mkdir(parents=True)
-    assert find_course(below) == find_course(course.folder) == course.folder
-    assert find_course(tmp_path) is None
-    (tmp_path / FILE).write_text("")  # set up, and nothing generated yet
-    assert find_course(tmp_path / "elsewhere") == tmp_path

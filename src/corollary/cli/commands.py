@@ -8,13 +8,27 @@ from typing import Any
 
 import click
 
+from corollary.cli.completion import CODES, SCENES, SETS, STUDENTS, TARGETS, TOPICS
 from corollary.cli.ending import run
 from corollary.cli.left_out import completed
+from corollary.cli.parameters import (
+    AT_LEAST_1,
+    BANK,
+    CODE,
+    COURSE,
+    GENERATED_BANK,
+    JSON,
+    PATH,
+    SET,
+    SOLUTION,
+    TargetOption,
+    all_when_left_out,
+    flag,
+    path,
+    several,
+    text,
+)
 from corollary.version import __version__
-
-# click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
-PATH = click.Path(path_type=Path)
-AT_LEAST_1 = click.IntRange(min=1)
 
 
 class Commands(click.Group):
@@ -22,24 +36,6 @@ class Commands(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.commands)
-
-
-class TargetOption(click.Option):
-    """Its help lists what there is, other packages' targets too: looked up only when somebody asks for it."""
-
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        from corollary.plug_ins import PlugInFault
-        from corollary.render.exports import OURS, names
-
-        try:
-            have = ", ".join(names())
-        except PlugInFault as fault:
-            have = f"{', '.join(OURS)}; but {fault}"
-        sentence, self.help = self.help, f"{self.help} {have}."
-        try:
-            return super().get_help_record(ctx)
-        finally:
-            self.help = sentence
 
 
 app = Commands(
@@ -63,48 +59,15 @@ def _command(
     app.add_command(click.Command(name, params=list(parameters), help=sentence, callback=callback))
 
 
-def _flag(name: str, sentence: str) -> click.Option:
-    return click.Option([name], is_flag=True, help=sentence)
-
-
-def _text(name: str, sentence: str) -> click.Option:
-    return click.Option([name], help=sentence)
-
-
-def _path(*names: str, text: str, required: bool = False) -> click.Option:
-    return click.Option(names, type=PATH, required=required, help=text)
-
-
-def _several(name: str, parameter: str, sentence: str) -> click.Option:
-    return click.Option([name, parameter], multiple=True, help=f"{sentence}; may be repeated.")
-
-
-def _all_when_left_out(parameter: str, metavar: str, sentence: str) -> click.Argument:
-    return click.Argument([parameter], nargs=-1, metavar=metavar, help=f"{sentence}; all when left out.")
-
-
-CODE = click.Argument(["code"], help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.")
-SET = click.Argument(["name"], metavar="SET", help="A problem set of the bank, or a path to its .md file.")
-JSON = click.Option(["--json", "as_json"], is_flag=True, help="One JSON document on standard output.")
-COURSE = _path("--course", text="The course folder; the one around the working folder when left out.")
-BANK = click.Option(
-    ["--bank"],
-    type=PATH,
-    multiple=True,
-    help="A folder with problems/ and solutions/, or an installed bank; may be repeated. When left out, "
-    "COROLLARY_BANK, the course's bank, or the chapter's.",
-)
-GENERATED_BANK = click.Option(
-    ["--bank"],
-    type=PATH,
-    multiple=True,
-    help="A folder with problems/ and solutions/, or an installed bank; the bank the set was dealt from when left out.",
-)
-SOLUTION = _flag("--solution", "Add the worked solution.")
-
 _command(
     "list",
-    "Every problem: code, title, givens, parts, number of distinct variants.",
+    "Every problem: code, title, topic, givens, parts, kinds of answer, number of distinct variants.",
+    several("--topic", "topic", "Only problems of this topic", TOPICS),
+    several("--type", "kind", "Only problems with an answer of this type: value, choice, explain, …"),
+    flag("--person", "Only problems with a part that a person must read."),
+    click.Option(
+        ["--sort"], type=click.Choice(["code", "title", "topic", "parts", "variants"]), help="By what."
+    ),
     BANK,
     JSON,
     module="listing",
@@ -114,74 +77,75 @@ _command(
     "One problem as a student sees it.",
     CODE,
     BANK,
-    _text("--student", "The numbers this student would get (with --course: those dealt there)."),
-    _path("--course", text="Take the student's numbers from this course."),
+    text("--student", "The numbers this student would get (with --course: those dealt there).", STUDENTS),
+    path("--course", text="Take the student's numbers from this course."),
     click.Option(["--variant"], type=int, help="The variant with this index in the grid."),
     SOLUTION,
-    click.Option(["--format", "fmt"], default="text", help="text, md, html or ipynb."),
-    _path("--output", "-o", text="Write to this file."),
+    click.Option(["--format", "fmt"], help="text (when left out), md, html or ipynb."),
+    JSON,
+    path("--output", "-o", text="Write to this file."),
 )
 _command(
     "key",
     "The answer key for given numbers, every digit certified.",
     CODE,
     BANK,
-    _several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
-    _path("--cases", text="A JSON list of givens in SI; the answer is a list."),
+    several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
+    path("--cases", text="A JSON list of givens in SI; the answer is a list."),
     JSON,
 )
 _command(
     "judge",
     "Marks plain answers, no notebook needed.",
     CODE,
-    _path("--cases", text='A JSON list of {"given": {…}, "answers": {…}}.', required=True),
+    path("--cases", text='A JSON list of {"given": {…}, "answers": {…}}.', required=True),
     BANK,
-    _flag("--reveal", "Feedback may give the right values."),
+    flag("--reveal", "Feedback may give the right values."),
     JSON,
 )
 _command(
     "read",
     "How an answer is read, and what would be decided.",
     click.Argument(["text"], required=False, help="An answer as typed: 8,6 Ns"),
-    _text("--unit", "The unit asked for."),
-    _text("--equals", "A formula to compare with."),
-    _text("--names", "The letters of the formula: m,v,M"),
-    _several("--domain", "domain", "Where a letter lives: v=-10..10"),
-    _path("--cases", text='A JSON list of {"text": …, "field": …}.'),
+    text("--unit", "The unit asked for."),
+    text("--equals", "A formula to compare with."),
+    text("--names", "The letters of the formula: m,v,M"),
+    several("--domain", "domain", "Where a letter lives: v=-10..10"),
+    path("--cases", text='A JSON list of {"text": …, "field": …}.'),
     JSON,
 )
 _command(
     "scene",
     "Runs a ready-made scene with the least model that answers, and says which and why.",
-    click.Argument(["name"], help="cradle, ball_on_floor, …"),
-    _several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
+    click.Argument(["name"], help="cradle, ball_on_floor, …", shell_complete=SCENES),
+    several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
     click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
     JSON,
 )
 _command(
     "verify",
     "Proves problems and solutions right, or says what is wrong.",
-    _all_when_left_out("codes", "[CODE]...", "Problems to verify"),
+    all_when_left_out("codes", "[CODE]...", "Problems to verify", CODES),
     BANK,
     click.Option(
         ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to walk for each problem."
     ),
     JSON,
-    _flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
+    flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
 )
 _command(
     "trade",
     "Measures speed against accuracy; writes the table and the picture.",
-    _all_when_left_out("scenes", "[SCENE]...", 'cradle, spheres, "cradle N=3 q=1.5" …'),
-    _path("--output", "-o", text="Where table and pictures go; trade/ when left out (nowhere with --json)."),
+    all_when_left_out("scenes", "[SCENE]...", 'cradle, spheres, "cradle N=3 q=1.5" …', SCENES),
+    path("--output", "-o", text="Where table and pictures go; trade/ when left out (nowhere with --json)."),
     JSON,
-    _flag("--quick", "Without the longest runs, each timed once."),
+    flag("--quick", "Without the longest runs, each timed once."),
 )
 _command(
     "generate",
     "A problem set, different for each student, as an nbgrader course.",
     SET,
-    _path(
+    path(
         "--roster",
         text="A CSV file: nbgrader's, Moodle's participants, Canvas's gradebook, or ids alone.",
         required=True,
@@ -189,9 +153,9 @@ _command(
     COURSE,
     BANK,
     JSON,
-    _text("--id-column", "The roster's column with the ids, by name or number."),
-    _flag("--renew", "Give who has not handed in the sheet of today, where the set was corrected since."),
-    _flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
+    text("--id-column", "The roster's column with the ids, by name or number."),
+    flag("--renew", "Give who has not handed in the sheet of today, where the set was corrected since."),
+    flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
 )
 _command(
     "grade",
@@ -200,9 +164,9 @@ _command(
     COURSE,
     GENERATED_BANK,
     JSON,
-    _flag("--regrade", "Mark again what is marked, and show first who changes."),
-    _flag("--dry-run", "Mark, show who changes, and write nothing."),
-    _flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
+    flag("--regrade", "Mark again what is marked, and show first who changes."),
+    flag("--dry-run", "Mark, show who changes, and write nothing."),
+    flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
     click.Option(
         ["--require-isolation", "require"],
         type=click.IntRange(0, 3),
@@ -220,14 +184,14 @@ _command(
 _command(
     "extend",
     "A deadline of one's own, or an excuse, for one student.",
-    click.Argument(["student"], required=False, help="The student's id."),
-    click.Argument(["name"], metavar="[SET]", required=False, help="The problem set."),
+    click.Argument(["student"], required=False, help="The student's id.", shell_complete=STUDENTS),
+    click.Argument(["name"], metavar="[SET]", required=False, help="The problem set.", shell_complete=SETS),
     click.Argument(
         ["date"], nargs=-1, metavar="[DATE]", help="2026-12-11 (the end of that day), or 2026-12-11 18:00."
     ),
     COURSE,
-    _flag("--excuse", "The student need not hand in: reports and exports leave the marks blank."),
-    _flag("--remove", "Take back the extension or the excuse."),
+    flag("--excuse", "The student need not hand in: reports and exports leave the marks blank."),
+    flag("--remove", "Take back the extension or the excuse."),
     click.Option(
         ["--list", "listing"], is_flag=True, help="Who has which; of STUDENT, or of SET, when named."
     ),
@@ -240,15 +204,21 @@ _command(
     COURSE,
     GENERATED_BANK,
     JSON,
-    _path("--output", "-o", text="Write the page here too."),
+    path("--output", "-o", text="Write the page here too."),
 )
 _command(
     "export",
     "A set as files for elsewhere: each student's sheet, or the marks of all.",
     SET,
-    TargetOption(["--to"], required=True, metavar="TARGET", help="Sheets or marks, written as one of:"),
-    _path("--course", text="The sheets, or the marks, of this course's students."),
-    _path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
+    TargetOption(
+        ["--to"],
+        required=True,
+        metavar="TARGET",
+        help="Sheets or marks, written as one of:",
+        shell_complete=TARGETS,
+    ),
+    path("--course", text="The sheets, or the marks, of this course's students."),
+    path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
     GENERATED_BANK,
     click.Option(
         ["--variants"], type=AT_LEAST_1, help="Without either: so many sheets with distinct numbers."
@@ -260,7 +230,7 @@ _command(
 _command(
     "doctor",
     "Whether this machine and this course are fit for work: versions, isolation, nbgrader, disk, time zone.",
-    _path("--course", text="A course to look at; the one around the working folder when left out."),
+    path("--course", text="A course to look at; the one around the working folder when left out."),
     JSON,
     settings=False,
 )

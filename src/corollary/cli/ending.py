@@ -117,6 +117,11 @@ def say(sentence: str) -> None:
     print(visible(sentence), file=sys.stderr)
 
 
+def counted(count: int, what: str) -> str:
+    """`1 problem`, `2 problems`."""
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
 def answer(document: Any) -> None:
     """The one JSON document of a command, on standard output."""
     text = json.dumps(document, ensure_ascii=False, allow_nan=False)

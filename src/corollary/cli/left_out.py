@@ -10,6 +10,7 @@ from typing import Any
 from corollary.cli.ending import refuse
 
 COURSE, BANK = "COROLLARY_COURSE", "COROLLARY_BANK"
+MARKS = ("corollary.toml", ".corollary/key")  # by which a course's folder is known
 # The options that a setting stands in for, by the setting's name; and what holds without either.
 STANDS_FOR: dict[str, tuple[str, object]] = {
     "jobs": ("jobs", None),
@@ -24,32 +25,52 @@ def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool
     `course_needed`: the command works in a course only. `any_bank`: its problems may come from any bank, so that the course's
     is the usual one. Raises Malformed when the settings cannot be read.
     """
-    from corollary.records.settings import Settings, read_settings
-
     found = dict(options)
+    if not {"course", "bank"} & found.keys():
+        return found
     folder = found.get("course") or course_around()
     if folder is None and course_needed:
         refuse(
             "no course is named, and the working folder does not lie in one; name it with --course, or change into its folder"
         )
-    settings = read_settings(folder) if folder is not None and folder.is_dir() else Settings()
+    settings = _settings(folder)
     if "course" in found and (course_needed or _has_room_for_a_course(found)):
         found["course"] = folder
     for name, (option, usual) in STANDS_FOR.items():
         if option in found and found[option] in (None, ""):
-            value = getattr(settings, name)
-            found[option] = usual if value in (None, "") else value
-    if any_bank and settings.bank and not found["bank"] and not os.environ.get(BANK):
-        found["bank"] = [settings.bank]
+            found[option] = settings.get(name, usual)
+    if any_bank and "bank" in settings and not found["bank"] and not os.environ.get(BANK):
+        found["bank"] = [settings["bank"]]
     return found
+
+
+def _settings(folder: Path | None) -> dict[str, Any]:
+    """What the course's file says; nothing where there is none. Raises Malformed."""
+    if folder is None or not (folder / MARKS[0]).is_file():
+        return {}
+    from corollary.messages import speak
+    from corollary.records.settings import read_settings  # brings time zones: only where there are settings
+
+    settings = read_settings(folder)
+    if settings.language:
+        speak(settings.language)
+    named = {name: getattr(settings, name) for name in (*STANDS_FOR, "bank")}
+    return {name: value for name, value in named.items() if value not in (None, "")}
 
 
 def course_around() -> Path | None:
     """The course that the environment names, or in whose folder the command runs; None when there is none."""
-    from corollary.records.settings import find_course
-
     named = os.environ.get(COURSE)
     return Path(named) if named else find_course(Path.cwd())
+
+
+def find_course(start: Path) -> Path | None:
+    """The course folder that a folder is, or lies in: a course was made there, or is set up. None when there is none."""
+    start = start.resolve()
+    for folder in (start, *start.parents):
+        if any((folder / mark).is_file() for mark in MARKS):
+            return folder
+    return None
 
 
 def _has_room_for_a_course(options: Mapping[str, Any]) -> bool:

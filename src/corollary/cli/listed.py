@@ -6,11 +6,12 @@ from collections.abc import Iterable
 from typing import Any
 
 from corollary.answers.questions import checked
+from corollary.answers.registry import answer_type
 from corollary.problem.count import variants, written
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.units.unit import canonical, show
+from corollary.units.unit import canonical
 
 
 def listed(problems: Iterable[Problem]) -> list[tuple[dict[str, Any], list[str]]]:
@@ -20,9 +21,15 @@ def listed(problems: Iterable[Problem]) -> list[tuple[dict[str, Any], list[str]]
 
 
 def _row(problem: Problem, count: int, exact: bool) -> list[str]:
-    givens = ", ".join(f"{given.symbol} [{show(given.unit) or '1'}]" for given in problem.givens)
-    parts = " ".join(part.id for part in problem.parts)
-    return [problem.code, problem.title, givens, parts, written(count, exact)]
+    givens = ", ".join(given.symbol for given in problem.givens)
+    parts = " ".join(part.id + "*" * waits_for_a_person(part) for part in problem.parts)
+    answers = ", ".join(dict.fromkeys(name for part in problem.parts for name in part.answer_types))
+    return [problem.code, problem.title, problem.topic, givens, parts, answers, written(count, exact)]
+
+
+def waits_for_a_person(part: Part) -> bool:
+    """Whether an answer to it is read by a person, whatever it says: it is written into a cell of its own."""
+    return any(answer_type(name).found_in == "cell" for name in part.answer_types)
 
 
 def _record(problem: Problem, count: int, exact: bool) -> dict[str, Any]:
@@ -57,4 +64,5 @@ def _part(part: Part) -> dict[str, Any]:
         "unit": canonical(part.unit),
         "points": part.points,
         "components": list(part.components),
+        "person": waits_for_a_person(part),
     }

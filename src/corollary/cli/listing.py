@@ -6,22 +6,50 @@ import hashlib
 import json
 import os
 import sys
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from corollary import plug_ins, user_cache
-from corollary.cli.ending import HOLDS, answer
-from corollary.problem.bank import Bank, chapter_bank, files, load, open_bank
+from corollary.cli.ending import HOLDS, answer, counted, refuse
+from corollary.messages import did_you_mean
+from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, load, open_bank
 from corollary.version import __version__
 
-HEADINGS = ("code", "title", "givens", "parts", "variants")
+HEADINGS = ("code", "title", "topic", "givens", "parts", "answers", "variants")
+WIDE = 180
+_SORT: dict[str, Callable[[dict[str, Any]], Any]] = {
+    "code": lambda record: chapter_order(record["code"]),
+    "title": lambda record: record["title"].lower(),
+    "topic": lambda record: (record["topic"], chapter_order(record["code"])),
+    "parts": lambda record: len(record["parts"]),
+    "variants": lambda record: record["variants"],
+}
 ROOMS = ("formula", "units", "answers", "problem", "cli/listed.py")  # what decides how a problem is listed
 PLUG_INS = ("corollary.banks", "corollary.answers")
 
 
-def run(bank: Path | None, as_json: bool) -> int:
+def run(
+    bank: Path | None,
+    as_json: bool,
+    topic: list[str],
+    kind: list[str],
+    person: bool,
+    sort: str | None,
+) -> int:
     found = listed(open_bank(bank))
+    _known("--topic", topic, {record["topic"] for record, _ in found})
+    _known("--type", kind, {name for record, _ in found for name in _kinds(record)})
+    found = [
+        (record, row)
+        for record, row in found
+        if (not topic or record["topic"] in topic)
+        and (not kind or _kinds(record) & set(kind))
+        and (not person or any(part["person"] for part in record["parts"].values()))
+    ]
+    if sort is not None:
+        found.sort(key=lambda each: _SORT[sort](each[0]))
     if as_json:
         answer([record for record, _ in found])
         return HOLDS
@@ -29,14 +57,34 @@ def run(bank: Path | None, as_json: bool) -> int:
     from rich.markup import escape
     from rich.table import Table
 
-    table = Table(title=f"{len(found)} problems, {sum(len(record['parts']) for record, _ in found)} parts")
+    problems, parts = len(found), sum(len(record["parts"]) for record, _ in found)
+    table = Table(title=f"{counted(problems, 'problem')}, {counted(parts, 'part')} (* waits for a person)")
     for heading in HEADINGS:
-        one_line = heading in ("code", "variants")
-        table.add_column(heading, justify="right" if heading == "variants" else "left", no_wrap=one_line)
+        table.add_column(
+            heading,
+            justify="right" if heading == "variants" else "left",
+            no_wrap=heading in ("code", "variants"),
+            overflow="fold",
+        )
     for _, row in found:
         table.add_row(*map(escape, row))
-    Console().print(table)
+    # A pipe has no width of its own, and lines that a search goes through are better whole.
+    narrow = sys.stdout.isatty() or "COLUMNS" in os.environ
+    Console(width=None if narrow else WIDE).print(table)
     return HOLDS
+
+
+def _known(option: str, named: list[str], have: set[str]) -> None:
+    for name in named:
+        if name not in have:
+            refuse(
+                f"{option} {name} is in no problem{did_you_mean(name, have)}; there are {', '.join(sorted(have))}"
+            )
+
+
+def _kinds(record: dict[str, Any]) -> set[str]:
+    """The answer types of a problem's parts."""
+    return {name for part in record["parts"].values() for name in part["kind"].split("+")}
 
 
 def listed(bank: Bank) -> list[tuple[dict[str, Any], list[str]]]:

@@ -4,27 +4,32 @@ from __future__ import annotations
 
 import sys
 
-import click
-
-from corollary.cli.commands import app
-from corollary.cli.ending import REFUSED, STOPPED, say
-
 
 def main() -> None:
     """Runs a command; a request that cannot be understood is answered in one sentence."""
     try:
-        status = app(standalone_mode=False)
+        sys.exit(_status())
+    except KeyboardInterrupt:  # before a command was at work, or after
+        sys.exit(130)
+
+
+def _status() -> int:
+    import click
+
+    from corollary.cli.commands import app
+    from corollary.cli.ending import REFUSED, STOPPED, say
+    from corollary.cli.letters import write_whatever_comes
+
+    write_whatever_comes()
+    try:
+        return app(standalone_mode=False) or 0
     except click.ClickException as error:
-        status, sentence = REFUSED, error.format_message()
+        sentence = error.format_message()
         if sentence.startswith("Usage:"):  # no command was named
             say(sentence)
         else:
-            say(f"corollary: {sentence[0].lower()}{sentence[1:].rstrip('.')}; `{_named()} --help` says how")
+            named = " ".join(["corollary", *(name for name in sys.argv[1:2] if name in app.commands)])
+            say(f"corollary: {sentence[0].lower()}{sentence[1:].rstrip('.')}; `{named} --help` says how")
+        return REFUSED
     except click.Abort:
-        status = STOPPED
-    sys.exit(status or 0)
-
-
-def _named() -> str:
-    """The command that was meant, as far as it is one."""
-    return " ".join(["corollary", *(name for name in sys.argv[1:2] if name in app.commands)])
+        return STOPPED

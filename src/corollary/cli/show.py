@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
-from corollary.cli.ending import HOLDS, refuse, say
-from corollary.notebook.worksheet import Exercise, exercise
+from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.messages import did_you_mean
+from corollary.notebook.worksheet import Exercise, Prompt, exercise
 from corollary.problem.bank import Bank, home
 from corollary.problem.problem import Problem
 from corollary.problem.roster import Student
-from corollary.problem.variant import Variant, at, chapter, size
+from corollary.problem.variant import Variant, at, chapter, size, written
 from corollary.render.exports import UnknownTarget, names_for_exercises, target
+from corollary.units.unit import canonical
 
 
 def run(
@@ -21,10 +24,13 @@ def run(
     course: Path | None,
     variant: int | None,
     solution: bool,
-    fmt: str,
+    fmt: str | None,
     output: Path | None,
+    as_json: bool,
 ) -> int:
-    write = _writer(fmt)
+    if as_json and (fmt or output):
+        refuse("--json is one document on standard output; leave out --format and --output")
+    write = _writer(fmt or "text")
     if student is not None and variant is not None:
         refuse("--student and --variant both choose the numbers; give one of them")
     if course is not None and student is None:
@@ -36,6 +42,9 @@ def run(
         from corollary.grading.solutions import Solutions  # needed for the answers only
 
         worked = Solutions(place).worked_solution(chosen)
+    if as_json:
+        answer(_record(exercise(chosen), worked))
+        return HOLDS
     text = write(exercise(chosen), Student(student or "you"), worked)
     if output is not None:
         output.write_text(text, encoding="utf-8")
@@ -45,6 +54,37 @@ def run(
     return HOLDS
 
 
+def _record(asked: Exercise, worked: str) -> dict[str, Any]:
+    """The exercise with its numbers (in SI, and as they are printed), its texts in Markdown; `solution` only when asked for."""
+    variant = asked.variant
+    record = {
+        "code": asked.problem.code,
+        "name": asked.problem.name,
+        "title": asked.problem.title,
+        "topic": asked.problem.topic,
+        "variant": variant.index,
+        "given": variant.si,
+        "printed": {symbol: written(variant, symbol) for symbol in variant.values},
+        "statement": asked.statement,
+        "figure": asked.figure_alt,
+        "parts": {prompt.part.id: _part(prompt) for prompt in asked.prompts},
+    }
+    return record | ({"solution": worked} if worked else {})
+
+
+def _part(prompt: Prompt) -> dict[str, Any]:
+    part = prompt.part
+    return {
+        "title": part.title,
+        "text": prompt.text,
+        "kind": "+".join(part.answer_types),
+        "unit": canonical(part.unit),
+        "points": prompt.out_of,
+        "components": list(part.components),
+        "options": {option.letter: option.text for option in prompt.options},
+    }
+
+
 def _writer(fmt: str) -> Callable[[Exercise, Student, str], str]:
     """What writes one exercise in this format."""
     try:
@@ -52,7 +92,8 @@ def _writer(fmt: str) -> Callable[[Exercise, Student, str], str]:
     except UnknownTarget:
         write = None
     if write is None:
-        refuse(f"--format {fmt} is not known; choose one of {', '.join(names_for_exercises())}")
+        have = names_for_exercises()
+        refuse(f"--format {fmt} is not known{did_you_mean(fmt, have)}; choose one of {', '.join(have)}")
     return write
 
 
@@ -68,9 +109,10 @@ def _variant(
 
         return Solutions(place).assign_variant(problem, b"", student, ()).variant
     from corollary.records.assigned import variant_anywhere
-    from corollary.records.files import open_course
+    from corollary.records.files import find_student, open_course
 
-    found = variant_anywhere(open_course(course), problem, student)
+    opened = open_course(course)
+    found = variant_anywhere(opened, problem, find_student(opened, student).id)
     if found is None and size(problem) > 1:
         refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
     return found or chapter(problem)

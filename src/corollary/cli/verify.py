@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from corollary.cli.ending import FAILS, HOLDS, answer
+from corollary.cli.ending import FAILS, HOLDS, answer, counted
 from corollary.cli.progress import steps
 from corollary.problem.bank import Bank, doubles, files, home, open_bank
 from corollary.problem.count import written
@@ -96,5 +96,5 @@ def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
     total = sum(sum(each.checks.values()) for each in found)
     bad = len(broken) + sum(not each.ok for each in found)
     console.print(
-        f"{len(found)} problems, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}"
+        f"{counted(len(found), 'problem')}, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}"
     )

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from corollary.messages import did_you_mean
 from corollary.plug_ins import fault, plug_ins
 from corollary.plug_ins import load as load_plug_in
 from corollary.problem.diagnostic import Diagnostic, Malformed
@@ -206,7 +207,16 @@ def find(bank: Bank, code: str) -> Problem:
     for path in files(bank):
         if _code_at_a_glance(path).lower() == code.lower():
             return _read(path)
-    raise UnknownCode(f"no problem is called {code or 'by an empty name'}; `corollary list` shows the codes")
+    hint = did_you_mean(code, names(bank))
+    raise UnknownCode(
+        f"no problem is called {code or 'by an empty name'}{hint}; `corollary list` shows the codes"
+    )
+
+
+def names(bank: Bank) -> list[str]:
+    """The code and the file's name of every problem, at a glance."""
+    found = files(bank)
+    return [name for name in (*map(_code_at_a_glance, found), *(path.stem for path in found)) if name]
 
 
 def _code_at_a_glance(path: Path) -> str:

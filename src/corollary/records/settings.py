@@ -63,17 +63,6 @@ class Settings:
         return Usual(zone or machine_zone(), REVEAL[self.reveal or "no"])
 
 
-def find_course(start: Path) -> Path | None:
-    """The course folder that a folder is, or lies in; None when there is none."""
-    start = start.resolve()
-    return next((folder for folder in (start, *start.parents) if is_course(folder)), None)
-
-
-def is_course(folder: Path) -> bool:
-    """Whether a course was made in the folder, or is set up there."""
-    return (folder / FILE).is_file() or (folder / ".corollary" / "key").is_file()
-
-
 def read_settings(folder: Path) -> Settings:
     """The settings of the course in a folder; all usual where there is no file. Raises Malformed."""
     path = folder / FILE

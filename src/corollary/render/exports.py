@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from corollary.messages import did_you_mean
 from corollary.notebook.worksheet import Exercise, Worksheet
 from corollary.plug_ins import PlugInFault, fault, load, plug_ins
 from corollary.problem.problem_set import ProblemSet
@@ -48,7 +49,9 @@ def target(name: str) -> Target:
     if name in OURS:
         return import_module(f"corollary.render.targets.{name}").TARGET
     if (theirs := plug_ins(GROUP, OURS).get(name)) is None:
-        raise UnknownTarget(f"{name} is not known; choose one of {', '.join(names())}")
+        raise UnknownTarget(
+            f"{name} is not known{did_you_mean(name, names())}; choose one of {', '.join(names())}"
+        )
     found = load(theirs, "the export")
     if not isinstance(found, Target):
         raise fault(theirs, "the export", "it is no corollary.render.exports.Target")

@@ -9,6 +9,7 @@ from dataclasses import replace
 from importlib import import_module
 from pkgutil import iter_modules
 
+from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.run import BadSetting, Run
@@ -45,7 +46,9 @@ def run(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> 
     Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not conserved.
     """
     if name not in SCENES:
-        raise BadSetting(f"There is no scene {name!r}; there are {', '.join(SCENES)}.")
+        raise BadSetting(
+            f"There is no scene {name!r}{did_you_mean(name, SCENES)}; there are {', '.join(SCENES)}."
+        )
     if not (math.isfinite(tolerance) and 1e-15 <= tolerance <= 0.1):
         raise BadSetting(
             f"{name}: a tolerance of {tolerance:g} cannot be kept; ask for one between 1e-15 and 0.1."

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
 
 
@@ -42,7 +43,8 @@ def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) ->
     settings = {setting.name: setting for setting in known}
     for name in given:
         if name not in settings:
-            raise BadSetting(f"{scene}: {name!r} is not among its settings ({', '.join(settings)}).")
+            hint = did_you_mean(name, settings)
+            raise BadSetting(f"{scene}: {name!r} is not among its settings ({', '.join(settings)}){hint}.")
     return {
         name: _checked(scene, s, given[name]) if name in given else s.value for name, s in settings.items()
     }

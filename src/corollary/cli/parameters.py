@@ -1,0 +1,77 @@
+"""Arguments and options that several commands share, and how further ones are made."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from corollary.cli.completion import CODES, SETS, Complete
+
+# click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
+PATH = click.Path(path_type=Path)
+AT_LEAST_1 = click.IntRange(min=1)
+
+
+class TargetOption(click.Option):
+    """Its help lists what there is, other packages' targets too: looked up only when somebody asks for it."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        from corollary.plug_ins import PlugInFault
+        from corollary.render.exports import OURS, names
+
+        try:
+            have = ", ".join(names())
+        except PlugInFault as fault:
+            have = f"{', '.join(OURS)}; but {fault}"
+        sentence, self.help = self.help, f"{self.help} {have}."
+        try:
+            return super().get_help_record(ctx)
+        finally:
+            self.help = sentence
+
+
+def flag(name: str, sentence: str) -> click.Option:
+    return click.Option([name], is_flag=True, help=sentence)
+
+
+def text(name: str, sentence: str, complete: Complete | None = None) -> click.Option:
+    return click.Option([name], help=sentence, shell_complete=complete)
+
+
+def path(*names: str, text: str, required: bool = False) -> click.Option:
+    return click.Option(names, type=PATH, required=required, help=text)
+
+
+def several(name: str, parameter: str, sentence: str, complete: Complete | None = None) -> click.Option:
+    words = f"{sentence}; may be repeated."
+    return click.Option([name, parameter], multiple=True, help=words, shell_complete=complete)
+
+
+def all_when_left_out(parameter: str, metavar: str, sentence: str, complete: Complete) -> click.Argument:
+    words = f"{sentence}; all when left out."
+    return click.Argument([parameter], nargs=-1, metavar=metavar, help=words, shell_complete=complete)
+
+
+CODE = click.Argument(
+    ["code"], help="A code (X12.5), a name (kicking_a_ball), or a path to a .md file.", shell_complete=CODES
+)
+SET = click.Argument(
+    ["name"], metavar="SET", help="A problem set of the bank, or a path to its .md file.", shell_complete=SETS
+)
+JSON = click.Option(["--json", "as_json"], is_flag=True, help="One JSON document on standard output.")
+COURSE = path("--course", text="The course folder; the one around the working folder when left out.")
+BANK = click.Option(
+    ["--bank"],
+    type=PATH,
+    multiple=True,
+    help="A folder with problems/ and solutions/, or an installed bank; may be repeated. When left out, "
+    "COROLLARY_BANK, the course's bank, or the chapter's.",
+)
+GENERATED_BANK = click.Option(
+    ["--bank"],
+    type=PATH,
+    multiple=True,
+    help="A folder with problems/ and solutions/, or an installed bank; the bank the set was dealt from when left out.",
+)
+SOLUTION = flag("--solution", "Add the worked solution.")

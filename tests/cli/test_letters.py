@@ -1,0 +1,98 @@
+"""Output where letters are lacking: no traceback and no line lost, whatever a terminal or a pipe can take."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from corollary.cli.commands import app
+from corollary.cli.letters import nearest
+
+COMMAND = Path(sys.executable).with_name("corollary")
+NARROW = [
+    {"PYTHONIOENCODING": "ascii"},
+    {"PYTHONIOENCODING": "cp1252"},
+    {"LC_ALL": "C"},
+    {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},  # nothing but ASCII, in arguments too
+]
+# Every command that answers without a course; those that work in one are tried on the journeys.
+COMMANDS = [
+    ["list"],
+    ["show", "X12.7", "--solution"],
+    ["show", "P12.14", "--format", "md"],
+    ["key", "X12.7"],
+    ["read", "8,6 Ns", "--unit", "kg m/s"],
+    ["read", "1,234 N", "--unit", "N"],
+    ["read", "3 µm", "--unit", "m"],
+    ["scene", "cradle"],
+    ["verify", "X12.5"],
+    ["--help"],
+    ["show", "ΔE=½mv²"],  # not known, and named in the sentence
+    ["grade", "größe.md", "--course", "/nowhere/Übung"],
+    ["doctor"],
+]
+
+
+def run(words: list[str], folder: Path, **settings: str) -> tuple[int, bytes, bytes]:
+    environment = {**os.environ, "COLUMNS": "200", **settings}
+    done = subprocess.run([COMMAND, *words], env=environment, cwd=folder, capture_output=True, check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+@pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+def test_every_command_in_every_encoding(words: list[str], tmp_path: Path):
+    usual = run(words, tmp_path, PYTHONIOENCODING="utf-8")
+    for settings in NARROW:
+        status, out, err = run(words, tmp_path, **settings)
+        assert b"Traceback" not in err
+        assert b"should not have happened" not in err
+        understood = all(map(str.isascii, words)) or "PYTHONUTF8" not in settings
+        if understood and words != ["doctor"]:  # which says what the encoding is, and how full the disk
+            assert status == usual[0], err
+            assert out.count(b"\n") == usual[1].count(b"\n")
+            assert err.count(b"\n") == usual[2].count(b"\n")
+
+
+@pytest.mark.parametrize(
+    "words", [["list", "--json"], ["show", "X12.7", "--json"], ["key", "X12.7", "--json"]], ids=" ".join
+)
+def test_json_says_the_same_in_every_encoding(words: list[str], tmp_path: Path):
+    expected = json.loads(run(words, tmp_path, PYTHONIOENCODING="utf-8")[1])
+    for settings in NARROW:
+        _, out, _ = run(words, tmp_path, **settings)
+        assert json.loads(out.decode("cp1252" if "cp1252" in settings.values() else "utf-8")) == expected
+
+
+def test_the_nearest_letters():
+    def written(text: str, encoding: str) -> str:
+        try:
+            return text.encode(encoding).decode(encoding)
+        except UnicodeEncodeError as error:
+            letters, end = nearest(error)
+            return text[: error.start] + letters + written(text[end:], encoding)
+
+    assert written("≈ 2·10³ – é", "ascii") == "~ 2*103 - e"
+    assert written("≈ 2·10³ – é", "cp1252") == "~ 2·10³ – é"
+    assert written("日本", "ascii") == "??"
+    assert written("\ud800", "utf-8") == "?"
+
+
+def test_every_command_is_tried_here_or_needs_a_course():
+    elsewhere = {
+        "judge",
+        "trade",
+        "generate",
+        "report",
+        "extend",
+        "export",
+        "demo",
+        "release",
+        "collect",
+        "mark",
+    }
+    assert {words[0] for words in COMMANDS} | elsewhere >= app.commands.keys()
