@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import replace
+from datetime import UTC, datetime
 
 import nbformat
 import pytest
 from nbformat import NotebookNode
 
-from corollary.grading.integrity import notes
+from corollary.grading.integrity import elsewhere, notes
 from corollary.notebook.cells import checksum
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
@@ -44,13 +46,53 @@ def test_an_honest_notebook_is_left_in_peace() -> None:
 
 def test_somebody_elses_notebook_is_told_by_name_and_without_its_name() -> None:
     nb = notebook(BEN)
-    (said,) = notes(ADA, nb)
-    assert "made for ben, not for ada" in said
+    (note,) = notes(ADA, nb)
+    assert "made for ben, not for you (ada)" in note
     nb.metadata["corollary"]["student"] = "ada"
-    (said,) = notes(ADA, nb)
-    assert "not from this student's sheet" in said
+    (note,) = notes(ADA, nb)
+    assert "from an earlier version of your sheet" in note
     del nb.metadata["corollary"]
-    assert len(notes(ADA, nb)) == 1
+    (note,) = notes(ADA, nb)
+    assert "have other numbers than your sheet" in note
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_a_deadline_that_moved_and_a_typo_that_was_mended_accuse_nobody(named: bool) -> None:
+    nb = notebook(ADA)
+    if not named:
+        del nb.metadata["corollary"]
+    problem, *others = SET.problems
+    first = problem.parts[0]
+    worded = replace(
+        problem,
+        statement=problem.statement.replace("the", "teh", 1),
+        parts=(replace(first, title="Worded better", text=first.text + " Look twice."), *problem.parts[1:]),
+    )  # fmt: skip
+    today = replace(
+        SET,
+        title="Another title",
+        introduction="Read this first.",
+        due=datetime(2030, 1, 2, 3, 4, tzinfo=UTC),
+        problems=(worded, *others),
+    )
+    sheet = worksheet(today, Student("ada", "Ada", "Lovelace"), [at(each, 1000) for each in today.problems])
+    assert notebook(sheet).cells[0].source != nb.cells[0].source
+    assert cell(notebook(sheet), "X12_5_statement").source != cell(nb, "X12_5_statement").source
+    assert notes(sheet, nb) == ()
+
+
+def test_a_notebook_of_another_set_belongs_elsewhere() -> None:
+    nb = notebook(ADA)
+    assert elsewhere(ADA, nb) == ""
+    nb.metadata["corollary"]["set"] = "week_2"
+    assert elsewhere(ADA, nb).startswith("The notebook you handed in belongs to week_2, not to momentum_1")
+    # an editor that drops the metadata, and a student who copies the answers only, are nobody else's
+    del nb.metadata["corollary"]
+    assert elsewhere(ADA, nb) == ""
+    own = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell("X12_5_a = 3")])
+    assert elsewhere(ADA, own) == ""
+    own.cells[0].source = "answer = 3"
+    assert "none of the exercises of momentum_1" in elsewhere(ADA, own)
 
 
 @pytest.mark.parametrize(
@@ -64,9 +106,9 @@ def test_somebody_elses_notebook_is_told_by_name_and_without_its_name() -> None:
 def test_an_edited_cell_is_named(cell_id: str, what: str) -> None:
     nb = notebook(ADA)
     cell(nb, cell_id).source += " and more"
-    (said,) = notes(ADA, nb)
-    assert said.startswith(f"The cell {cell_id} is edited")
-    assert what in said
+    (note,) = notes(ADA, nb)
+    assert note.startswith(f"You edited the cell {cell_id}")
+    assert what in note
 
 
 def test_a_figure_drawn_anew_in_the_middle_of_a_term_accuses_nobody() -> None:
@@ -76,7 +118,7 @@ def test_a_figure_drawn_anew_in_the_middle_of_a_term_accuses_nobody() -> None:
     figure.metadata["nbgrader"]["checksum"] = checksum(figure)
     assert notes(ADA, nb) == ()
     figure.metadata["nbgrader"]["checksum"] = "another"
-    assert "X12_5_figure is edited" in notes(ADA, nb)[0]
+    assert "You edited the cell X12_5_figure" in notes(ADA, nb)[0]
 
 
 @pytest.mark.parametrize("metadata", [{}, {"nbgrader": 7}, {"nbgrader": {"grade_id": ["a"], "checksum": 3}}])

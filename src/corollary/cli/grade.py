@@ -18,6 +18,7 @@ from corollary.grading.solutions import Solutions
 from corollary.records.files import one_writer, open_course
 from corollary.records.origin import set_of
 from corollary.records.regrading import Change
+from corollary.records.submission import why_unclear
 from corollary.sandbox.isolation import Isolation
 from corollary.sandbox.runner import Runner, probe_isolation
 
@@ -66,8 +67,7 @@ def run(
     for student, why in done.not_run.items():
         say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
     for student, names in done.unclear.items():
-        which = f"{student} handed in {len(names)} notebooks, none of them called {problem_set.name}.ipynb ({', '.join(names)})"
-        say(f"{which}; rename the one that counts")
+        say(f"{student} handed in {why_unclear(problem_set.name, names)}")
     if as_json:
         answer(document(problem_set.name, done))
     else:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from corollary.messages import catalogue
 from corollary.notebook.cells import as_handed_out
 from corollary.notebook.locate import cells_by_id
 from corollary.notebook.notebook import notebook as handed_out
+from corollary.notebook.origin import is_of, origin, other_numbers
 from corollary.notebook.worksheet import Worksheet
 
 if TYPE_CHECKING:
@@ -19,11 +20,12 @@ MOST_NAMED = 4
 
 
 def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
-    """Sentences for the student and the instructor on what is not as it was handed out; empty when all is.
+    """Sentences for the student (the instructor reads the same) on what is not as it was handed out; empty when all is.
 
     A cell that is missing is no tampering. A cell that differs from the sheet's but still has the checksum it was handed out with
-    comes from another sheet (a friend's, or an older print of one's own): only a changed one is called edited. A figure as it was
-    handed out says nothing about whose it is: its numbers stand in the statement too, and how it is drawn may change in a term.
+    comes from another sheet (a friend's, or an older print of one's own): only a changed one is called edited. Of those only the
+    ones that ask count, and only where their numbers differ: a deadline that moved, a statement worded better, a figure drawn
+    anew and another version of the program accuse nobody.
     """
     found = cells_by_id(notebook)
     edited: list[str] = []
@@ -35,24 +37,48 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
             continue
         if not as_handed_out(theirs, cell):
             edited.append(cell.id)
-        elif cell.id != "title" and not cell.id.endswith("_figure"):
+        elif cell.id.endswith(("_statement", "_text")) and other_numbers(theirs.source, cell.source):
             foreign.append(cell.id)
-    return tuple(_sentences(sheet, _owner(notebook), edited, foreign))
+    return tuple(_sentences(sheet, origin(notebook).student, edited, foreign))
+
+
+def elsewhere(sheet: Worksheet, notebook: NotebookNode) -> str:
+    """Why a notebook is not marked as this sheet: it belongs to another set. Empty when it belongs to this one."""
+    if is_of(sheet, notebook):
+        return ""
+    own, other = sheet.problem_set.name, origin(notebook).set_name
+    if other:
+        return _(
+            "The notebook you handed in belongs to {other}, not to {own}, so it was not marked. Hand in your {own}.ipynb.",
+            own=own,
+            other=other,
+        )
+    return _(
+        "The notebook you handed in holds none of the exercises of {own}, so it was not marked. Hand in your {own}.ipynb.",
+        own=own,
+    )
 
 
 def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[str]) -> Iterator[str]:
     if owner and owner != sheet.student.id:
         yield _(
-            "This notebook was made for {owner}, not for {own}: it was marked with {own}'s own numbers.",
+            "This notebook was made for {owner}, not for you ({own}): it was marked with your own numbers.",
             owner=owner,
             own=sheet.student.id,
         )
+    elif foreign and owner:
+        yield _.plural(
+            "The cell {cells} is from an earlier version of your sheet, with other numbers than it has now: "
+            "your answers were marked with the numbers of today.",
+            "The cells {cells} are from an earlier version of your sheet, with other numbers than it has now: "
+            "your answers were marked with the numbers of today.",
+            len(foreign),
+            cells=_listed(foreign),
+        )
     elif foreign:
         yield _.plural(
-            "The cell {cells} is not from this student's sheet (somebody else's, or an older one): "
-            "everything was marked with the student's own numbers.",
-            "The cells {cells} are not from this student's sheet (somebody else's, or an older one): "
-            "everything was marked with the student's own numbers.",
+            "The cell {cells} has other numbers than your sheet: your answers were marked with your own numbers.",
+            "The cells {cells} have other numbers than your sheet: your answers were marked with your own numbers.",
             len(foreign),
             cells=_listed(foreign),
         )
@@ -61,15 +87,15 @@ def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[st
     texts = [name for name in edited if name not in run]
     if texts:
         yield _.plural(
-            "The cell {cells} is edited: everything was marked with the numbers that were handed out.",
-            "The cells {cells} are edited: everything was marked with the numbers that were handed out.",
+            "You edited the cell {cells}: everything was marked with the numbers that were handed out.",
+            "You edited the cells {cells}: everything was marked with the numbers that were handed out.",
             len(texts),
             cells=_listed(texts),
         )
     if checks:
         yield _.plural(
-            "The cell {cells} is edited; checks only say how an answer is read, so this earns nothing and costs nothing.",
-            "The cells {cells} are edited; checks only say how an answer is read, so this earns nothing and costs nothing.",
+            "You edited the cell {cells}; checks only say how an answer is read, so this earns nothing and costs nothing.",
+            "You edited the cells {cells}; checks only say how an answer is read, so this earns nothing and costs nothing.",
             len(checks),
             cells=_listed(checks),
         )
@@ -80,13 +106,6 @@ def _listed(names: list[str]) -> str:
     words = ", ".join(names[:MOST_NAMED])
     more = len(names) - MOST_NAMED
     return _("{names} and {more} more", names=words, more=more) if more > 0 else words
-
-
-def _owner(notebook: NotebookNode) -> str:
-    """The student a notebook says it was made for; "" when it says nothing that could be one."""
-    about = notebook.get("metadata", {}).get("corollary")
-    owner = about.get("student") if isinstance(about, Mapping) else None
-    return owner[:100] if isinstance(owner, str) and owner.isprintable() else ""
 
 
 def _normal(source: object) -> str:

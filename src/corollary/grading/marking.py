@@ -40,6 +40,8 @@ def mark(
 ) -> Marked:
     """The marks of one submission; `late` in seconds; `reveal`: feedback may give right values. Never raises for what is in it."""
     if isinstance(notebook, Unreadable):
+        if notebook.machine_failed:
+            return replace(not_marked(sheet, notebook.why, late), machine_failed=True)
         return _unreadable(sheet, keys, notebook.why, late)
     executed = runner.execute(_job(sheet, keys, notebook, secret))
     if executed.machine_failed:

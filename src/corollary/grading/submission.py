@@ -9,7 +9,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from corollary.grading.grade import Grade, Marked
-from corollary.grading.integrity import notes
+from corollary.grading.integrity import elsewhere, notes
 from corollary.grading.marking import mark, not_marked
 from corollary.grading.solutions import Solutions
 from corollary.messages import catalogue
@@ -82,12 +82,15 @@ def mark_submission(context: GradingContext, runner: Runner, submission: Submiss
     sheet = context.worksheet(submission)
     received = submission.notebook
     node = received.node if isinstance(received, Notebook) else None
+    if node is not None and (why := elsewhere(sheet, node)):
+        return MarkedSubmission(not_marked(sheet, why, submission.late), node, {})
     try:
         keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
         marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)
         marked = marked.joined(submission.retained)
         marked = replace(marked, notes=notes(sheet, node) if node is not None else ())
-        revealed = keys if submission.reveal else {}
+        # Who handed in what cannot be opened may hand in again: the answers stay hidden.
+        revealed = keys if submission.reveal and node is not None else {}
         return MarkedSubmission(
             marked, node, {code: context.solutions.worked_solution_of(key) for code, key in revealed.items()}
         )

@@ -6,6 +6,7 @@ Every class here stands in the place of one of nbgrader's, and leaves assignment
 from __future__ import annotations
 
 import atexit
+import os
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from functools import cache, partial
@@ -29,6 +30,7 @@ from corollary.nbgrader.marked_notebook import restored
 from corollary.nbgrader.record import record_one
 from corollary.records.files import BeingGraded, NotACourse, one_writer, open_course
 from corollary.records.marks import write_marks
+from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.runner import Runner
 
 Converted = tuple[NotebookNode, ResourcesDict]
@@ -45,6 +47,7 @@ class OwnSheet(NotebookExporter):
             run, Autograde
         ):  # which makes its exporter before all else, and has no hook around a whole run
             run.convert_notebooks = partial(_alone, run, run.convert_notebooks)
+            run.init_assignment = partial(_without_links, run, run.init_assignment)
 
     def from_file(
         self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any
@@ -133,6 +136,36 @@ def _alone(run: Autograde, convert: Callable[[], None]) -> None:
                 run.log.error(str(error))
                 raise NbGraderException(str(error)) from None
         convert()
+
+
+def _without_links(run: Autograde, init: Callable[[str, str], None], assignment: str, student: str) -> None:
+    """Lets nbgrader copy what lies beside a notebook, but for what is no file of the student's: it would follow a link to the
+    course's key, and wait for ever for what comes out of a pipe."""
+    coursedir = cast(CourseDirectory, run.coursedir)
+    root = Path(coursedir.root)
+    if not (root / ".corollary" / "key").is_file():
+        return init(assignment, student)
+    submitted = root / "submitted"
+    place = submitted / student / assignment
+    strange = [
+        Path(folder) / name
+        for folder, _, names in os.walk(place)
+        for name in names
+        if not name.endswith(".ipynb")
+        and isinstance(bytes_of(Path(folder) / name, within=submitted), Unreadable)
+    ]
+    if (place / "timestamp.txt") in strange:
+        why = f"{student}: timestamp.txt is a link or no file; delete it, and autograde again"
+        run.log.error(why)
+        raise NbGraderException(why)
+    ignored = coursedir.ignore
+    for each in strange:
+        run.log.warning("%s is a link or no file, and is not copied", each)
+    coursedir.ignore = [*ignored, *{each.name for each in strange}]
+    try:
+        init(assignment, student)
+    finally:
+        coursedir.ignore = ignored
 
 
 @cache

@@ -15,6 +15,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING, Shared, read_shared
 from corollary.records.files import Course, students
 from corollary.records.marks import HandedIn, Row, read_records
+from corollary.records.submission import unclear, why_unclear
 
 WORDS = tuple(verdict.__name__.lower() for verdict in get_args(Verdict))  # from the best to the worst
 
@@ -50,7 +51,8 @@ class Waiting:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing."""
+    """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing;
+    `unusable` says of a student why what was handed in cannot be marked."""
 
     handed_in: tuple[HandedIn, ...]
     rows: tuple[Row, ...]
@@ -59,6 +61,7 @@ class Report:
     waiting: tuple[Waiting, ...]
     missing: tuple[str, ...]
     shared: tuple[Shared, ...] = ()
+    unusable: tuple[tuple[str, str], ...] = ()
 
     @property
     def noticed(self) -> tuple[HandedIn, ...]:
@@ -102,7 +105,15 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
     rows = [row for record in records for row in record.rows]
     rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
     shared = read_shared(course, problem_set)
-    return report([record.handed_in for record in records], rows, roster=roster, shared=shared)
+    name, known = problem_set.name, set(roster)
+    unusable = {
+        student: why_unclear(name, names)
+        for student, names in unclear(course, name).items()
+        if student in known
+    }
+    return report(
+        [record.handed_in for record in records], rows, roster=roster, shared=shared, unusable=unusable
+    )
 
 
 def report(
@@ -111,6 +122,7 @@ def report(
     *,
     roster: Iterable[str] = (),
     shared: Sequence[Shared] = (),
+    unusable: Mapping[str, str] | None = None,
 ) -> Report:
     """The report on rows as they are recorded; parts in the order of their first row. `roster` holds all students' ids."""
     by_part: dict[tuple[str, str], list[Row]] = {}
@@ -129,8 +141,9 @@ def report(
         tuple(
             Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.verdict == "unmarked"
         ),
-        tuple(student for student in roster if student not in came),
+        tuple(student for student in roster if student not in came and student not in (unusable or {})),
         tuple(shared),
+        tuple((unusable or {}).items()),
     )
 
 
@@ -153,6 +166,7 @@ def report_record(report: Report) -> dict[str, object]:
         "parts": [{**asdict(part), "counts": dict(part.counts)} for part in report.parts],
         "misconceptions": [{**asdict(met), "count": len(met.students)} for met in report.met],
         "waiting": [asdict(one) for one in report.waiting],
+        "unusable": [{"student": student, "why": why} for student, why in report.unusable],
         "failed": [{"student": one.student, "why": one.trouble} for one in report.failed],
         "noticed": [{"student": one.student, "notes": list(one.notes)} for one in report.noticed],
         "sharing": [msgspec.structs.asdict(one) for one in report.shared],

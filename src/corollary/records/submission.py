@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from corollary.grading.submission import Submission
+from corollary.messages import visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.assigned import AssignedSheet
@@ -16,6 +18,9 @@ from corollary.records.deadlines import Terms
 from corollary.records.files import Course
 from corollary.records.retained import retained
 from corollary.sandbox.file import bytes_of
+
+# What nbgrader puts beside a notebook that was handed in.
+BESIDE = {"timestamp.txt", "submission_secret.txt"}
 
 
 def submissions(course: Course, set_name: str) -> dict[str, Path]:
@@ -28,13 +33,27 @@ def submissions(course: Course, set_name: str) -> dict[str, Path]:
 
 
 def unclear(course: Course, set_name: str) -> dict[str, tuple[str, ...]]:
-    """Who handed in several notebooks, none of the set's name, and what they are called: nobody can guess which counts."""
+    """Who handed in several notebooks, none of the set's name, or files of which none is a notebook, and what these are called:
+    nobody can guess which counts, or mark a picture of one."""
     found: dict[str, tuple[str, ...]] = {}
     for place in _places(course):
         names = tuple(_notebooks(place / set_name))
-        if len(names) > 1 and f"{set_name}.ipynb" not in names:
+        if not names:
+            names = tuple(name for name in _files(place / set_name) if name not in BESIDE)
+        if names and f"{set_name}.ipynb" not in names and (len(names) > 1 or not names[0].endswith(".ipynb")):
             found[place.name] = names
     return found
+
+
+def why_unclear(set_name: str, names: Sequence[str]) -> str:
+    """A sentence on what `unclear` found of one student, and what to do."""
+    listed = visible(", ".join(names))
+    if names[0].endswith(".ipynb"):
+        return f"{len(names)} notebooks, none of them called {set_name}.ipynb ({listed}); rename the one that counts"
+    what = (
+        "no notebook but a file that cannot be marked" if len(names) == 1 else "no notebook among the files"
+    )
+    return f"{what} ({listed}); ask for {set_name}.ipynb"
 
 
 def _places(course: Course) -> list[Path]:
@@ -49,8 +68,12 @@ def _places(course: Course) -> list[Path]:
 
 def _notebooks(place: Path) -> list[str]:
     """The names of the notebooks in a folder; of none that is closed, or no folder."""
+    return [name for name in _files(place) if Path(name).match("*.ipynb")]
+
+
+def _files(place: Path) -> list[str]:
     try:
-        return sorted(name for name in os.listdir(place) if Path(name).match("*.ipynb"))
+        return sorted(name for name in os.listdir(place) if not name.startswith("."))
     except OSError:
         return []
 

@@ -45,9 +45,11 @@ def _pieces(report: Report) -> Iterator[RenderableType]:
         yield _table(
             "Something went wrong", ("student", "why"), ((one.student, one.trouble) for one in report.failed)
         )
+    if report.unusable:
+        yield _table("Handed in, and cannot be used", ("student", "what"), iter(report.unusable))
     if report.noticed:
         yield _table(
-            "Noticed",
+            "Noticed (as the students read it)",
             ("student", "what"),
             ((one.student, note) for one in report.noticed for note in one.notes),
         )

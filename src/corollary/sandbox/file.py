@@ -13,9 +13,17 @@ MOST_BYTES = 20 << 20
 
 @dataclass(frozen=True, slots=True)
 class Unreadable:
-    """A file that is no notebook; `why` is a sentence for the student."""
+    """A file that is no notebook; `why` is a sentence for the student. `machine_failed`: through no fault of theirs, such as
+    rights that whoever marks does not have."""
 
     why: str
+    machine_failed: bool = False
+
+
+# Rights, broken disks, and too many open files: of this machine, and nothing that was handed in.
+OF_THE_MACHINE = {
+    errno.EACCES, errno.EPERM, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.ESTALE,
+}  # fmt: skip
 
 
 def bytes_of(
@@ -28,7 +36,7 @@ def bytes_of(
     try:
         descriptor = _opened(Path(path), Path(within) if within is not None else None)
     except (OSError, ValueError) as error:
-        return Unreadable(_why(error))
+        return Unreadable(_why(error), isinstance(error, OSError) and error.errno in OF_THE_MACHINE)
     status = os.fstat(descriptor)
     if not stat.S_ISREG(status.st_mode) or status.st_size > most_bytes:
         os.close(descriptor)
@@ -37,7 +45,7 @@ def bytes_of(
         try:
             content = file.read(most_bytes + 1)  # it may be growing
         except OSError as error:
-            return Unreadable(f"The file cannot be read: {error.strerror}.")
+            return Unreadable(f"The file cannot be read: {error.strerror}.", error.errno in OF_THE_MACHINE)
     return content if len(content) <= most_bytes else too_large(most_bytes)
 
 

@@ -1,0 +1,53 @@
+"""What a notebook that came back says of itself: which set and which student it was made for. Anybody can write that: it proves nothing."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from nbformat import NotebookNode
+
+from corollary.notebook.locate import cells_by_id
+from corollary.notebook.worksheet import Worksheet
+
+LONGEST = 100
+NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The name of the set and the id of the student; "" where the notebook does not say, or says what cannot be one."""
+
+    set_name: str
+    student: str
+
+
+def origin(nb: NotebookNode) -> Origin:
+    """What the notebook's metadata say; an editor may have dropped them."""
+    about = nb.get("metadata", {}).get("corollary")
+    told = about if isinstance(about, Mapping) else {}
+    return Origin(_word(told.get("set")), _word(told.get("student")))
+
+
+def is_of(sheet: Worksheet, nb: NotebookNode) -> bool:
+    """Whether a notebook belongs to the set of this sheet: it says so; or it says nothing, and holds one of the sheet's cells or
+    the name of one of its answers."""
+    if name := origin(nb).set_name:
+        return name == sheet.problem_set.name
+    found, keys = cells_by_id(nb), {prompt.key for prompt in sheet.prompts}
+    asked = {f"{key}{end}" for key in keys for end in ("", "_text", "_answer", "_plot")}
+    if asked & found.keys():
+        return True
+    sources = "\n".join(str(cell.get("source", "")) for cell in nb.cells)
+    return any(re.search(rf"\b{re.escape(key)}\b", sources) for key in keys)
+
+
+def other_numbers(theirs: str, ours: str) -> bool:
+    """Whether two texts hold different numbers, however they are worded."""
+    return Counter(NUMBER.findall(theirs)) != Counter(NUMBER.findall(ours))
+
+
+def _word(value: object) -> str:
+    return value[:LONGEST] if isinstance(value, str) and value.isprintable() else ""
