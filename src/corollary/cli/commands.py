@@ -158,6 +158,19 @@ _command(
     flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
 )
 _command(
+    "collect",
+    "Takes what came back: Moodle's and Canvas's archives of all submissions, folders, renamed notebooks.",
+    SET,
+    click.Argument(
+        ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="What the LMS gave."
+    ),
+    COURSE,
+    GENERATED_BANK,
+    path("--times", text="Moodle's grading worksheet, which says when each was handed in."),
+    flag("--dry-run", "Say what would be taken, and write nothing."),
+    JSON,
+)
+_command(
     "grade",
     "Marks what was handed in: gradebook, feedback, report.",
     SET,

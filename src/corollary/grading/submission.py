@@ -83,7 +83,7 @@ def mark_submission(context: GradingContext, runner: Runner, submission: Submiss
     received = submission.notebook
     node = received.node if isinstance(received, Notebook) else None
     if node is not None and (why := elsewhere(sheet, node)):
-        return MarkedSubmission(not_marked(sheet, why, submission.late), node, {})
+        return MarkedSubmission(not_marked(sheet, why, submission.late).joined(submission.retained), node, {})
     try:
         keys = {each.problem.code: context.solutions.key(each.variant) for each in sheet.exercises}
         marked = mark(sheet, keys, received, runner, context.secret, submission.late, submission.reveal)

@@ -27,8 +27,8 @@ class Origin:
 def origin(nb: NotebookNode) -> Origin:
     """What the notebook's metadata say; an editor may have dropped them."""
     about = nb.get("metadata", {}).get("corollary")
-    told = about if isinstance(about, Mapping) else {}
-    return Origin(_word(told.get("set")), _word(told.get("student")))
+    metadata = about if isinstance(about, Mapping) else {}
+    return Origin(_word(metadata.get("set")), _word(metadata.get("student")))
 
 
 def is_of(sheet: Worksheet, nb: NotebookNode) -> bool:

@@ -11,11 +11,13 @@ from typing import get_args
 import msgspec
 
 from corollary.answers.verdict import Verdict
+from corollary.messages import visible
 from corollary.problem.problem_set import ProblemSet
+from corollary.records.collected import UNUSABLE, read_arrivals
 from corollary.records.collusion import SHARING, Shared, read_shared
 from corollary.records.files import Course, students
 from corollary.records.marks import HandedIn, Row, read_records
-from corollary.records.submission import unclear, why_unclear
+from corollary.records.submission import submissions, unclear, why_unclear
 
 WORDS = tuple(verdict.__name__.lower() for verdict in get_args(Verdict))  # from the best to the worst
 
@@ -111,6 +113,10 @@ def report_of(course: Course, problem_set: ProblemSet) -> Report:
         for student, names in unclear(course, name).items()
         if student in known
     }
+    there = submissions(course, name)
+    for each in read_arrivals(course, name):  # what was collected and could not be put where it is marked
+        if each.outcome == UNUSABLE and each.student in known and each.student not in there:
+            unusable[each.student] = visible(f"{each.file}: {each.why}")
     return report(
         [record.handed_in for record in records], rows, roster=roster, shared=shared, unusable=unusable
     )

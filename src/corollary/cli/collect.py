@@ -1,0 +1,104 @@
+"""`corollary collect`: what an LMS, a mailbox or a folder has, put where it is marked."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+from msgspec import to_builtins
+
+from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
+from corollary.cli.progress import bar
+from corollary.course.collect import Collected, collect
+from corollary.records.assigned import is_assigned
+from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
+from corollary.records.files import one_writer, open_course
+from corollary.records.origin import set_of
+
+HEADINGS = {
+    ACCEPTED: "Taken",
+    OLDER: "Not taken: older",
+    UNUSABLE: "Cannot be used",
+    NOBODY: "Nobody knows whose",
+}
+MOST_MISSING = 12
+
+
+def run(
+    name: str,
+    files: list[Path],
+    course: Path,
+    bank: Path | None,
+    times: Path | None,
+    dry_run: bool,
+    as_json: bool,
+) -> int:
+    opened = open_course(course)
+    _, problem_set = set_of(opened, name, bank)
+    if not is_assigned(opened, problem_set.name):
+        refuse(
+            f"{problem_set.name} was never generated in {opened.folder}; run corollary generate {problem_set.name} first"
+        )
+    for file in (*files, *([times] if times else [])):
+        if not file.exists():
+            refuse(f"{file} is not there; give the file that the LMS gave, or a folder")
+    with one_writer(opened), bar(f"collecting {problem_set.name}", None) as progress:
+        found = collect(
+            opened, problem_set, files, now=datetime.now(UTC), times=times, dry_run=dry_run, progress=progress
+        )
+    for each in (*found.conflicts, *found.remarks):
+        say(each)
+    if as_json:
+        outcomes = {
+            outcome: [to_builtins(each) for each in found.of(outcome)]
+            for outcome in (ACCEPTED, UNCHANGED, OLDER, UNUSABLE)
+        }
+        answer(
+            {"set": problem_set.name, "dry_run": dry_run, **outcomes, "nobodys": [to_builtins(each) for each in found.of(NOBODY)],
+             "conflicts": list(found.conflicts), "remarks": list(found.remarks), "missing": list(found.missing)}
+        )  # fmt: skip
+    else:
+        show(found, problem_set.name, dry_run)
+    return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) else FAILS
+
+
+def show(found: Collected, name: str, dry_run: bool) -> None:
+    """What was not taken, and with a dry run what would be; then how many."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    from corollary.messages import visible
+
+    console = Console()
+    for outcome, title in HEADINGS.items():
+        arrivals = [each for each in found.of(outcome) if outcome != ACCEPTED or dry_run or each.why]
+        if not arrivals:
+            continue
+        if outcome == ACCEPTED:
+            title = "Would be taken" if dry_run else "Taken, with something to know"
+        table = Table(
+            "student", "file", "handed in", "", title=title, title_justify="left", title_style="bold"
+        )
+        for each in arrivals:
+            cells = (
+                each.student or "?",
+                each.file,
+                each.when.partition(".")[0] + " UTC" * bool(each.when),
+                each.why,
+            )
+            table.add_row(*(Text(visible(cell)) for cell in cells))
+        console.print(table)
+    accepted, same, older = (len(found.of(outcome)) for outcome in (ACCEPTED, UNCHANGED, OLDER))
+    left = len(found.of(UNUSABLE)) + len(found.of(NOBODY))
+    verb = "would be taken" if dry_run else "taken"
+    console.print(
+        f"{name}: {accepted} {verb}, {same} there already, {older} older, {left} that cannot be used",
+        soft_wrap=True,
+    )
+    if found.missing:
+        more = len(found.missing) - MOST_MISSING
+        listed = ", ".join(found.missing[:MOST_MISSING]) + (f" and {more} more" if more > 0 else "")
+        console.print(f"nothing yet from {len(found.missing)}: {listed}", soft_wrap=True)
+    if dry_run:
+        console.print("nothing is written")

@@ -1,0 +1,71 @@
+"""What was collected: every file that came, what became of it, and a copy of each notebook, those that were not taken too."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
+
+import msgspec
+
+from corollary.atomic import write_whole
+from corollary.records.files import Course
+
+ACCEPTED, UNCHANGED, OLDER, UNUSABLE, NOBODY = "accepted", "unchanged", "older", "unusable", "nobody's"
+
+
+class Arrival(msgspec.Struct, frozen=True):
+    """One file: whose ("" when nobody knows), where it lay, when it was handed in (UTC, or "" when that is unknown), what became
+    of it, why, and the digest of its content ("" when it was not read). `number` is what an LMS knows the student by."""
+
+    student: str
+    file: str
+    when: str
+    outcome: str
+    why: str = ""
+    digest: str = ""
+    number: str = ""
+
+
+def digest_of(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
+
+
+def read_arrivals(course: Course, set_name: str) -> tuple[Arrival, ...]:
+    """All that was ever collected of a set, oldest first; none when there was none, or the record is damaged."""
+    try:
+        content = course.record("collected", f"{set_name}.json").read_bytes()
+        return msgspec.json.decode(content, type=tuple[Arrival, ...])
+    except (OSError, msgspec.DecodeError):
+        return ()
+
+
+def remember(course: Course, set_name: str, arrivals: Iterable[Arrival]) -> None:
+    """Adds what came; what came before with the same content and outcome is not written twice."""
+    known = read_arrivals(course, set_name)
+    seen = {(each.student, each.file, each.digest, each.outcome) for each in known}
+    new = [
+        each for each in arrivals
+        if each.outcome != UNCHANGED and (each.student, each.file, each.digest, each.outcome) not in seen
+    ]  # fmt: skip
+    if new:
+        write_whole(
+            course.record("collected", f"{set_name}.json"), msgspec.json.encode([*known, *new]), mode=0o600
+        )
+
+
+def keep(course: Course, set_name: str, student: str, content: bytes) -> None:
+    """A copy of a notebook by its digest: whatever is taken later, it can be looked at."""
+    place = course.record("collected", f"{set_name}/{student}/{digest_of(content)[:16]}.ipynb")
+    if not place.exists():
+        write_whole(place, content, mode=0o600)
+
+
+def numbers_of(arrivals: Sequence[Arrival]) -> dict[str, str]:
+    """The numbers by which an LMS knows the students, as "moodle 17", with the id of each."""
+    return {each.number: each.student for each in arrivals if each.number and each.student}
+
+
+def stamp(when: datetime) -> str:
+    """A moment as nbgrader writes it into timestamp.txt."""
+    return f"{when.astimezone(UTC):%Y-%m-%d %H:%M:%S.%f} UTC"

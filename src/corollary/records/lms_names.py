@@ -1,0 +1,134 @@
+"""The names that Moodle and Canvas give to files of students when all are downloaded, and take back when they are uploaded."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from corollary.problem.roster import Student
+
+# Moodle (mod/assign, downloader): "Ada Lovelace_17_assignsubmission_file_/week1.ipynb", without the last _ since 4.1, or all of it
+# in one name where folders are switched off. No _ can stand in the name.
+MOODLE = re.compile(
+    r"(?P<name>[^_/]+)_(?P<participant>\d+)_assign(?:submission|feedback)_(?P<plugin>[a-z]+)(?:_(?P<file>.*))?$"
+)
+# Canvas (lib/content_zipper.rb): "lovelaceada_LATE_2001_5678_week1-1.ipynb", with "_LATE" only where it was.
+CANVAS = re.compile(
+    r"(?P<name>[^_/]+(?:_[^\d_/][^_/]*)*?)(?P<late>_LATE)?_(?P<user>\d+)_(?P<attachment>\d+)_(?P<file>.+)$"
+)
+CANVAS_TEXT = re.compile(r"(?P<name>[^_/]+)(?P<late>_LATE)?_(?P<user>\d+)_(?:text|link)\.html$")
+AGAIN = re.compile(r"(?:[ _]?\((\d+)\)|[ _-]+(?:copy|kopi|kopie|copie)|-(\d+))$", re.IGNORECASE)
+UNSAFE = re.compile(r'[\x00-\x1f/\\:*?"<>|_]+')
+
+
+@dataclass(frozen=True, slots=True)
+class LmsName:
+    """What such a name says. `number` is Moodle's participant or Canvas's user; `attachment` is Canvas's file; `late`
+    is None where the name does not say."""
+
+    lms: str
+    name: str
+    number: str
+    file: str
+    attachment: str = ""
+    late: bool | None = None
+
+
+def lms_name(parts: Sequence[str]) -> LmsName | None:
+    """What the names that lead to a file say; None when no LMS made them."""
+    for at, part in enumerate(parts):
+        if match := MOODLE.match(part):
+            file = "/".join(filter(None, (match["file"], *parts[at + 1 :])))
+            return LmsName("moodle", match["name"], match["participant"], file)
+    if match := CANVAS.match(parts[-1]):
+        return LmsName(
+            "canvas", match["name"], match["user"], match["file"], match["attachment"], bool(match["late"])
+        )
+    if match := CANVAS_TEXT.match(parts[-1]):
+        return LmsName("canvas", match["name"], match["user"], parts[-1], "", bool(match["late"]))
+    return None
+
+
+def moodle_folder(student: Student, participant: str, plugin: str = "file") -> str:
+    """The folder whose files Moodle's "Upload multiple feedback files in a zip" gives to this participant."""
+    return f"{file_words(student.name)}_{participant}_assignsubmission_{plugin}_"
+
+
+def canvas_file(student: Student, user: str, attachment: str, file: str) -> str:
+    """The name by which Canvas's bulk upload finds the submission that a file belongs to: user and attachment are looked up."""
+    name = re.sub(r"[\W_]", "", f"{student.last_name}{student.first_name}" or student.id).lower()
+    return f"{name if not name.isdecimal() else f'student{name}'}_{user}_{attachment}_{file}"
+
+
+def file_words(text: str) -> str:
+    """A text as a part of a file's name on every computer, without the _ that LMSs part names by."""
+    return " ".join(UNSAFE.sub(" ", text).split()).strip(". ") or "student"
+
+
+def again(stem: str) -> tuple[str, int]:
+    """A file's name without what browsers and LMSs append to a second one of the name (`week1 (1)`, `week1-1`), and its number."""
+    match = AGAIN.search(stem)
+    return (stem[: match.start()], int(match[1] or match[2] or 1)) if match else (stem, 0)
+
+
+class Directory:
+    """Finds the student that a name or number of an LMS, or the name of a file, means; None when it is nobody or several."""
+
+    def __init__(self, students: Iterable[Student], numbers: Mapping[str, str] | None = None):
+        """`numbers` are those of an LMS that are known from elsewhere, with the id of the student."""
+        self._students = tuple(students)
+        self._by_number = dict(numbers or {})
+        self._names: dict[str, set[str]] = {}
+        self._ids: dict[str, set[str]] = {}
+        for each in self._students:
+            first, last = _letters(each.first_name), _letters(each.last_name)
+            for name in {first + last, last + first} - {""}:
+                self._names.setdefault(name, set()).add(each.id)
+            for given in {each.id, each.email, *(value for _, value in each.ids)} - {""}:
+                self._ids.setdefault(given.casefold(), set()).add(each.id)
+
+    def by_id(self, given: str) -> str | None:
+        return _only(self._ids.get(given.casefold(), set()))
+
+    def by_name(self, name: str) -> str | None:
+        return _only(self._names.get(_letters(name), set()))
+
+    def of_lms(self, found: LmsName) -> str | None:
+        """By number where that is known (Canvas's is in its gradebook), else by name."""
+        if (known := self._by_number.get(f"{found.lms} {found.number}")) is not None:
+            return known
+        if found.lms == "canvas":
+            theirs = {each.id for each in self._students if dict(each.ids).get("ID") == found.number}
+            if theirs:
+                return _only(theirs)
+        return self.by_name(found.name) or self.by_id(found.name)
+
+    def of_parts(self, parts: Sequence[str], set_name: str) -> str | None:
+        """By the names of a file and of the folders around it: whose id or whose whole name stands in one of them."""
+        for part in reversed(parts):
+            stem = again(part.removesuffix(".ipynb").removesuffix(".zip"))[0]
+            rest = re.sub(re.escape(set_name), " ", stem, flags=re.IGNORECASE)
+            words = [word for word in re.split(r"[\s_,;()+]+|(?<=\w)-(?=\w)", rest) if word]
+            whole = [rest.strip(" _-"), *re.split(r"[\s_,;()+]+", rest), *words]
+            met = {found for word in whole if word and (found := self.by_id(word)) is not None}
+            letters = {_letters(word) for word in words}
+            for each in self._students:
+                own = {_letters(word) for word in f"{each.first_name} {each.last_name}".split()}
+                if len(own) > 1 and own <= letters:
+                    met.add(each.id)
+            if not met and (named := self.by_name(rest)) is not None:
+                met.add(named)
+            if met:
+                return _only(met)
+        return None
+
+
+def _only(found: set[str]) -> str | None:
+    return next(iter(found)) if len(found) == 1 else None
+
+
+def _letters(text: str) -> str:
+    """The letters of a name, without accents, blanks and case."""
+    return "".join(each for each in unicodedata.normalize("NFKD", text).casefold() if each.isalnum())

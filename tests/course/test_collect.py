@@ -1,0 +1,265 @@
+"""What an LMS gives is put where it is marked: files named and laid out as Moodle and Canvas name and lay them out."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import shutil
+import stat
+import zipfile
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from corollary.course.collect import Collected, collect
+from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
+from corollary.records.files import open_course
+from corollary.records.origin import set_of
+from corollary.records.report_model import report_of
+from corollary.records.submission import handed_in as moment_of
+
+NOW = datetime(2026, 12, 20, tzinfo=UTC)
+ROSTER = (
+    "id,first_name,last_name,email,ID\n"
+    "ada,Ada,Lovelace,ada@example.org,2001\nben,Ben,Bóol,ben@example.org,2002\ncyd,Cyd,Charisse,cyd@example.org,2003\n"
+)
+SET = "---\ntitle: One exercise\ndue: 2026-12-04T23:59+00:00\nproblems:\n  - X12.5\n---\nOne exercise.\n"
+
+
+@pytest.fixture
+def course(handed_in: Path) -> Path:
+    """Generated, with names on the roster; what everybody is about to hand in lies in `sheets/`."""
+    (handed_in / ".corollary" / "roster.csv").write_text(ROSTER)
+    (handed_in / "corollary.toml").write_text('timezone = "UTC"\n')
+    (handed_in.parent / "one.md").write_text(SET)
+    sheets = handed_in.parent / "sheets"
+    for who in ("ada", "ben", "cyd"):
+        (sheets / who).mkdir(parents=True)
+        shutil.move(handed_in / "submitted" / who / "one" / "one.ipynb", sheets / who / "one.ipynb")
+    shutil.rmtree(handed_in / "submitted")
+    return handed_in
+
+
+def sheet(course: Path, who: str, **about: str) -> bytes:
+    """A student's notebook, with other metadata; every one with these has other bytes."""
+    notebook = json.loads((course.parent / "sheets" / who / "one.ipynb").read_text())
+    notebook["metadata"]["corollary"] |= about
+    return json.dumps(notebook).encode()
+
+
+def archive(path: Path, files: dict[str, bytes], day: int = 3, minutes: int = 60) -> Path:
+    """Each file `minutes` after the one before."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as made:
+        for at, (name, content) in enumerate(files.items()):
+            hour, minute = divmod(at * minutes, 60)
+            made.writestr(zipfile.ZipInfo(name, (2026, 12, day, 9 + hour, minute, 0)), content)
+    return path
+
+
+def collected(course: Path, *sources: Path, times: Path | None = None, dry_run: bool = False) -> Collected:
+    opened = open_course(course)
+    problem_set = set_of(opened, str(course.parent / "one.md"))[1]
+    return collect(opened, problem_set, sources, now=NOW, times=times, dry_run=dry_run)
+
+
+def outcomes(found: Collected) -> dict[str, str]:
+    return {each.file: each.outcome for each in found.arrivals}
+
+
+def taken(course: Path) -> dict[str, bytes]:
+    return {path.parts[-3]: path.read_bytes() for path in course.glob("submitted/*/one/one.ipynb")}
+
+
+def when(course: Path, who: str) -> str:
+    found = moment_of(open_course(course), "one", who)
+    assert found is not None
+    return f"{found:%d %H:%M}"
+
+
+def test_moodles_archive_of_all_submissions(course: Path, tmp_path: Path) -> None:
+    inner = archive(tmp_path / "inner.zip", {"my work/one.ipynb": sheet(course, "ben")})
+    files = {
+        "Ada Lovelace_171_assignsubmission_file_/one.ipynb": sheet(course, "ada"),
+        "Ben Bóol_172_assignsubmission_file/work.zip": inner.read_bytes(),  # since Moodle 4.1 without the last _
+        "Ben Bóol_172_assignsubmission_onlinetext/onlinetext.html": b"<p>see file</p>",
+        "Cyd Charisse_173_assignsubmission_file_/one.html": b"<html>",
+    }
+    zipped = archive(tmp_path / "M1-Week 1-17.zip", files)
+    found = collected(course, zipped)
+    assert [each.student for each in found.of(ACCEPTED)] == ["ada", "ben"]
+    assert taken(course) == {"ada": sheet(course, "ada"), "ben": sheet(course, "ben")}
+    assert (when(course, "ada"), when(course, "ben")) == ("03 09:00", "03 09:00")
+    assert {(each.student, each.why) for each in found.of(UNUSABLE)} >= {
+        ("cyd", "is no notebook; ask for one.ipynb")
+    }
+    assert found.missing == ("cyd",)
+    opened = open_course(course)
+    report = report_of(opened, set_of(opened, str(course.parent / "one.md"))[1])
+    assert report.unusable == (
+        ("cyd", "Cyd Charisse_173_assignsubmission_file_/one.html: is no notebook; ask for one.ipynb"),
+    )
+    before = {path: path.read_bytes() for path in course.rglob("*") if path.is_file()}
+    again = collected(course, zipped)
+    assert [each.student for each in again.of(UNCHANGED)] == ["ada", "ben"]
+    assert {path: path.read_bytes() for path in course.rglob("*") if path.is_file()} == before
+
+
+def test_canvas_archive_with_late_and_second_submissions(course: Path, tmp_path: Path) -> None:
+    second = sheet(course, "ada", note="second")
+    files = {
+        "lovelaceada_2001_5001_one.ipynb": sheet(course, "ada"),
+        "lovelaceada_2001_5009_one-1.ipynb": second,
+        "bóolben_LATE_2002_5002_one.ipynb": sheet(course, "ben"),
+        "somebodyelse_2003_5003_one-2.ipynb": sheet(
+            course, "cyd"
+        ),  # Canvas's number counts for more than the name
+        "charissecyd_2003_text.html": b"<p>",
+    }
+    found = collected(course, archive(tmp_path / "submissions.zip", files, day=6, minutes=0))
+    assert taken(course) == {"ada": second, "ben": sheet(course, "ben"), "cyd": sheet(course, "cyd")}
+    assert outcomes(found)["lovelaceada_2001_5001_one.ipynb"] == OLDER
+    # Canvas dates the files with the download, two days after the deadline, and says LATE of one
+    assert [when(course, who) for who in ("ada", "ben", "cyd")] == ["04 23:59", "06 09:00", "04 23:59"]
+    remembered = sorted((course / ".corollary/collected/one/ada").iterdir())
+    assert {path.read_bytes() for path in remembered} == {sheet(course, "ada"), second}
+
+
+def test_a_folder_of_renamed_notebooks(course: Path, tmp_path: Path) -> None:
+    inbox = tmp_path / "inbox"
+    (inbox / "Bóol, Ben").mkdir(parents=True)
+    (inbox / "one (1).ipynb").write_bytes(sheet(course, "ada"))
+    (inbox / "Bóol, Ben" / "final.ipynb").write_bytes(sheet(course, "ben"))
+    (inbox / "Lösung_Cyd_Charisse.ipynb").write_bytes(sheet(course, "cyd", student=""))
+    (inbox / "one.ipynb").write_bytes(sheet(course, "ada", note="later"))
+    os.utime(inbox / "one (1).ipynb", (1_796_000_000, 1_796_000_000))
+    os.utime(inbox / "one.ipynb", (1_796_000_600, 1_796_000_600))
+    (inbox / "whose.ipynb").write_bytes(sheet(course, "ada", student="zoe"))
+    (inbox / "notes.txt").write_text("hello")
+    found = collected(course, inbox)
+    assert taken(course) == {
+        "ada": sheet(course, "ada", note="later"),
+        "ben": sheet(course, "ben"),
+        "cyd": sheet(course, "cyd", student=""),
+    }
+    assert outcomes(found)["one (1).ipynb"] == OLDER
+    assert {each.file for each in found.of(NOBODY)} == {"whose.ipynb", "notes.txt"}
+    # what came before does not replace what is there
+    (tmp_path / "old").mkdir()
+    shutil.copy2(inbox / "one (1).ipynb", tmp_path / "old")
+    assert [each.why for each in collected(course, tmp_path / "old").of(OLDER)] == [
+        "what lies in submitted/ is newer"
+    ]
+
+
+def test_the_name_counts_for_more_than_what_a_notebook_says_of_itself(course: Path, tmp_path: Path) -> None:
+    files = {
+        "Ada Lovelace_171_assignsubmission_file_/one.ipynb": sheet(course, "ada"),
+        "Cyd Charisse_173_assignsubmission_file_/one.ipynb": sheet(course, "ada"),
+    }
+    found = collected(course, archive(tmp_path / "all.zip", files))
+    assert set(taken(course)) == {"ada", "cyd"}
+    (conflict,) = found.conflicts
+    assert "is cyd's by its name, and was made for ada: taken as cyd's" in conflict
+    assert "made for ada, not for you (cyd)" in found.of(ACCEPTED)[1].why
+
+
+def test_a_notebook_of_another_set_is_said_and_not_taken(course: Path, tmp_path: Path) -> None:
+    found = collected(
+        course, archive(tmp_path / "all.zip", {"ada/two.ipynb": sheet(course, "ada", set="two")})
+    )
+    assert [(each.student, each.why) for each in found.of(UNUSABLE)] == [("ada", "is a notebook of two")]
+    assert taken(course) == {}
+
+
+def test_a_dry_run_writes_nothing(course: Path, tmp_path: Path) -> None:
+    before = sorted(course.rglob("*"))
+    found = collected(
+        course, archive(tmp_path / "all.zip", {"ada.ipynb": sheet(course, "ada")}), dry_run=True
+    )
+    assert [each.student for each in found.of(ACCEPTED)] == ["ada"]
+    assert sorted(course.rglob("*")) == before
+
+
+def test_the_time_of_a_download_makes_nobody_late(course: Path, tmp_path: Path) -> None:
+    files = {f"{name}_{number}_assignsubmission_file_/one.ipynb": sheet(course, who) for name, number, who in
+             (("Ada Lovelace", 171, "ada"), ("Ben Bóol", 172, "ben"))}  # fmt: skip
+    zipped = archive(tmp_path / "all.zip", files, day=10, minutes=0)
+    found = collected(course, zipped, dry_run=True)
+    assert {each.when[:16] for each in found.of(ACCEPTED)} == {"2026-12-04 23:59"}
+    assert "does not say when anything was handed in" in found.remarks[0]
+    worksheet = tmp_path / "Grades-M1-Week 1-17.csv"
+    worksheet.write_text(
+        'Identifier,"Full name","Email address",Status,Grade,"Last modified (submission)"\n'
+        'Participant 171,Ada Lovelace,ada@example.org,Submitted,,"Friday, 4 December 2026, 9:03 PM"\n'
+        'Participant 172,Ben Bóol,ben@example.org,Submitted,,"Saturday, 5 December 2026, 9:03 AM"\n'
+    )
+    found = collected(course, zipped, times=worksheet)
+    assert found.remarks == ()
+    assert (when(course, "ada"), when(course, "ben")) == ("04 21:03", "05 09:03")
+
+
+def endless(path: Path) -> bytes:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as made:
+        made.writestr("one.ipynb", b"0" * (60 << 20))
+    return path.read_bytes()
+
+
+def many(path: Path) -> bytes:
+    with zipfile.ZipFile(path, "w") as made:
+        for number in range(65_537):
+            made.writestr(zipfile.ZipInfo(f"{number}"), b"")
+    return path.read_bytes()
+
+
+def test_hostile_archives_hurt_nobody_else(course: Path, tmp_path: Path) -> None:
+    link = zipfile.ZipInfo("ben/link.ipynb")
+    link.external_attr = (stat.S_IFLNK | 0o777) << 16
+    locked, content = zipfile.ZipInfo("ben/locked.ipynb"), io.BytesIO()
+    with zipfile.ZipFile(content, "w") as made:
+        made.writestr("../../../submitted/ben/one/one.ipynb", sheet(course, "ben"))
+        made.writestr("/etc/one.ipynb", b"{}")
+        made.writestr(link, b"/etc/passwd")
+        made.writestr(locked, sheet(course, "ben"))
+        made.writestr("ben/bomb.zip", endless(tmp_path / "bomb.zip"))
+        made.writestr("ben/many.zip", many(tmp_path / "many.zip"))
+        made.writestr("ben/torn.zip", (tmp_path / "bomb.zip").read_bytes()[:300])
+        made.writestr("ben/data.ipynb", b'{"cells": [')
+        made.writestr("x\x1b[2J/\u202e.ipynb", b"{}")
+        made.writestr("ada/one.ipynb", sheet(course, "ada"))
+    raw = bytearray(content.getvalue())
+    for at in (raw.index(b"ben/locked.ipynb") - 24, raw.rindex(b"ben/locked.ipynb") - 38):
+        raw[at] |= 1  # the bit of encryption, in the header and in the directory at the end
+    (tmp_path / "all.zip").write_bytes(raw)
+    (tmp_path / "none.zip").write_bytes(b"PK\x05\x06 nothing")
+    found = collected(course, tmp_path / "none.zip", tmp_path / "all.zip")
+    assert set(taken(course)) == {"ada"}
+    whys = {each.file.rpartition("/")[2]: each.why for each in found.arrivals if each.outcome != ACCEPTED}
+    assert "no archive that can be opened" in whys["none.zip"]
+    assert "a name that leads out" in next(each.why for each in found.arrivals if each.file.startswith(".."))
+    assert "is a link" in whys["link.ipynb"]
+    assert "password" in whys["locked.ipynb"]
+    assert "holds 65537 files" in whys["many.zip"]
+    assert "no archive that can be opened" in whys["torn.zip"]
+    assert any("larger than 20 MB" in why for why in whys.values())
+    assert not list(tmp_path.glob("submitted")) + list(course.parent.glob("submitted"))
+
+
+def test_links_in_a_folder_are_not_followed(course: Path, tmp_path: Path) -> None:
+    inbox = tmp_path / "inbox"
+    (inbox / "ben").mkdir(parents=True)
+    (inbox / "ben" / "one.ipynb").symlink_to(course.parent / "sheets" / "ben" / "one.ipynb")
+    (inbox / "cyd").symlink_to(course.parent / "sheets" / "cyd")
+    found = collected(course, inbox)
+    assert taken(course) == {}
+    assert all("link" in each.why for each in found.arrivals)
+    assert {each.student for each in found.arrivals} == {"ben", "cyd"}
+
+
+def test_a_students_place_that_is_a_link_is_not_written_through(course: Path, tmp_path: Path) -> None:
+    (course / "submitted").mkdir()
+    (course / "submitted" / "ada").symlink_to(tmp_path)
+    found = collected(course, archive(tmp_path / "all.zip", {"ada.ipynb": sheet(course, "ada")}))
+    assert "is a link or lies behind one" in found.of(UNUSABLE)[0].why
+    assert not (tmp_path / "one").exists()
