@@ -19,11 +19,12 @@ from types import TracebackType
 ROOMS = ("grading", "formula", "answers")
 HEAVY = ("numpy", "sympy", "scipy.integrate", "flint", "hypothesis", "yaml", "msgspec", "pytest")
 """Imported once: each mutant is tried in a fork, which has them already."""
+FEW = 8.0  # seconds of tests that use the module and are not seen to reach the line
 LONGEST = 900  # seconds of wall clock for one mutant, at the lowest priority of a busy machine
 MEMORY = 6_000_000_000
 
 LEARN = """
-import json, sys, time
+import json, os, sys, time
 import coverage, pytest
 
 cover = coverage.Coverage(source=["src/corollary/" + room for room in sys.argv[2:]], data_file=None)
@@ -47,7 +48,7 @@ cover.start()
 pytest.main(["-q", "-p", "no:cacheprovider", *("tests/" + room for room in sys.argv[2:])], plugins=[Watch()])
 cover.stop()
 data = cover.get_data()
-lines = {file: data.contexts_by_lineno(file) for file in data.measured_files()}
+lines = {os.path.relpath(file): data.contexts_by_lineno(file) for file in data.measured_files()}
 json.dump({"tests": Watch.found, "lines": lines}, open(sys.argv[1], "w"))
 """
 
@@ -55,7 +56,9 @@ json.dump({"tests": Watch.found, "lines": lines}, open(sys.argv[1], "w"))
 class Tests:
     """A copy of the tree with its tests, for as long as it is open."""
 
-    def __init__(self, top: Path):
+    def __init__(self, top: Path, learned: Path):
+        """`learned` is where what was learned about the tests lies, or is put."""
+        self._learned = learned
         self._scratch = tempfile.TemporaryDirectory(prefix="mutants-")
         self.folder = Path(self._scratch.name, "tree")
         ignored = shutil.ignore_patterns(".git", ".venv", "demo", ".pytest_cache", ".ruff_cache")
@@ -66,14 +69,14 @@ class Tests:
         # As under xdist, so that tests/conftest.py leaves the cache folder to us: what is derived once serves every mutant.
         os.environ |= {"PYTHONPATH": str(self.folder / "src"), "PYTEST_XDIST_WORKER": "one"}
         os.environ["XDG_CACHE_HOME"] = str(self.folder / "cache")
-        learned = self.folder / "learned.json"
-        subprocess.run([sys.executable, "-c", LEARN, str(learned), *ROOMS], check=True)
-        found = json.loads(learned.read_text(encoding="utf-8"))
+        if not self._learned.is_file():
+            subprocess.run([sys.executable, "-c", LEARN, str(self._learned), *ROOMS], check=True)
+        found = json.loads(self._learned.read_text(encoding="utf-8"))
         self.seconds = {
             test: each["seconds"] for test, each in found["tests"].items() if not each.get("failed")
         }
         self.lines: dict[str, dict[int, set[str]]] = {
-            Path(file).relative_to(self.folder).as_posix(): {
+            file: {
                 int(line): {each for each in tests if each in self.seconds} for line, tests in lines.items()
             }
             for file, lines in found["lines"].items()
@@ -91,9 +94,10 @@ class Tests:
         self._scratch.cleanup()
 
     def tried(self, file: str, line: int, text: str) -> tuple[str, str]:
-        """Whether a module with this text is noticed, and by which test; only what reaches the line, then the module, is run.
+        """Whether a module with this text is noticed, and by which test.
 
-        A line that runs when its module is imported belongs to no test, so every test that uses the module may notice.
+        Run are the tests that reach the line, and the fast ones of those that use its module: a line that runs once, when
+        the module is imported or a fixture made, is counted to no test or to one.
         """
         place = self.folder / file
         before, state = place.read_bytes(), place.stat()
@@ -104,14 +108,14 @@ class Tests:
         place.write_text(text, encoding="utf-8")
         try:
             tests = self._fastest_first(near)
+            others, spent = self._fastest_first(using - near), 0.0
+            for test in others:
+                spent += self.seconds[test]
+                if spent > FEW:
+                    break
+                tests.append(test)
             for outcome, ours in (("killed", True), ("killed elsewhere", False)):
-                done = [each for each in tests if each.startswith(f"tests/{room}/") == ours]
-                rest = [
-                    each
-                    for each in self._fastest_first(using - near)
-                    if each.startswith(f"tests/{room}/") == ours
-                ]
-                for some in (*_portions(done), *_portions(rest)):
+                for some in _portions([each for each in tests if each.startswith(f"tests/{room}/") == ours]):
                     by = self._failing(some)
                     if by is not None:
                         return outcome, by

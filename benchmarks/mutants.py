@@ -215,7 +215,10 @@ def main() -> None:
         todo = dict(zip(places, found_again([found[place] for place in places]), strict=True))
     else:  # the seed gives the order, so a stopped run goes on where it was
         todo = {number: each for number, each in enumerate(drawn(given.count)) if number >= len(found)}
-    with Tests(TOP) as tests:
+    learned = given.results / "learned.json"
+    if given.again:
+        learned.unlink(missing_ok=True)  # the tests are others by now
+    with Tests(TOP, learned) as tests:
         for number, mutant in todo.items():
             if mutant is None:
                 print(f"{number}: the line {found[number]['source']!r} is no longer there", flush=True)

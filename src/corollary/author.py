@@ -1,5 +1,7 @@
 """The words a solution is written in; and inputs and judges of programs and figures, by name (grading/programs)."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import sys

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import gettext
 import unicodedata
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ def catalogue(module: str) -> Catalogue:
 
 
 @contextmanager
-def language(code: str) -> Iterator[None]:
+def language(code: str) -> Generator[None]:
     """What is said inside the block is said in this language ("en", "de", "nb") where its catalogue has the text."""
     token = _LANGUAGE.set(code)
     try:

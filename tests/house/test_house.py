@@ -7,6 +7,8 @@ import re
 import statistics
 import subprocess
 import sys
+import tomllib
+from pathlib import Path
 
 import pytest
 
@@ -205,3 +207,43 @@ except SystemExit as end:
     assert not end.code, end.code
 print(*sys.modules, file=sys.stderr)
 """
+
+
+WITHOUT_TYPES = (
+    "sympy",
+    "flint",
+    "scipy",
+    "numpy",
+    "matplotlib",
+    "nbformat",
+    "nbgrader",
+    "distributed",
+    "yaml",
+)
+
+
+def test_unknown_types_are_let_pass_only_where_a_library_has_none(modules):
+    """A comment at the top of a file turns reports off for that file; a file that imports no such library needs none."""
+    for module in modules:
+        off = re.findall(r"^# pyright: (.+)$", module.path.read_text(encoding="utf-8"), re.MULTILINE)
+        assert all(
+            re.fullmatch(r"report\w+=false", rule.strip()) for rules in off for rule in rules.split(",")
+        )
+        imported = {name.partition(".")[0] for name, _ in module.imports}
+        assert not off or imported & {*WITHOUT_TYPES}, f"{module.name} has types for all that it imports"
+
+
+def test_reports_of_unknown_types_are_off_in_two_folders_alone():
+    """The worker, which is installed by its text in a bare interpreter, and what numba compiles."""
+    settings = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))[
+        "tool"
+    ]["pyright"]
+    assert settings["typeCheckingMode"] == "strict"
+    off = {rule for rule, value in settings.items() if rule.startswith("report") and value is False}
+    assert off == {"reportMissingTypeStubs", "reportMissingModuleSource"}
+    loose = {
+        each["root"]
+        for each in settings["executionEnvironments"]
+        if any(name.startswith("report") for name in each)
+    }
+    assert loose == {"src/corollary/sandbox/worker", "src/corollary/scenes/integrate"}

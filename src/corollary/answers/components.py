@@ -104,7 +104,7 @@ def _unwrapped(normalized: str) -> tuple[str, str, str]:
 
 def _masked(text: str) -> str:
     """The text with what stands in brackets made invisible to a comma's search."""
-    depth, seen = 0, []
+    depth, seen = 0, list[str]()
     for sign in text:
         depth += sign in "(["
         seen.append("_" if depth else sign)
@@ -113,7 +113,7 @@ def _masked(text: str) -> str:
 
 
 def _split(text: str, mark: str) -> list[str]:
-    pieces, start = [], 0
+    pieces, start = list[str](), 0
     for found in re.finditer(mark, _masked(text)):
         pieces.append(text[start : found.start()])
         start = found.end()

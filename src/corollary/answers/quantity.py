@@ -203,7 +203,7 @@ def read_quantities(
         case tuple():
             return _polar(*pieces, expected)
         case list():
-            found = []
+            found: list[Reading] = []
             for piece in pieces:
                 reading = read_quantity(piece, expected)
                 if isinstance(reading, ParseError):
@@ -289,7 +289,7 @@ def _polar(its_length: str, its_angle: str, expected: Unit | None) -> tuple[Read
     turn = float(ratio % 2) * math.pi if pi else float(ratio)
     shares = right or (math.cos(turn), math.sin(turn))
     figures = max(3, min(length.figures, angle.figures))
-    found = []
+    found: list[Reading] = []
     for share in shares:
         number = Written(length.value * Fraction(share), figures, min(figures, length.least))
         part = _reading(its_length, number, length.unit, expected)

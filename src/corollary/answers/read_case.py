@@ -25,13 +25,16 @@ class BadCase(ValueError):
 
 def read_case(case: Any) -> dict[str, Any]:
     """One case {"text", "field", "unit", "equals", "names", "domain"} of the contract. Raises BadCase."""
-    if not isinstance(case, Mapping) or not isinstance(case.get("text"), str):
+    asked = case
+    if not isinstance(case, Mapping) or not isinstance(asked.get("text"), str):
         raise BadCase('a case is an object with a "text", such as {"text": "8,6 Ns", "unit": "kg m/s"}')
-    field = case.get("field") or ("expression" if case.get("equals") or case.get("names") else "quantity")
+    field: str = asked.get("field") or (
+        "expression" if asked.get("equals") or asked.get("names") else "quantity"
+    )
     if field not in FIELDS:
         raise BadCase(f'"field": {field!r} is not known; it is one of {", ".join(FIELDS)}')
     start = time.perf_counter()
-    found = {"quantity": _quantity, "expression": _expression, "unit": _unit}[field](case)
+    found = {"quantity": _quantity, "expression": _expression, "unit": _unit}[field](asked)
     return {
         "text": case["text"],
         "field": field,
@@ -170,9 +173,11 @@ def _truth(case: Mapping[str, Any]) -> Expr | None:
 
 
 def _domain(case: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
-    domain = case.get("domain") or {}
+    domain: Any = case.get("domain") or {}
     try:
-        bounds = {name: (float(low), float(high)) for name, (low, high) in domain.items()}
+        bounds: dict[str, tuple[float, float]] = {
+            name: (float(low), float(high)) for name, (low, high) in domain.items()
+        }
     except (AttributeError, TypeError, ValueError, OverflowError):
         raise BadCase('"domain" must give each letter its bounds: {"v": [-10, 10]}') from None
     for name, (low, high) in bounds.items():

@@ -55,14 +55,12 @@ def run(
 ) -> None:
     """The command of that module, imported only now; its status, one sentence on a failing, no traceback. `prepared` gives
     the options with those that were left out."""
-    options = {name: list(value) if isinstance(value, tuple) else value for name, value in options.items()}
+    options = {name: _listed(value) for name, value in options.items()}
     try:
         options = prepared(options)
-        match options.get("bank"):
-            case [*places]:  # several banks are one, parted as in PATH
-                options["bank"] = Path(os.pathsep.join(map(str, places))) if places else None
-            case _:
-                pass
+        banks: Any = options.get("bank")
+        if isinstance(options.get("bank"), list):  # several banks are one, parted as in PATH
+            options["bank"] = Path(os.pathsep.join(map(str, banks))) if banks else None
         status = importlib.import_module(f"corollary.cli.{module}").run(**options)
         sys.stdout.flush()
     except KeyboardInterrupt:
@@ -79,6 +77,12 @@ def run(
             status = REFUSED
     if status:
         raise click.exceptions.Exit(status)
+
+
+def _listed(value: Any) -> Any:
+    """What may be repeated comes as a tuple, and goes on as a list."""
+    several = value
+    return list(several) if isinstance(value, tuple) else value
 
 
 def expected() -> tuple[type[BaseException], ...]:

@@ -24,14 +24,20 @@ def from_options(sets: list[str]) -> dict[str, str]:
 def read_cases(path: Path) -> list[Any]:
     """A JSON list; its numbers are kept as exact decimals."""
     try:
-        cases = json.loads(path.read_text(encoding="utf-8"), parse_float=_decimal, parse_constant=_no_number)
+        found: Any = json.loads(
+            path.read_text(encoding="utf-8"), parse_float=_decimal, parse_constant=_no_number
+        )
     except OSError as error:
         refuse(f"{path} cannot be read: {error.strerror}")
     except (ValueError, RecursionError) as error:
         refuse(f"{path} is not JSON: {error}")
-    if not isinstance(cases, list):
+    if not isinstance(found, list):
         refuse(f"{path} must hold a JSON list")
-    return cases
+    return _listed(found)
+
+
+def _listed(cases: Any) -> list[Any]:
+    return list(cases)
 
 
 def _decimal(text: str) -> Fraction | str:

@@ -28,7 +28,8 @@ def run(code: str, bank: Path | None, cases: Path, reveal: bool, as_json: bool) 
 
 def _case(solution: Solution, case: Any, reveal: bool) -> dict[str, Any]:
     match case:
-        case {"answers": dict(answers), **others} if isinstance(others.get("given", {}), dict):
+        case {"answers": dict(), **others} if isinstance(others.get("given", {}), dict):
+            answers: dict[str, Any] = case["answers"]
             try:
                 return grade_record(judge(solution, answers, others.get("given"), reveal=reveal))
             except (UnknownPart, OutOfRange, Undefined) as error:

@@ -38,25 +38,30 @@ def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_
 
 
 def _case(solution: Solution, case: Any) -> dict[str, Any]:
+    given = case
     if not isinstance(case, dict):
         return {"error": 'a case is an object of givens, such as {"m": 0.43}'}
     try:
-        return key_record(key(solution, **case))
+        return key_record(key(solution, **given))
     except (OutOfRange, Undefined) as error:
         return {"error": str(error)}
 
 
 def _line(entry: dict[str, Any]) -> str:
     if "value" in entry:
-        values = entry["value"] if isinstance(entry["value"], list) else [entry["value"]]
+        found = entry["value"]
+        values: list[Any] = found if isinstance(entry["value"], list) else [found]
         numbers = ", ".join(f"{value:.10g}" if isinstance(value, float) else str(value) for value in values)
         unit = "" if entry["unit"] == "1" else f" {entry['unit']}"
         how = "certified" if entry["certified"] else f"± {entry['error']:.1g}"
-        formula = entry.get("expression", "")
-        formula = f"   = {', '.join(formula) if isinstance(formula, list) else formula}" if formula else ""
+        formula = _together(entry.get("expression", ""), ", ")
+        formula = formula and f"   = {formula}"
         return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"
     if "choice" in entry:
         return f"option ({entry['choice']})"
-    return "; ".join(
-        f"{name}: {'; '.join(value) if isinstance(value, list) else value}" for name, value in entry.items()
-    )
+    return "; ".join(f"{name}: {_together(value, '; ')}" for name, value in entry.items())
+
+
+def _together(value: Any, mark: str) -> str:
+    several = value
+    return mark.join(several) if isinstance(value, list) else str(value)

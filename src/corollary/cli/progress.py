@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
@@ -24,21 +24,21 @@ def steps(todo: Sequence[T], name: Callable[[T], str], what: str) -> Iterator[T]
 
 
 @contextmanager
-def bar(what: str, total: int | None) -> Iterator[Callable[[str], None]]:
+def bar(what: str, total: int | None) -> Generator[Callable[[str], None]]:
     """A function that moves the bar on by one and names what is at work."""
     with _drawn(what, total, -1) as progress:
         yield lambda name: progress(name, None)
 
 
 @contextmanager
-def countdown(what: str) -> Iterator[Callable[[str, int], None]]:
+def countdown(what: str) -> Generator[Callable[[str, int], None]]:
     """A function that names what is done and says how many are left; the bar tells the rate and the time these will take."""
     with _drawn(what, None, 0) as progress:
         yield progress
 
 
 @contextmanager
-def _drawn(what: str, total: int | None, done: int) -> Iterator[Callable[[str, int | None], None]]:
+def _drawn(what: str, total: int | None, done: int) -> Generator[Callable[[str, int | None], None]]:
     if not sys.stderr.isatty():
         yield lambda name, left: None
         return

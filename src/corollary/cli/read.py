@@ -54,7 +54,7 @@ def _listed(case: Any) -> dict[str, Any]:
 
 def _domain(options: list[str]) -> dict[str, list[float]]:
     """`v=-10..10` for each letter."""
-    domain = {}
+    domain: dict[str, list[float]] = {}
     for option in options:
         name, _, bounds = option.partition("=")
         low, mark, high = bounds.partition("..")
@@ -74,5 +74,6 @@ def _show(found: dict[str, Any]) -> None:
     print(f"read as {found['read']}")
     if found["verdict"] is not None:
         print(f"{found['verdict']}{': ' + found['why'] if found['why'] else ''}")
-    for name, value in (found.get("counterexample") or {}).items():
+    counterexample: dict[str, float] = found.get("counterexample") or {}
+    for name, value in counterexample.items():
         print(f"  for example at {name} = {value:g}")

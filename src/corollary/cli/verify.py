@@ -49,7 +49,7 @@ def _problems(codes: list[str], bank: Path | None) -> tuple[list[tuple[Bank, Pro
     """The problems asked for, all without a code, each with its bank; and what is wrong with files that cannot be read."""
     if codes:
         return [home(bank, code) for code in codes], []
-    place, todo, broken = open_bank(bank), [], []
+    place, todo, broken = open_bank(bank), list[tuple[Bank, Problem]](), list[str]()
     for path in files(place):
         try:
             todo.append((place, read_problem(path)))

@@ -20,14 +20,16 @@ from corollary.verify.scene_extremes import ExtremeRun, play
 
 def run_extremes(todo: list[tuple[Bank, Problem]], broken: list[str], *, scenes: bool, as_json: bool) -> int:
     """Each problem's closed forms and, when asked for, the scenes."""
-    start, pushed = time.perf_counter(), []
+    start, pushed = time.perf_counter(), list[Pushed]()
     for place, problem in steps(todo, lambda each: each[1].code, "pushing"):
         try:
             pushed.append(push(solve(place, problem)))
         except NotDerivable as error:
             broken.append(str(error))
     met = (
-        [play(extreme) for extreme in steps(extremes(), lambda each: each.what, "playing")] if scenes else []
+        [play(extreme) for extreme in steps(extremes(), lambda each: each.what, "playing")]
+        if scenes
+        else list[ExtremeRun]()
     )
     ok = not broken and all(each.ok for each in (*pushed, *met))
     seconds = time.perf_counter() - start

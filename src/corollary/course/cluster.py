@@ -1,9 +1,11 @@
 """Marking on more than one machine: a Dask cluster that is there already; each of its processes has its own warm runner."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from itertools import islice
@@ -47,7 +49,7 @@ def on_cluster(address: str) -> Execute:
     @contextmanager
     def execute(
         context: GradingContext, submissions: Iterable[Submission]
-    ) -> Iterator[Iterator[GradedSubmission]]:
+    ) -> Generator[Iterator[GradedSubmission]]:
         client = _connect(address)
         try:
             sent = Sent(context, os.urandom(8).hex(), state_of(context.problem_set, context.solutions))

@@ -1,5 +1,7 @@
 """What was handed in, marked: run, judged, recorded, with feedback for each student; what is unchanged is left alone."""
 
+# pyright: reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
@@ -40,7 +40,7 @@ def here(jobs: int | None, count: int) -> Execute:
 @contextmanager
 def in_turn(
     context: GradingContext, submissions: Iterable[Submission]
-) -> Iterator[Iterator[GradedSubmission]]:
+) -> Generator[Iterator[GradedSubmission]]:
     """One after the other, in this process."""
     with context.runner() as runner:
         yield (grade_submission(context, runner, each) for each in submissions)
@@ -52,7 +52,7 @@ def side_by_side(jobs: int) -> Execute:
     @contextmanager
     def execute(
         context: GradingContext, submissions: Iterable[Submission]
-    ) -> Iterator[Iterator[GradedSubmission]]:
+    ) -> Generator[Iterator[GradedSubmission]]:
         waiting = iter(submissions)
         pool = _pool(context, jobs)
         try:

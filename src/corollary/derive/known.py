@@ -1,5 +1,7 @@
 """What is known so far while a derivation is solved: closed forms, dimensions, and the numbers at sample points."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Mapping

@@ -1,5 +1,7 @@
 """The best value of one letter between bounds: where the slope vanishes, or at an end."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Sequence

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import Unsolved
 from corollary.derive.statements import (
+    ENTRIES,
     Derivation,
     Entry,
     Example,
@@ -25,7 +26,7 @@ from corollary.problem.problem import Problem
 def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:
     """What does not fit between the parts and the entries: a sentence, and the line of the entry it is about (or 0)."""
     for entry in derivation.entries:
-        if not isinstance(entry, Entry):  # pyright: ignore[reportUnnecessaryIsInstance]
+        if not isinstance(entry, ENTRIES):  # pyright: ignore[reportUnnecessaryIsInstance]
             yield f"derivation(…) holds {entry!r}, which is no entry; use step(…), choice(…), explain(…)", 0
             return
     ids = {part.id for part in problem.parts}

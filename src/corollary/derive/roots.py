@@ -1,5 +1,7 @@
 """Laws solved for unknowns: which roots there are, and which one is meant."""
 
+# pyright: reportMissingTypeArgument=false, reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownParameterType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Sequence

@@ -25,6 +25,7 @@ class NotSerializable(TypeError):
 
 def to_data(value: Any) -> Any:
     """The value as JSON can hold it: each dataclass under its name, with its fields in order. Raises NotSerializable."""
+    whole = value  # which stays of any type where a case below narrows the value
     match value:
         case None | bool() | int() | str():
             return value
@@ -33,11 +34,11 @@ def to_data(value: Any) -> Any:
         case Fraction():
             return {"fraction": str(value)}
         case tuple() | list():
-            return [to_data(each) for each in value]
+            return list(map(to_data, whole))
         case frozenset():
-            return {"set": [to_data(each) for each in sorted(value)]}
+            return {"set": list(map(to_data, sorted(whole)))}
         case Mapping():
-            return {"table": [[to_data(name), to_data(each)] for name, each in value.items()]}
+            return {"table": [[to_data(name), to_data(each)] for name, each in whole.items()]}
         case _ if TYPES.get(type(value).__name__) is type(value):
             return {type(value).__name__: [to_data(getattr(value, field.name)) for field in fields(value)]}
         case _:
@@ -46,13 +47,14 @@ def to_data(value: Any) -> Any:
 
 def from_data(data: Any) -> Any:
     """The value that `to_data` wrote. Raises ValueError, TypeError or KeyError for what it never writes."""
+    whole = data
     match data:
         case None | bool() | int() | str():
             return data
         case list():
-            return tuple(map(from_data, data))
+            return tuple(map(from_data, whole))
         case dict():
-            ((name, inside),) = data.items()
+            ((name, inside),) = whole.items()
             match name:
                 case "float":
                     return float.fromhex(inside)

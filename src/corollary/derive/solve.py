@@ -1,5 +1,7 @@
 """A derivation solved: each step's laws for its unknowns, in the letters before it and in the givens alone."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from typing import Any

@@ -235,7 +235,14 @@ class Neglected(Generic[BoundT, SupposedT]):
 
 
 Finding = Step | Optimum | Simulated
-Entry = Finding | Choice | Example | Code | Plot | Proof | Explain | Printed | Neglected
+StatedChoice = Choice["Boolean | bool"]
+StatedExample = Example["sympy.Symbol", "sympy.Expr", "Law"]
+StatedProof = Proof["Law"]
+StatedNeglected = Neglected[Step, Supposed]
+Entry = (
+    Finding | StatedChoice | StatedExample | Code | Plot | StatedProof | Explain | Printed | StatedNeglected
+)
+ENTRIES = (Step, Optimum, Simulated, Choice, Example, Code, Plot, Proof, Explain, Printed, Neglected)
 
 
 @dataclass(frozen=True, slots=True)

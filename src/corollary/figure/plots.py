@@ -1,8 +1,10 @@
 """Plots of curves as SVG text; the same data give the same bytes."""
 
+# pyright: reportUnknownMemberType=false
+
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from io import StringIO
@@ -68,7 +70,7 @@ def lines(
 
 
 @contextmanager
-def _drawn(height: float, alt: str) -> Iterator[tuple[Axes, list[str]]]:
+def _drawn(height: float, alt: str) -> Generator[tuple[Axes, list[str]]]:
     """Axes to draw on; when the block ends, the list holds the drawing."""
     out: list[str] = []
     with matplotlib.rc_context(STYLE):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -60,7 +60,7 @@ class Certified:
 
 
 @contextmanager
-def precision_of(bits: int) -> Iterator[None]:
+def precision_of(bits: int) -> Generator[None]:
     """Everything inside works with so many bits; one thread at a time."""
     with _FLINT:
         before = ctx.prec

@@ -1,5 +1,7 @@
 """From sympy to a formula tree, in the form a person would write."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from fractions import Fraction

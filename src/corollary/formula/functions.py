@@ -1,5 +1,7 @@
 """The functions a formula may use: one row each, which every reader, evaluator and writer of formulas asks."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false
+
 from __future__ import annotations
 
 import math

@@ -35,7 +35,7 @@ class Line:
     numbers: bool = False
     at: int = 0
     depth: int = 0
-    bars: list[int] = field(default_factory=list)  # depth of brackets at each | still open
+    bars: list[int] = field(default_factory=list[int])  # depth of brackets at each | still open
 
     @property
     def next(self) -> Token:

@@ -164,7 +164,7 @@ def _unshared(pairs: Iterable[tuple[str, str]]) -> dict[str, Meaning]:
 
 def _latin(run: str) -> tuple[str, list[int], set[int]]:
     """The run in plain letters; the place of each in the run; the places where it must not be cut."""
-    latin, places, joints, braced = "", [], set(), False
+    latin, places, joints, braced = "", list[int](), set[int](), False
     for place, letter in enumerate(run):
         if letter == "_" or letter in "{},":
             braced = letter == "{" or (braced and letter != "}")
@@ -185,7 +185,7 @@ def _cuts(latin: str, joints: set[int], known: Letters, *, loosely: bool) -> lis
     """The cuts into fewest words, at most two of them, found from the end (the number of all cuts grows exponentially)."""
     best: list[tuple[int, list[Cut]]] = [(0, [[]])] * (len(latin) + 1)
     for start in range(len(latin) - 1, -1, -1):
-        fewest, found = len(latin) + 1, []
+        fewest, found = len(latin) + 1, list[Cut]()
         for end in range(start + 1, len(latin) + 1) if start not in joints else ():
             if end in joints or not best[end][1]:
                 continue

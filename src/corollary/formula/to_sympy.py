@@ -1,5 +1,7 @@
 """From a formula as written to sympy, letter by letter."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Mapping

@@ -1,5 +1,7 @@
 """What became of a sheet on its way: another student's notebook, edited statements and checks; reported, never marked."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Iterator

@@ -1,6 +1,10 @@
 """Collisions along a line: the coefficient of restitution, the two-body problem, and the contact of a spring."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
+
+from typing import Any
 
 import sympy
 
@@ -9,7 +13,7 @@ from corollary.laws.law import Law, as_expression, law, sides
 from corollary.laws.momentum import conservation_of_momentum
 
 
-def restitution(r: object, *, A: tuple, B: tuple) -> Law:
+def restitution(r: object, *, A: tuple[Any, ...], B: tuple[Any, ...]) -> Law:
     """The relative velocity is turned round and shrinks by r (12.62); A and B are (velocity before, velocity after).
 
     `v_B1 - v_A1 = -r*(v_B0 - v_A0)`
@@ -58,7 +62,7 @@ def half_oscillation(T: object, m: object, k: object) -> Law:
     )
 
 
-def after_elastic(*, A: tuple, B: tuple) -> tuple[sympy.Expr, sympy.Expr]:
+def after_elastic(*, A: tuple[Any, ...], B: tuple[Any, ...]) -> tuple[sympy.Expr, sympy.Expr]:
     """Both velocities after an elastic collision, (12.79) and (12.80), solved from momentum and energy.
 
     A and B are (mass, velocity before). Of the two roots the one on which nothing has happened is left out.

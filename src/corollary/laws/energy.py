@@ -15,15 +15,17 @@ def kinetic_energy(K: object, m: object, v: object) -> Law:
     return law("Kinetic energy", "K = m*v^2/2", source="(12.2)", K=K, m=m, v=v)
 
 
-def change_of_kinetic_energy(dK: object, *, before: list[tuple], after: list[tuple]) -> Law:
+def change_of_kinetic_energy(
+    dK: object, *, before: list[tuple[Any, ...]], after: list[tuple[Any, ...]]
+) -> Law:
     """The change is the sum after less the sum before; both list (mass, velocity) of every object.
 
     `dK = m_A1*v_A1^2/2 + … - m_A0*v_A0^2/2 - …` (12.61)
     """
     letters: dict[str, Any] = {"dK": dK}
 
-    def total(bodies: list[tuple], moment: int) -> list[str]:
-        terms = []
+    def total(bodies: list[tuple[Any, ...]], moment: int) -> list[str]:
+        terms: list[str] = []
         for place, (mass, velocity) in enumerate(bodies):
             body = "ABCDEFGH"[place] if len(bodies) > 1 else ""
             m, v = f"m_{body}{moment}", f"v_{body}{moment}"
@@ -51,13 +53,13 @@ def falling(v: object, g: object, h: object) -> Law:
     )
 
 
-def elastic(*, before: list[tuple], after: list[tuple]) -> Law:
+def elastic(*, before: list[tuple[Any, ...]], after: list[tuple[Any, ...]]) -> Law:
     """An elastic collision keeps the kinetic energy; both list (mass, velocity) of the same objects, in order.
 
     `m_A*v_A0^2/2 + … = m_A*v_A1^2/2 + …` (12.64)
     """
     letters: dict[str, Any] = {}
-    left, right = [], []
+    left, right = list[str](), list[str]()
     for place, ((mass, first), (_, last)) in enumerate(zip(before, after, strict=True)):
         body = "ABCDEFGH"[place]
         letters |= {f"m_{body}": mass, f"v_{body}0": first, f"v_{body}1": last}
@@ -107,15 +109,17 @@ def spring_at_rest(*, m: object, v: object, k: object, x: object) -> Law:
     )
 
 
-def change_of_kinetic_energy_in_plane(dK: object, *, before: list[tuple], after: list[tuple]) -> Law:
+def change_of_kinetic_energy_in_plane(
+    dK: object, *, before: list[tuple[Any, ...]], after: list[tuple[Any, ...]]
+) -> Law:
     """Kinetic energy after less before, for velocities (x, y); both list (mass, velocity) of the same objects, in order.
 
     `dK = m_A*(v_Ax1^2 + v_Ay1^2)/2 + … - m_A*(v_Ax0^2 + v_Ay0^2)/2 - …` (12.61)
     """
     letters: dict[str, Any] = {"dK": dK}
 
-    def total(bodies: list[tuple], moment: int) -> list[str]:
-        terms = []
+    def total(bodies: list[tuple[Any, ...]], moment: int) -> list[str]:
+        terms: list[str] = []
         for body, (mass, velocity) in zip("ABCDEFGH", bodies, strict=False):
             m, x, y = f"m_{body}", f"v_{body}x{moment}", f"v_{body}y{moment}"
             letters[m], letters[x], letters[y] = mass, *velocity
@@ -126,7 +130,7 @@ def change_of_kinetic_energy_in_plane(dK: object, *, before: list[tuple], after:
     return law("Change of kinetic energy", f"dK = {formula}", source="(12.61)", holds="", **letters)
 
 
-def energy_at_heights(g: object, *, before: tuple, after: tuple) -> Law:
+def energy_at_heights(g: object, *, before: tuple[Any, ...], after: tuple[Any, ...]) -> Law:
     """Kinetic and potential energy together stay the same (12.25); both are (velocity, height).
 
     `v_0^2/2 + g*y_0 = v_1^2/2 + g*y_1`

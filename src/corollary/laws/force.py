@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from corollary.laws.law import Law, law
 
 
-def distance(r: object, place: tuple) -> Law:
+def distance(r: object, place: tuple[Any, ...]) -> Law:
     """The length of the vector (x, y).
 
     `r = sqrt(x^2 + y^2)`
@@ -37,9 +39,9 @@ def sphere_contact(
     k: object,
     delta: object,
     eta: object,
-    apart: tuple,
+    apart: tuple[Any, ...],
     r: object,
-    passing: tuple,
+    passing: tuple[Any, ...],
 ) -> Law:
     """What sphere B does to sphere A: a push along the line of centres, and a drag; `apart` and `passing` are B less A.
 
@@ -61,7 +63,7 @@ def sphere_contact(
     )
 
 
-def ionic(F: object, *, C: object, apart: tuple, r: object) -> Law:
+def ionic(F: object, *, C: object, apart: tuple[Any, ...], r: object) -> Law:
     """What ion B does to ion A, which it repels; `apart` is the place of B less that of A.
 
     `F = -(C/r^2)*(dr/r)` (section 12.6)
@@ -69,7 +71,7 @@ def ionic(F: object, *, C: object, apart: tuple, r: object) -> Law:
     return law("Ionic force", "F = -(C/r^2)*(dr/r)", source="(section 12.6)", F=F, C=C, dr=apart, r=r)
 
 
-def towards_circle(F: object, *, k: object, b: object, place: tuple, r: object) -> Law:
+def towards_circle(F: object, *, k: object, b: object, place: tuple[Any, ...], r: object) -> Law:
     """A spring that pulls to the distance b from the origin, along the radius.
 
     `F = -k*(r - b)*s/r` (project 12.15 f)

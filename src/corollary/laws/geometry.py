@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from corollary.laws.law import Law, law
 
 
-def angle_between(psi: object, *, a: tuple, b: tuple, lengths: tuple) -> Law:
+def angle_between(psi: object, *, a: tuple[Any, ...], b: tuple[Any, ...], lengths: tuple[Any, ...]) -> Law:
     """The angle between two vectors in the plane, from their scalar product.
 
     `a*b*cos(psi) = a_x*b_x + a_y*b_y`
@@ -23,7 +25,7 @@ def angle_between(psi: object, *, a: tuple, b: tuple, lengths: tuple) -> Law:
     )
 
 
-def line_of_centres(n: tuple, *, s: object, D: object) -> tuple[Law, Law]:
+def line_of_centres(n: tuple[Any, ...], *, s: object, D: object) -> tuple[Law, Law]:
     """The unit vector from centre to centre as two spheres touch: across the motion the centres are s apart, in all D.
 
     `n_y = s/D`; `n_x = sqrt(1 - n_y^2)`

@@ -1,6 +1,10 @@
 """Impulse, mean force, and Newton's third law."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
+
+from typing import Any
 
 import sympy
 
@@ -33,7 +37,7 @@ def third_law(on_other: object, on_this: object) -> Law:
     return law("Newton's third law", "J_AB = -J_BA", source="(12.44)", J_AB=on_other, J_BA=on_this)
 
 
-def impulse_of(J: object, t: sympy.Symbol, *pieces: tuple) -> Law:
+def impulse_of(J: object, t: sympy.Symbol, *pieces: tuple[Any, ...]) -> Law:
     """The impulse is the area under F(t) (12.20); each piece is (force as a formula of t, from when, till when).
 
     `J = A`
@@ -67,7 +71,7 @@ def force_on_standing(F: object, N: object, m: object, g: object) -> Law:
     )
 
 
-def direction(angle: object, J: tuple) -> Law:
+def direction(angle: object, J: tuple[Any, ...]) -> Law:
     """The angle of a vector above the x-axis (12.41), for vectors with a positive x-component.
 
     `beta = atan(J_y/J_x)`

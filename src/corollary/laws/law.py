@@ -1,5 +1,7 @@
 """A law: the equation as the textbook has it, what its letters mean here, and when it holds."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Mapping

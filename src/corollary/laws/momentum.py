@@ -25,7 +25,7 @@ def change_of_momentum(dp: object, m: object, *, before: object, after: object) 
     )
 
 
-def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
+def conservation_of_momentum(*, before: list[tuple[Any, ...]], after: list[tuple[Any, ...]]) -> Law:
     """The total momentum of an isolated system is the same before and after (12.52), (12.58).
 
     `before` and `after` list (mass, velocity) of every object; an object that comes to be, or to be part of another, may differ.
@@ -34,8 +34,8 @@ def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
     """
     letters: dict[str, Any] = {}
 
-    def total(bodies: list[tuple], moment: int) -> str:
-        terms = []
+    def total(bodies: list[tuple[Any, ...]], moment: int) -> str:
+        terms: list[str] = []
         for place, (mass, velocity) in enumerate(bodies):
             body = "ABCDEFGH"[place]
             m, v = f"m_{body}" if same else f"m_{body}{moment}", f"v_{body}{moment}"
@@ -54,13 +54,13 @@ def conservation_of_momentum(*, before: list[tuple], after: list[tuple]) -> Law:
     )
 
 
-def sticking(*, before: list[tuple], together: object) -> Law:
+def sticking(*, before: list[tuple[Any, ...]], together: object) -> Law:
     """Conservation of momentum when all objects move on as one.
 
     `m_A*v_A0 + m_B*v_B0 + … = (m_A + m_B + …)*v_1` (12.14), (12.81)
     """
     letters: dict[str, Any] = {"v_1": together}
-    left, masses = [], []
+    left, masses = list[str](), list[str]()
     for place, (mass, velocity) in enumerate(before):
         body = "ABCDEFGH"[place]
         letters[f"m_{body}"], letters[f"v_{body}0"] = mass, velocity
@@ -75,13 +75,13 @@ def sticking(*, before: list[tuple], together: object) -> Law:
     )
 
 
-def total_momentum(P: object, bodies: list[tuple]) -> Law:
+def total_momentum(P: object, bodies: list[tuple[Any, ...]]) -> Law:
     """The total momentum is the sum over all objects (12.49), (12.56); `bodies` lists (mass, velocity), vectors allowed.
 
     `P = m_1*v_1 + m_2*v_2 + …`
     """
     letters: dict[str, Any] = {"P": P}
-    terms = []
+    terms: list[str] = []
     for place, (mass, velocity) in enumerate(bodies, 1):
         letters[f"m_{place}"], letters[f"v_{place}"] = mass, velocity
         terms.append(f"m_{place}*v_{place}")
@@ -104,7 +104,7 @@ def external_impulse(J: object, *, before: object, after: object) -> Law:
     )
 
 
-def magnitude(p: object, components: tuple) -> Law:
+def magnitude(p: object, components: tuple[Any, ...]) -> Law:
     """The length of a vector in a plane, by Pythagoras.
 
     `p = sqrt(p_x^2 + p_y^2)`

@@ -1,5 +1,7 @@
 """Motion in a potential: the truncated harmonic well, turning points, and the well seen from a turning plane."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import sympy

@@ -1,5 +1,7 @@
 """Bodies that take up or throw out mass: absorption, thrust, and the rocket equation."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false
+
 from __future__ import annotations
 
 import sympy

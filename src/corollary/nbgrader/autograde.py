@@ -3,6 +3,8 @@
 Every class here stands in the place of one of nbgrader's, and leaves assignments that are none of ours to it.
 """
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import atexit

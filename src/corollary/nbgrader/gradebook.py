@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from errno import ENOSPC
 from pathlib import Path
@@ -74,7 +74,7 @@ def directory(course: Course) -> CourseDirectory:
 
 
 @contextmanager
-def gradebook(course: Course) -> Iterator[Gradebook]:
+def gradebook(course: Course) -> Generator[Gradebook]:
     """The open gradebook, made when there is none.
 
     Raises NoNbgrader, NotRegistered and BrokenConfig, and GradebookLocked and GradebookUnusable from whatever is done within.
@@ -116,7 +116,7 @@ def _new(course: Course, place: CourseDirectory) -> None:
 
 
 @contextmanager
-def programs_on_path() -> Iterator[None]:
+def programs_on_path() -> Generator[None]:
     """nbgrader starts the program `alembic` by name: it must be found although no environment was activated."""
     before = os.environ.get("PATH", os.defpath)
     os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{before}"

@@ -1,5 +1,7 @@
 """The marked notebook: the sheet as it was handed out, with the student's answers, what they gave, and what is said of them."""
 
+# pyright: reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import json

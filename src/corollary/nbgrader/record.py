@@ -3,6 +3,8 @@
 # nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
 # pyright: reportAttributeAccessIssue=false, reportReturnType=false
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping

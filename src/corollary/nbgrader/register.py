@@ -1,5 +1,7 @@
 """The set in an nbgrader course: what nbgrader's own commands and formgrader then work on, unchanged."""
 
+# pyright: reportUnknownMemberType=false
+
 from __future__ import annotations
 
 from contextlib import redirect_stderr

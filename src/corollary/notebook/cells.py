@@ -1,5 +1,7 @@
 """The cells of a worksheet: what is read, what is filled in, what is graded; with the metadata nbgrader knows them by."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import hashlib

@@ -65,7 +65,7 @@ def _carried(questions: tuple[Question, ...]) -> str:
 def _versions(types: tuple[str, ...]) -> dict[str, str]:
     """The packages that the code comes from, each with its version."""
     others = {folder(name).partition(".")[0] for name in types} - {"corollary"}
-    owners = packages_distributions() if others else {}
+    owners = dict(packages_distributions()) if others else dict[str, list[str]]()
     return {"corollary": __version__} | {
         owner: version(owner) for package in sorted(others) for owner in owners.get(package, [])
     }

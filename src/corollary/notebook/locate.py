@@ -1,5 +1,7 @@
 """What a student wrote, found again in the notebook that came back, however it was moved about."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Mapping

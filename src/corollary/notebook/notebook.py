@@ -1,5 +1,7 @@
 """A worksheet as a notebook: one file for one student and a whole set, which opens and runs wherever Jupyter and numpy do."""
 
+# pyright: reportUnknownMemberType=false
+
 from __future__ import annotations
 
 from base64 import b64encode

@@ -139,7 +139,7 @@ def files(bank: Bank) -> list[Path]:
 
 def load(bank: Bank) -> list[Problem]:
     """Every problem, in the order of the chapter. Raises Malformed with the complaints of every file, or for one code used twice."""
-    problems, complaints = [], []
+    problems, complaints = list[Problem](), list[Diagnostic]()
     for path in files(bank):
         try:
             problems.append(_read(path))
@@ -153,16 +153,15 @@ def load(bank: Bank) -> list[Problem]:
 
 
 def _read(path: Path) -> Problem:
-    from corollary.problem.reader import (
-        read_problem,
-    )  # with formulas and YAML: a list that is cached needs neither
+    # Only here: it loads formulas and YAML, and a list that is cached needs neither.
+    from corollary.problem.reader import read_problem
 
     return read_problem(path)
 
 
 def doubles(problems: list[Problem]) -> list[Diagnostic]:
     """One complaint for each problem whose code or name another has already: neither would be found."""
-    complaints, codes, names = [], {}, {}
+    complaints, codes, names = list[Diagnostic](), dict[str, Problem](), dict[str, Problem]()
     for problem in problems:
         if (other := codes.setdefault(problem.code.lower(), problem)) is not problem:
             complaints.append(
@@ -183,7 +182,7 @@ def doubles(problems: list[Problem]) -> list[Diagnostic]:
     return complaints
 
 
-def chapter_order(code: str) -> tuple:
+def chapter_order(code: str) -> tuple[int, list[int], str]:
     """Sections first, then examples, exercises and projects, each by number."""
     head, numbers = code[:1], "".join(letter if letter.isdigit() else " " for letter in code[1:]).split()
     return ("STEXP".find(head) % 9, [int(number) for number in numbers], code)

@@ -1,5 +1,7 @@
 """How many distinct variants a problem has, conditions taken into account."""
 
+# pyright: reportUnknownArgumentType=false
+
 from __future__ import annotations
 
 import hashlib

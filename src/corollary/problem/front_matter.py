@@ -1,5 +1,7 @@
 """Front matter read node by node: every value is text with a line number, so YAML never guesses a type."""
 
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import re

@@ -146,7 +146,7 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
 
 def _scheme(path: Path, table: TableNode, complaints: list[Diagnostic]) -> Scheme:
     row = Reader(path, table, "credit", complaints)
-    shares = {}
+    shares: dict[str, float] = {}
     for name, default in (("follows", "1"), ("slip", "0.5"), ("mistaken", "0.25"), ("late", "1")):
         share = row.fraction(name, default)
         if share is not None and not 0 <= share <= 1:

@@ -40,7 +40,7 @@ OTHERS = (
     "last access to course", "last access", "grade", "maximum grade", "city/town", "country",
 )  # fmt: skip
 HEADINGS = frozenset((*IDS, *EMAILS, *FIRST_NAMES, *LAST_NAMES, *NAMES, *OTHERS))
-DIGIT = re.compile(r"\d")
+AT, DIGIT = re.compile("@"), re.compile(r"\d")
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,8 +78,8 @@ def guessed(rows: Sequence[Sequence[str]]) -> Columns | None:
     width = max(map(len, rows))
     cells = [[row[at] if at < len(row) else "" for row in rows] for at in range(width)]
     for column in cells:
-        for has in (lambda cell: "@" in cell, lambda cell: bool(DIGIT.search(cell))):
-            if len(column) > 1 and all(map(has, column[1:])) and not has(column[0]):
+        for mark in (AT, DIGIT):
+            if len(column) > 1 and all(map(mark.search, column[1:])) and not mark.search(column[0]):
                 return None
     email = next((at for at, column in enumerate(cells) if all("@" in cell for cell in column)), None)
     unique = [at for at, column in enumerate(cells) if all(column) and len(set(column)) == len(column)]

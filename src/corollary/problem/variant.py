@@ -61,7 +61,7 @@ def at(problem: Problem, index: int) -> Variant:
     """The grid point with this index; the last given moves fastest. Raises OutOfRange beyond the grid."""
     if not 0 <= index < size(problem):
         raise OutOfRange(f"{problem.code} has variants 0 to {size(problem) - 1}; {index} is not among them")
-    values, rest = {}, index
+    values, rest = dict[str, Fraction](), index
     for given in reversed(problem.givens):
         rest, place = divmod(rest, given.grid.count)
         values[given.symbol] = given.grid[place]

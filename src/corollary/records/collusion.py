@@ -72,7 +72,7 @@ def find_shared(
                     met.setdefault((student, other), {}).setdefault(problem.code, []).append(
                         (problem.answer_name(part), width)
                     )
-    shared = []
+    shared: list[Shared] = []
     for (student, other), problems in met.items():
         one = math.prod(max(width for _, width in parts) for parts in problems.values())
         chance = -math.expm1((len(assigned) - 1) * math.log1p(-min(one, 1 - 1e-12)))

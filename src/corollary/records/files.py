@@ -7,7 +7,7 @@ import fcntl
 import io
 import os
 import secrets
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -139,7 +139,7 @@ def roster_table(roster: Iterable[Student]) -> str:
 
 
 @contextmanager
-def one_writer(course: Course) -> Iterator[None]:
+def one_writer(course: Course) -> Generator[None]:
     """Held while marks are written. Raises BeingGraded.
 
     A lock on the folder itself, which the system releases when its holder ends, however it ends: no stale lock file is left.

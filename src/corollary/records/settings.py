@@ -65,7 +65,7 @@ class Settings:
 
 def read_settings(folder: Path) -> Settings:
     """The settings of the course in a folder; all usual where there is no file. Raises Malformed."""
-    path = folder / FILE
+    path, text = folder / FILE, ""
     try:
         text = path.read_text(encoding="utf-8-sig")
         table = tomllib.loads(text)

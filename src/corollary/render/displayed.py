@@ -26,7 +26,7 @@ BETWEEN_EQUATIONS, BETWEEN_RELATIONS, BETWEEN_SIGNS, BETWEEN_FACTORS = range(4)
 def displayed(latex: str) -> str:
     """The HTML of a formula on lines of its own."""
     tree = formula(latex, display=True)
-    row = _row(tree) if tree is not None else []
+    row = _row(tree) if tree is not None else list[Element]()
     if width(row) <= NARROW:
         return f'<div class="formula">{mathml(latex, display=True)}</div>\n'
     pieces, widest = _pieces(row, BETWEEN_EQUATIONS)

@@ -46,7 +46,7 @@ def terminal_text(text: str, *, width: int = 80) -> str:
             case "list_item_open":
                 bullet = f"{token.info}{token.markup} " if token.info else "- "
             case "tr_open":
-                cells = []
+                cells = list[str]()
             case "tr_close":
                 block, tight, cells = " | ".join(cells or []), True, None
             case "inline" if cells is not None:

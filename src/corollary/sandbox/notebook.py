@@ -1,5 +1,7 @@
 """Reading a notebook file a student handed in, whatever is in it."""
 
+# pyright: reportMissingTypeArgument=false, reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownParameterType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 import json

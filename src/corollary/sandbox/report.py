@@ -83,7 +83,7 @@ def _place(job: Job, state: WorkerState) -> str:
 
 def _cell_runs(job: Job, state: WorkerState) -> tuple[CellRun, ...]:
     """One entry for each cell of the job, whether it ran or not."""
-    runs = []
+    runs: list[CellRun] = []
     at = state.working_on
     broken = at.index if at is not None and at.what == "cell" else None
     for index, cell in enumerate(job.cells):

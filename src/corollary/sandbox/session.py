@@ -41,11 +41,11 @@ class WorkerState:
     `working_on` is what it began last, while that is not finished; `late` says that its time was up.
     """
 
-    cells: dict[int, CellFrame] = field(default_factory=dict)
-    calls: dict[int, CallFrame] = field(default_factory=dict)
-    pictures: dict[int, PictureFrame] = field(default_factory=dict)
-    seconds: dict[int, float] = field(default_factory=dict)
-    held: dict[str, bool] = field(default_factory=dict)
+    cells: dict[int, CellFrame] = field(default_factory=dict[int, CellFrame])
+    calls: dict[int, CallFrame] = field(default_factory=dict[int, CallFrame])
+    pictures: dict[int, PictureFrame] = field(default_factory=dict[int, PictureFrame])
+    seconds: dict[int, float] = field(default_factory=dict[int, float])
+    held: dict[str, bool] = field(default_factory=dict[str, bool])
     working_on: Began | None = None
     started: bool = False
     late: bool = False

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
@@ -50,9 +51,9 @@ def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) ->
     }
 
 
-def _checked(scene: str, setting: Setting, value: object) -> Observed:
+def _checked(scene: str, setting: Setting, value: Any) -> Observed:
+    several = value
     if isinstance(value, (list, tuple)):
-        several: Sequence[object] = value
         if not setting.many:
             raise BadSetting(f"{scene}: {setting.name} is one number, not a row of {len(several)}.")
         return tuple(_number(scene, setting, each) for each in several)

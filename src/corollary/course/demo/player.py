@@ -22,7 +22,7 @@ class Hand:
     """
 
     sources: Sources
-    deserves: Mapping[str, str] = field(default_factory=dict)
+    deserves: Mapping[str, str] = field(default_factory=dict[str, str])
     raw: bytes | None = None
     late: float = 0.0
     nothing: str = ""

@@ -30,7 +30,7 @@ OTHER_UNITS = {
 def in_unit(values: tuple[float, ...], of: Unit, mark: str = ".") -> list[str]:
     """Numbers as typed, with a unit: about four figures, but never three decimals, which after a comma could be thousands."""
     size = of.si
-    numbers = []
+    numbers: list[str] = []
     for value in values:
         tries = (decimal_text(value / size, figures) if value else "0" for figures in (4, 5))
         number = next(text for text in tries if len(text.partition(".")[2]) != 3)

@@ -109,7 +109,7 @@ def _played(
     problem_set: ProblemSet, player: Player, sheet: Worksheet, hand: Hand, outcome: Outcome
 ) -> Played:
     record = outcome.records[player.student.id]
-    deserved, differences = 0.0, []
+    deserved, differences = 0.0, list[str]()
     for prompt in sheet.prompts:
         verdict = hand.deserves.get(
             prompt.key, "unmarked" if answer_type(prompt.part.answer_type).found_in == "cell" else "right"

@@ -36,7 +36,7 @@ from corollary.grading.programs.orbit import (
 
 def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:
     """A comes from outside and meets B at r = b, once along a radius, twice obliquely; `t1` is a whole number of steps."""
-    cases = []
+    cases: list[Inputs] = []
     for aside in (0.0, 0.3, 0.6):
         m, k, b = round(draw(0.5, 4.0), 2), round(draw(40, 300)), round(draw(0.8, 1.6), 2)
         d = round(draw(0.35, 0.6) * b, 3)

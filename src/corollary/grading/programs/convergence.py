@@ -124,7 +124,7 @@ LATER = (
 
 def judged(family: Family, called: Sequence[Called]) -> Fault | Remark | None:
     """The first call that is too far away decides; when none is, what halving the step showed."""
-    both, standards = pairs(called), []
+    both, standards = pairs(called), list[Standard]()
     for pair in both:
         for call in pair:
             if sentence := family.misfit(call):

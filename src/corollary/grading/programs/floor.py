@@ -57,7 +57,7 @@ class Rebound:
 
 def bounce_inputs(given: Given, draw: Draw) -> list[Inputs]:
     """A hard quick contact, a long fall before it, and a soft contact in which the weight counts."""
-    cases = []
+    cases: list[Inputs] = []
     for stiffness, mass, speed, fall in (
         ((5e5, 2e6), (0.05, 0.2), (1.5, 4.0), (0.001, 0.01)),
         ((5e5, 2e6), (0.05, 0.2), (0.8, 1.5), (0.05, 0.15)),

@@ -37,7 +37,7 @@ def closest(C: float, mA: float, mB: float, r0: float, v: float) -> float:
 
 def ion_inputs(given: Given, draw: Draw) -> list[Inputs]:
     """Head-on, oblique, and B moving too; until well after the closest approach, in steps of a hundredth of closest / speed."""
-    cases = []
+    cases: list[Inputs] = []
     for aside, v_b in ((0.0, 0.0), (0.3, 0.0), (0.5, -0.4)):
         mA, mB = round(draw(0.05, 0.3), 3), round(draw(0.05, 0.3), 3)
         r0, v = round(draw(0.06, 0.15), 3), round(draw(0.6, 1.6), 2)

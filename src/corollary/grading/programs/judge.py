@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import assert_never
+from typing import Any, assert_never
 
 from corollary.answers.answer import Numbers, Unclear
 from corollary.answers.numbers import vector
@@ -83,7 +83,7 @@ def judge_code(
     """Every call must have come back; then the solution's judge looks at all of them together."""
     code = code_of(solution, part)
     assert code is not None
-    called = []
+    called: list[Called] = []
     for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
         answered = run.calls.get(f"{variant.problem.answer_name(part)}/{place}")
         if answered is None:
@@ -121,11 +121,12 @@ def _verdict(finding: Fault | Remark | None) -> Verdict:
             assert_never(finding)
 
 
-def _argument(value: object) -> Argument:
+def _argument(value: Any) -> Argument:
+    several = value
     if isinstance(value, (int, float, str)):
         return value
     if isinstance(value, (tuple, list)):
-        return tuple(float(each) for each in value)
+        return tuple(map(float, several))
     raise TypeError(f"a function cannot be called with {value!r}")
 
 

@@ -1,5 +1,7 @@
 """An atom in the plane of a molecule: its motion, what students' programs are called with, and how they and figures are judged."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false
+
 from __future__ import annotations
 
 import math

@@ -39,7 +39,7 @@ USUAL: dict[Scheme, str] = {
 
 def cradle_inputs(given: Given, draw: Draw) -> list[Inputs]:
     """Two, three and four balls, two laws of contact, masses and speeds of the grader's own."""
-    cases = []
+    cases: list[Inputs] = []
     for balls, q in ((2, 1.0), (3, 1.0), (3, 1.5), (4, 1.5)):
         m, v0 = round(draw(0.05, 0.4), 3), round(draw(0.4, 2.5), 2)
         k = round(draw(4e3, 4e4) if q == 1 else draw(1e6, 1e7), 0)

@@ -27,7 +27,14 @@ from corollary.scenes.models.bounce import contact_time
 from corollary.scenes.run import Run
 
 TIME, STEP = 0.10, 1e-4
-START = {"rA": (0.0, 0.0), "vA": (1.0, 0.0), "rB": (0.08, 0.018), "vB": (0.0, 0.0), "T": TIME, "dt": STEP}
+START: Inputs = {
+    "rA": (0.0, 0.0),
+    "vA": (1.0, 0.0),
+    "rB": (0.08, 0.018),
+    "vB": (0.0, 0.0),
+    "T": TIME,
+    "dt": STEP,
+}
 NEAR = 0.03  # of A's momentum at the start: curves are read off as drawn, steps of the student's own choice included
 AXES = {"the trajectories": (r"^x", r"^y"), "p_x": (r"^t", r"px|^p.*x"), "p_y": (r"^t", r"py|^p.*y")}
 
@@ -49,11 +56,11 @@ def sphere_force(
 
 def sphere_inputs(given: Given, draw: Draw) -> list[Inputs]:
     """A head-on hit, an oblique one, an oblique one with damping; until the spheres have parted."""
-    cases = []
+    cases: list[Inputs] = []
     for eta, aside in ((0.0, 0.0), (0.0, 0.8), (1.0, 0.6)):
         mA, mB, R = (round(draw(low, high), 4) for low, high in ((0.05, 0.3), (0.05, 0.3), (0.015, 0.03)))
         k, eta = round(draw(1e4, 4e4)), round(eta * draw(0.5, 1.5), 2)
-        case = {
+        case: dict[str, Any] = {
             "mA": mA,
             "mB": mB,
             "R": R,
@@ -66,7 +73,7 @@ def sphere_inputs(given: Given, draw: Draw) -> list[Inputs]:
         }
         time = _played(case).observed["duration"]
         assert isinstance(time, float)
-        case["T"] = (0.2 * R + 2 * R * (1 - math.sqrt(1 - (aside / 2) ** 2)) + 0.3 * R) / case["vA"][  # pyright: ignore[reportIndexIssue]
+        case["T"] = (0.2 * R + 2 * R * (1 - math.sqrt(1 - (aside / 2) ** 2)) + 0.3 * R) / case["vA"][
             0
         ] + 1.5 * time
         cases.append(case | {"dt": _contact(case) / STEPS})
@@ -118,7 +125,7 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
     inputs = {**START, "mA": given["mA"], "mB": given["mB"]}
     force = sphere_force(given["R"], given["k"], given["eta"])
     au, aw, bu, bw = two_bodies.marched(inputs, force, EULER_CROMER, 8 * round(TIME / STEP))
-    start = given["mA"] * START["vA"][0]  # pyright: ignore[reportIndexIssue]
+    start = given["mA"] * START["vA"][0]
     for what, labels in AXES.items():
         axes = next((each for each in figures if _labelled(each, labels)), None)
         if axes is None:
@@ -133,7 +140,7 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
             case "the trajectories":
                 wanted = {START["rA"], START["rB"]}
                 met = all(
-                    any(math.dist((line.x[0], line.y[0]), place) < 0.002 for line in curves)  # pyright: ignore[reportArgumentType]
+                    any(math.dist((line.x[0], line.y[0]), place) < 0.002 for line in curves)
                     for place in wanted
                 )
                 if not met:

@@ -13,7 +13,7 @@ from corollary.render.exports import Target
 
 def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
     problem = exercise.problem
-    alone = ProblemSet(problem.name, problem.title, "", (problem,), (1.0,), None, Scheme(), False)
+    alone = ProblemSet(problem.name, problem.title, "", (problem,), (1.0,), None, Scheme(), "no")
     return write_worksheet(worksheet(alone, student, [exercise.variant]), {})
 
 

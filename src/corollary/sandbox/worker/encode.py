@@ -39,7 +39,7 @@ _NUMPY_WHOLES = {f"{sign}{size}" for sign in ("int", "uint") for size in (8, 16,
 _NUMPY_COMPLEX = {"complex64", "complex128", "clongdouble", "complex256"}
 
 
-def encode(value):
+def encode(value: object) -> tuple[object, ...]:
     """Gives a tagged tuple: ("nothing",), ("real", float), ("exact", hex, hex), ("complex", float, float), ("text", str),
     ("measured", float, unit), ("items", [tagged…], [shape…]) or ("refused", why, shown).
 

@@ -1,5 +1,7 @@
 """Springs between bodies in a row: while the same ones touch, the motion is a sum of normal modes and is known exactly."""
 
+# pyright: reportUnknownArgumentType=false
+
 from __future__ import annotations
 
 import math
