@@ -139,7 +139,8 @@ def files(bank: Bank) -> list[Path]:
 
 def load(bank: Bank) -> list[Problem]:
     """Every problem, in the order of the chapter. Raises Malformed with the complaints of every file, or for one code used twice."""
-    problems, complaints = list[Problem](), list[Diagnostic]()
+    problems: list[Problem] = []
+    complaints: list[Diagnostic] = []
     for path in files(bank):
         try:
             problems.append(_read(path))
@@ -161,7 +162,9 @@ def _read(path: Path) -> Problem:
 
 def doubles(problems: list[Problem]) -> list[Diagnostic]:
     """One complaint for each problem whose code or name another has already: neither would be found."""
-    complaints, codes, names = list[Diagnostic](), dict[str, Problem](), dict[str, Problem]()
+    complaints: list[Diagnostic] = []
+    codes: dict[str, Problem] = {}
+    names: dict[str, Problem] = {}
     for problem in problems:
         if (other := codes.setdefault(problem.code.lower(), problem)) is not problem:
             complaints.append(
