@@ -38,7 +38,7 @@ def test_found_by_path(bank, tmp_path, monkeypatch):
 
 
 def test_a_code_that_begins_like_another(bank):
-    with pytest.raises(UnknownCode, match=r"no problem is called X1\.1;"):
+    with pytest.raises(UnknownCode, match=r"no problem is called X1\.1 \(did you mean"):
         find(bank, "X1.1")
 
 
