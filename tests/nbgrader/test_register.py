@@ -26,10 +26,11 @@ from nbgrader.api import Gradebook
 from corollary.answers.verdict import Follows, Mistaken, Right, Unmarked, Unread, Verdict
 from corollary.atomic import write_whole
 from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.grading.submission import MarkedSubmission, Submission
 from corollary.nbgrader.config import NotOurs
 from corollary.nbgrader.gradebook import GradebookLocked, NotRegistered, gradebook
-from corollary.nbgrader.marked_notebook import marked_notebook, notebook_text
-from corollary.nbgrader.record import record_one
+from corollary.nbgrader.graded import graded
+from corollary.nbgrader.marks import synchronized, write_graded
 from corollary.nbgrader.register import register
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
@@ -90,11 +91,13 @@ def record(
     works: Iterable[Marked],
     notebooks: Mapping[str, NotebookNode | None],
 ) -> None:
-    """Marks into the gradebook, and marked notebooks into `autograded/`, one student after the other."""
+    """Marks into the gradebook and the records, and marked notebooks into `autograded/`, one student after the other."""
+    given = synchronized(course).by_student(problem_set.name)
     with gradebook(course) as book:
         for one in works:
-            text = notebook_text(marked_notebook(one, problem_set, notebooks.get(one.student.id)))
-            record_one(course, book, problem_set, one, text)
+            found = MarkedSubmission(one, notebooks.get(one.student.id), {})
+            work = graded(problem_set, Submission(one.student, b"", {}, one.late, "fingerprint"), found)
+            write_graded(course, problem_set, work, given.get(one.student.id, {}), book)
 
 
 def manual_scores(course: Course, set_name: str) -> dict[str, dict[str, float]]:
@@ -218,16 +221,15 @@ def test_stock_commands_work_on_what_we_wrote(course: Course, week: ProblemSet):
     )
 
     assert "ada (Lovelace, Ada)" in command(course, "db", "student", "list")
-    write_whole(course.place("feedback", "ada", "week_1") / "week_1.html", "feedback on older marks")
-    write_whole(course.place("autograded", "ada", "week_1") / "week_1.feedback.html", "our own page")
+    place = course.place("feedback", "ada", "week_1")
+    ours = (place / "week_1.html").read_text()
+    assert "Feedback for Ada Lovelace" in ours
+    write_whole(place / "week_1.html", "feedback on older marks")
+    for step in ("feedback", "autograded"):
+        write_whole(course.place(step, "ada", "week_1") / "week_1.feedback.html", "a page of version 0.1")
     command(course, "generate_feedback", "week_1")
-    assert (course.place("feedback", "ada", "week_1") / "week_1.feedback.html").read_text() == "our own page"
-    page = (course.place("feedback", "ada", "week_1") / "week_1.html").read_text()
-    assert "week_1 (Score: 9.0 / 12.0)" in page
-    assert "Right</strong> (1 of 1 point)" in page
-    assert "drawn" in page
-    assert "<script>alert" not in page
-    assert "class Trouble" not in page
+    assert [path.name for path in place.glob("*.html")] == ["week_1.html"], "one page a student"
+    assert (place / "week_1.html").read_text() == ours
     assert (course.place("feedback", "ada", "week_1") / "timestamp.txt").read_text() == ON_TIME
     command(course, "export")
     rows = {row["student_id"]: row for row in csv.DictReader((course.folder / "grades.csv").open())}

@@ -10,7 +10,7 @@ from corollary.problem.problem_set import find_set
 from corollary.problem.variant import at
 from corollary.records.assigned import AssignedSheet
 from corollary.records.collusion import find_shared
-from corollary.records.marks import HandedIn, PartRecord, Record
+from corollary.records.record import HandedIn, PartRecord, Record
 
 SOLUTIONS = Solutions(chapter_bank())
 SET = find_set(SOLUTIONS.bank, "momentum_1")

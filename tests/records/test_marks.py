@@ -14,7 +14,8 @@ from corollary.grading.grade import Marked
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course
-from corollary.records.marks import history, read_record, read_records, record_of, settle, write_marks
+from corollary.records.marks import history, read_record, read_records, settle, write_marks
+from corollary.records.record import record_of
 from corollary.records.report_model import report_of
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
@@ -89,6 +90,10 @@ def work(of: ProblemSet) -> Marked:
     return SAMPLE["marked"](of)
 
 
+def write(course: Course, of: ProblemSet, work: Marked, fingerprint: str) -> None:
+    write_marks(course, of, "ada", record_of(work, fingerprint), b"{}", "the page")
+
+
 def place(course: Course, of: ProblemSet) -> Path:
     return course.folder / ".corollary/graded" / of.name / "ada.json"
 
@@ -123,16 +128,16 @@ def test_an_older_history_is_settled_and_goes_on(course: Course, of: ProblemSet,
     record = read_record(course, of, "ada")
     assert record is not None
     assert record.fingerprint == "0f19cc"
-    write_marks(course, of, work, "second", "the page")
+    write(course, of, work, "second")
     assert [each["fingerprint"] for each in history(course, of.name)] == ["0f19cc", "second"]
 
 
 def test_what_is_written_reads_back(course: Course, of: ProblemSet, work: Marked) -> None:
-    write_marks(course, of, work, "f", "the page")
+    write(course, of, work, "f")
     record = read_record(course, of, "ada")
     assert record == record_of(work, "f")
     assert read_records(course, of, ["ada", "bo"]) == {"ada": record}
-    assert (course.folder / f"feedback/ada/{of.name}/{of.name}.feedback.html").read_text() == "the page"
+    assert (course.folder / f"feedback/ada/{of.name}/{of.name}.html").read_text() == "the page"
     entry = json.loads(place(course, of).read_text())
     assert entry["parts"]["X12_5_c"]["mistake"] == "You forgot the $\\frac12$."
     assert "slip" not in entry["parts"]["X12_5_c"]
@@ -141,7 +146,7 @@ def test_what_is_written_reads_back(course: Course, of: ProblemSet, work: Marked
 
 @pytest.mark.parametrize("text", ["", "null", "[]", "{", '{"points": 1}', '{"points": "many"}'])
 def test_a_damaged_record_counts_as_none(course: Course, of: ProblemSet, work: Marked, text: str) -> None:
-    write_marks(course, of, work, "f", "the page")
+    write(course, of, work, "f")
     place(course, of).write_text(text)
     assert read_record(course, of, "ada") is None
 
@@ -150,11 +155,11 @@ def test_a_damaged_record_counts_as_none(course: Course, of: ProblemSet, work: M
 def test_a_line_cut_short_is_no_mark_and_spoils_no_other(
     course: Course, of: ProblemSet, work: Marked, left: int
 ) -> None:
-    write_marks(course, of, work, "first", "the page")
+    write(course, of, work, "first")
     path = course.folder / f".corollary/history/{of.name}.jsonl"
     whole = path.read_bytes()
-    write_marks(course, of, replace(work, late=60.0), "second", "the page")
+    write(course, of, replace(work, late=60.0), "second")
     path.write_bytes(path.read_bytes()[: len(whole) + left])
     settle(course, of)
-    write_marks(course, of, work, "third", "the page")
+    write(course, of, work, "third")
     assert [each["fingerprint"] for each in history(course, of.name)] == ["first", "third"]

@@ -9,7 +9,7 @@ from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.records.marks import record_of
+from corollary.records.record import record_of
 from corollary.records.regrading import changes
 
 KICK = chapter(find(chapter_bank(), "X12.5"))

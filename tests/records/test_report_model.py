@@ -15,7 +15,7 @@ from rich.console import Console
 
 from corollary.answers.verdict import Right
 from corollary.grading.grade import Grade
-from corollary.records.marks import HandedIn, Row, handed_in, rows
+from corollary.records.record import HandedIn, Row, handed_in, rows
 from corollary.records.report_model import report, report_record
 from corollary.render.report_table import terminal
 from corollary.render.wording import LOOKS
@@ -54,7 +54,7 @@ def test_every_part_counts_its_verdicts(works):
     assert list(parts) == [("X12.5", part) for part in ("a", "b", "c", "c_2", "e")] + [
         ("P12.14", part) for part in "ab"
     ]
-    assert parts["X12.5", "c"].counts == {**dict.fromkeys(LOOKS, 0), "right": 1, "mistaken": 2}
+    assert parts["X12.5", "c"].counts == {**dict.fromkeys(LOOKS, 0), "by_hand": 0, "right": 1, "mistaken": 2}
     assert parts["X12.5", "c"].share == pytest.approx((1 + 0.25 + 0.25) / 3)
     assert parts["X12.5", "e"].counts["unmarked"] == 2
     assert parts["X12.5", "e"].share == 1  # what waits does not count as wrong

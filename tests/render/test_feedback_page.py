@@ -9,11 +9,19 @@ from pathlib import Path
 
 import pytest
 
-from corollary.render.feedback_page import feedback_page
+from corollary.records.record import record_of, with_manual
+from corollary.render import feedback_page as page_of
+from corollary.render.feedback_facts import packed, page_facts, unpacked
 from corollary.render.wording import LOOKS
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 Page = SAMPLE["Page"]
+
+
+def feedback_page(work, of, *, manual=None, **more):
+    """The page with the program's own marks, or with what a person gave; made of facts that were written to a file."""
+    facts = unpacked(packed(page_facts(work, of, **more)))
+    return page_of.feedback_page(facts, with_manual(record_of(work, ""), manual or {}))
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ from corollary.course.export import (
     sheets_of_course,
     write_files,
 )
+from corollary.course.up_to_date import up_to_date
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import open_bank
@@ -20,7 +21,6 @@ from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import read_roster
 from corollary.records.files import Course, open_course, students
 from corollary.records.origin import set_of
-from corollary.records.report_model import report_of
 from corollary.render.exports import Target, target
 
 
@@ -63,7 +63,7 @@ def _marks(chosen: Target, to: str, course: Course | None, problem_set: ProblemS
     assert chosen.marks is not None
     if course is None:
         refuse(f"{to} holds marks; say of which course with --course")
-    report = report_of(course, problem_set)
+    report = up_to_date(course, problem_set)
     if not report.handed_in:
         refuse(
             f"nothing of {problem_set.name} is graded in {course.folder}; "

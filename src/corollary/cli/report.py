@@ -6,16 +6,17 @@ import os
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.course.up_to_date import up_to_date
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
-from corollary.records.report_model import report_of, report_record
+from corollary.records.report_model import report_record
 from corollary.records.settings import read_settings
 
 
 def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path | None) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
-    found = report_of(opened, problem_set)
+    found = up_to_date(opened, problem_set)
     if not found.handed_in:
         refuse(
             f"nothing of {problem_set.name} is graded in {course}; run corollary grade {problem_set.name} --course {course} first"

@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,14 +16,23 @@ from corollary.course.generate import source_notebook
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, state_of
-from corollary.nbgrader.gradebook import gradebook
+from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission
+from corollary.nbgrader.marks import current_manual, stale_pages, synchronized, write_graded
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
-from corollary.records.marks import Record, read_records, settle, write_marks
+from corollary.records.marks import (
+    page_facts_place,
+    read_marks,
+    read_records,
+    report_place,
+    settle,
+    write_page,
+)
+from corollary.records.record import Record
 from corollary.records.regrading import Change, changes
 from corollary.records.report_model import Report, report_of
 from corollary.records.settings import read_settings
@@ -102,24 +110,30 @@ def grade_set(
         for student, path in files.items()
         if student not in strangers
     }
+    manual = current_manual(course) if dry_run else synchronized(course)
     done = {
         student: record
         for student, record in read_records(course, problem_set, digests).items()
         if record.fingerprint == digests[student]
     }
-    written = _in_gradebook(course, problem_set, done) if has_nbgrader() and not dry_run else set(done)
+    written = _written(course, problem_set, done, dry_run)
     todo = [student for student in digests if regrade or student not in written]
     waiting = (
         read_submission(course, problem_set, roster[one], files[one], assigned[one], digests[one], terms[one])
         for one in todo
     )
+    given = manual.by_student(name)
+
+    def write(one: GradedSubmission, book: Gradebook | None) -> None:
+        write_graded(course, problem_set, one, given.get(one.marked.student.id, {}), book)
+
     held: list[GradedSubmission] = []
     not_run: dict[str, str] = {}
     changed: tuple[Change, ...] = ()
     if todo:
         for problem in problem_set.problems:
             solutions.of(problem)  # once, before there are workers who would each do it
-        context = GradingContext(problem_set, solutions, course.key, runner, has_nbgrader())
+        context = GradingContext(problem_set, solutions, course.key, runner)
         begin()
         with (
             (execute or here(jobs, len(todo)))(context, waiting) as graded,
@@ -131,22 +145,24 @@ def grade_set(
                 elif regrade or dry_run:
                     held.append(one)
                 else:
-                    _write(course, problem_set, one, book)
+                    write(one, book)
                 progress(one.submission.student.id, len(todo) - place)
             changed = changes(read_records(course, problem_set, todo), (one.marked for one in held))
             if regrade or dry_run:
                 show(changed)
             for one in held if not dry_run else ():
-                _write(course, problem_set, one, book)
-    records = read_records(course, problem_set, files)
+                write(one, book)
+    records = read_marks(course, problem_set, files, manual)
     if not dry_run:
         write_shared(course, problem_set, find_shared(problem_set, solutions, assigned, records))
-    report = report_of(course, problem_set)
-    page = course.folder / "reports" / f"{name}.html"
+    report = report_of(course, problem_set, manual)
+    page = report_place(course, name)
     if not dry_run:
         write_whole(
             page, report_page(report, problem_set, formgrader=read_settings(course.folder).formgrader)
         )
+        for student, text in stale_pages(course, name, manual, files).items():
+            write_page(course, name, student, text)
     return Outcome(
         graded=tuple(student for student in todo if student not in not_run),
         skipped=tuple(student for student in digests if student not in todo),
@@ -163,33 +179,32 @@ def grade_set(
     )
 
 
-def _in_gradebook(course: Course, problem_set: ProblemSet, records: Mapping[str, Record]) -> set[str]:
-    """Whose marks nbgrader has as they are recorded: it may have thrown its notebook away since, and the gradebook may have
-    been deleted or restored from a backup. One that does not know the set is told of it."""
+def _written(
+    course: Course, problem_set: ProblemSet, records: Mapping[str, Record], dry_run: bool
+) -> set[str]:
+    """Whose marks stand everywhere as they are recorded. A page may have been made by a version that could not make it again,
+    nbgrader may have thrown its notebook away, and the gradebook may have been deleted or restored from a backup; one that
+    does not know the set is told of it."""
+    name = problem_set.name
+    there = {
+        each
+        for each in records
+        if page_facts_place(course, name, each).exists()
+        and course.notebook("autograded", each, name).exists()
+    }
+    if not has_nbgrader() or dry_run:
+        return there
     from corollary.nbgrader.record import in_gradebook, is_registered
     from corollary.nbgrader.register import register
 
     with gradebook(course) as book:
         known = is_registered(book, problem_set)
-        there = in_gradebook(course, book, problem_set, records) if known else set[str]()
+        there &= in_gradebook(course, book, problem_set, records) if known else set[str]()
     if not known:
         register(course, problem_set, source_notebook(problem_set))
-    return {each for each in there if course.notebook("autograded", each, problem_set.name).exists()}
+    return there
 
 
 def _gradebook(course: Course, dry_run: bool) -> AbstractContextManager[Gradebook | None]:
     """Opened once for all that is written, and after the workers have started: a connection does not survive a fork."""
     return gradebook(course) if has_nbgrader() and not dry_run else nullcontext()
-
-
-def _write(course: Course, problem_set: ProblemSet, one: GradedSubmission, book: Gradebook | None) -> None:
-    """One submission into the gradebook and the files; its record is written last, so that a run cut short does it again."""
-    if book is not None:
-        from corollary.nbgrader.record import record_one
-
-        record_one(course, book, problem_set, one.marked, one.notebook)
-    write_marks(course, problem_set, one.marked, one.submission.fingerprint, one.page)
-
-
-def has_nbgrader() -> bool:
-    return find_spec("nbgrader") is not None

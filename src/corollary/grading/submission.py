@@ -52,14 +52,12 @@ class Submission:
 
 @dataclass(frozen=True, slots=True)
 class GradingContext:
-    """What all submissions of one grading share. `secret` is the course's key, `runner` makes what runs their notebooks, and
-    `marked_notebooks` says whether these are wanted, which only nbgrader has a use for."""
+    """What all submissions of one grading share. `secret` is the course's key, `runner` makes what runs their notebooks."""
 
     problem_set: ProblemSet
     solutions: Solutions
     secret: bytes
     runner: Callable[[], Runner]
-    marked_notebooks: bool = True
 
     def worksheet(self, submission: Submission) -> Worksheet:
         """The student's own sheet, as it was handed out."""

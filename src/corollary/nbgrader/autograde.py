@@ -10,7 +10,6 @@ from __future__ import annotations
 import atexit
 import os
 from collections.abc import Callable, Mapping
-from contextlib import ExitStack
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
@@ -22,16 +21,15 @@ from nbformat import NotebookNode
 from nbgrader.api import Gradebook, MissingEntry
 from nbgrader.converters import Autograde
 from nbgrader.converters.base import NbGraderException
-from nbgrader.coursedir import CourseDirectory
 from nbgrader.preprocessors import AssignLatePenalties, Execute, OverwriteCells, SaveAutoGrades
 from traitlets import Integer
 
+from corollary.nbgrader.alone import alone
 from corollary.nbgrader.assignment import Assignment, assignment_of
 from corollary.nbgrader.graded import GradedSubmission, grade_submission
 from corollary.nbgrader.marked_notebook import restored
-from corollary.nbgrader.record import record_one
-from corollary.records.files import BeingGraded, NotACourse, one_writer, open_course
-from corollary.records.marks import write_marks
+from corollary.nbgrader.marks import write_graded
+from corollary.records.manual import read_manual
 from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.runner import Runner
 
@@ -48,7 +46,7 @@ class OwnSheet(NotebookExporter):
         if isinstance(
             run, Autograde
         ):  # which makes its exporter before all else, and has no hook around a whole run
-            run.convert_notebooks = partial(_alone, run, run.convert_notebooks)
+            run.convert_notebooks = partial(alone, run, run.convert_notebooks)
             run.init_assignment = partial(_without_links, run, run.init_assignment)
 
     def from_file(
@@ -105,9 +103,9 @@ class RecordMarks(SaveAutoGrades):
             return super().preprocess(nb, resources)
         ours, graded = judged
         course, problem_set = ours.course, ours.context.problem_set
+        given = read_manual(course).by_student(problem_set.name).get(graded.marked.student.id, {})
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
-            record_one(course, book, problem_set, graded.marked, graded.notebook, anew=True)
-        write_marks(course, problem_set, graded.marked, graded.submission.fingerprint, graded.page)
+            write_graded(course, problem_set, graded, given, book, anew=True)
         return nb, resources
 
 
@@ -125,19 +123,6 @@ def _assignment(about: Mapping[str, str]) -> Assignment | None:
     except Exception:
         _flag(about)
         raise
-
-
-def _alone(run: Autograde, convert: Callable[[], None]) -> None:
-    """A whole run of nbgrader's, as the only writer in a course of ours; refused before it has touched anything."""
-    root = Path(cast(CourseDirectory, run.coursedir).root)
-    with ExitStack() as held:
-        if (root / ".corollary" / "key").is_file():
-            try:
-                held.enter_context(one_writer(open_course(root)))
-            except (BeingGraded, NotACourse) as error:
-                run.log.error(str(error))
-                raise NbGraderException(str(error)) from None
-        convert()
 
 
 def _without_links(run: Autograde, init: Callable[[str, str], None], assignment: str, student: str) -> None:

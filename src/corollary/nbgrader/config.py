@@ -17,6 +17,8 @@ from nbgrader.preprocessors import (
 )
 
 from corollary.nbgrader.autograde import JudgedOutside, LatenessInMarks, OwnNumbers, OwnSheet, RecordMarks
+from corollary.nbgrader.export import CurrentMarks
+from corollary.nbgrader.feedback import FeedbackPage
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__
@@ -31,9 +33,24 @@ c.Autograde.autograde_preprocessors = [
     JudgedOutside, IgnorePattern, ClearMetadataPreprocessor, LimitOutput, RecordMarks, LatenessInMarks, CheckCellMetadata,
 ]
 
+# `nbgrader generate_feedback` gives the student's one page, made anew each time with the marks as they are then.
+c.GenerateFeedback.exporter_class = FeedbackPage
+c.GenerateFeedback.force = True
+
+# `nbgrader export` works out first what lateness takes off scores that were given by hand.
+c.ExportApp.plugin_class = CurrentMarks
+"""
+
+# The lines of files from earlier versions that are no longer so, and what stands there now.
+FORMER_FEEDBACK = """
 # Feedback is made anew each time, so that it never shows older marks than the gradebook.
 c.GenerateFeedback.force = True
 """
+IMPORTS = """
+from corollary.nbgrader.export import CurrentMarks
+from corollary.nbgrader.feedback import FeedbackPage
+
+c = get_config()"""
 
 
 # What a course's file from an earlier version calls our classes; the file stays with the course, and they were renamed.
@@ -78,6 +95,9 @@ def renew_config(course: Course) -> None:
     renewed = text
     for former, name in RENAMED.items():
         renewed = renewed.replace(former, name)
+    if MARK in renewed and FORMER_FEEDBACK in renewed:
+        now = TEXT[TEXT.index("\n# `nbgrader generate_feedback` gives") :]
+        renewed = renewed.replace(FORMER_FEEDBACK, now).replace("\n\nc = get_config()", IMPORTS, 1)
     if renewed != text:
         write_whole(path, renewed.encode("utf-8", "surrogateescape"))
 

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Generator
 from contextlib import contextmanager
 from errno import ENOSPC
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -43,6 +44,19 @@ def need_nbgrader() -> None:
         raise NoNbgrader(
             "a gradebook needs nbgrader; install it with: pip install 'corollary[nbgrader]'"
         ) from None
+
+
+def has_nbgrader() -> bool:
+    """Whether nbgrader is installed; without importing it, which takes its time."""
+    return find_spec("nbgrader") is not None
+
+
+def has_gradebook(course: Course) -> bool:
+    """Whether the course has a gradebook that can be read here; one elsewhere is named in the course's settings."""
+    config = course.folder / "nbgrader_config.py"
+    if not has_nbgrader() or not config.exists():
+        return False
+    return course.gradebook.exists() or "db_url" in config.read_text(encoding="utf-8", errors="replace")
 
 
 def settings(course: Course) -> Config:

@@ -5,6 +5,7 @@ Both are made by whoever marks, side by side with others; only one process write
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from corollary.grading.grade import Marked
@@ -15,21 +16,39 @@ from corollary.grading.submission import (
     left_to_a_person,
     mark_submission,
 )
-from corollary.nbgrader.marked_notebook import marked_notebook, notebook_text
+from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, notebook_text, part_grades
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.manual import OfStudent
+from corollary.records.record import Record, record_of, with_manual
+from corollary.render.feedback_facts import packed, page_facts, unpacked
 from corollary.render.feedback_page import feedback_page
 from corollary.sandbox.runner import Runner
 
 
 @dataclass(frozen=True, slots=True)
 class GradedSubmission:
-    """Without what is in the two texts and weighs most (bytes, runs and pictures): it travels between processes.
+    """Without what is in the texts and weighs most (bytes, runs and pictures): it travels between processes.
 
-    `notebook` is empty when none is wanted."""
+    `page` is the feedback with the program's own marks, `facts` what it is made again from, `answers` a digest of what was
+    written for each part."""
 
     submission: Submission
     marked: Marked
     notebook: str
+    facts: bytes
     page: str
+    answers: Mapping[str, str]
+
+    @property
+    def record(self) -> Record:
+        """What is recorded of it: the program's own marks."""
+        return record_of(self.marked, self.submission.fingerprint, self.answers)
+
+    def page_with(self, manual: OfStudent) -> str:
+        """The feedback page with what a person gave."""
+        if not manual:
+            return self.page
+        return feedback_page(unpacked(self.facts), with_manual(self.record, manual))
 
 
 def grade_submission(context: GradingContext, runner: Runner, submission: Submission) -> GradedSubmission:
@@ -37,22 +56,29 @@ def grade_submission(context: GradingContext, runner: Runner, submission: Submis
     WeakIsolation) is raised."""
     found = mark_submission(context, runner, submission)
     try:
-        return _graded(context, submission, found)
+        return graded(context.problem_set, submission, found)
     except Exception as error:  # a page that cannot be made costs no marks either
         why = f"{type(error).__name__}: {error}"
-        return _graded(context, submission, left_to_a_person(context, submission, why, found.notebook))
+        return graded(
+            context.problem_set, submission, left_to_a_person(context, submission, why, found.notebook)
+        )
 
 
 def not_graded(context: GradingContext, submission: Submission, why: str) -> GradedSubmission:
     """A submission whose marking was cut short from outside: every part waits for a person."""
-    return _graded(context, submission, left_to_a_person(context, submission, why))
+    return graded(context.problem_set, submission, left_to_a_person(context, submission, why))
 
 
-def _graded(context: GradingContext, submission: Submission, found: MarkedSubmission) -> GradedSubmission:
-    problem_set, marked, text = context.problem_set, found.marked, ""
-    page = feedback_page(marked, problem_set, solutions=found.worked_solutions)
-    if context.marked_notebooks:
-        text = notebook_text(marked_notebook(marked, problem_set, found.notebook))
+def graded(problem_set: ProblemSet, submission: Submission, found: MarkedSubmission) -> GradedSubmission:
+    """All that is to be written of marked work."""
+    marked = found.marked
+    facts = page_facts(marked, problem_set, solutions=found.worked_solutions)
+    node = marked_notebook(marked, problem_set, found.notebook)
     return GradedSubmission(
-        replace(submission, content=b""), replace(marked, runs=(), figures=()), text, page
+        replace(submission, content=b""),
+        replace(marked, runs=(), figures=()),
+        notebook_text(node),
+        packed(facts),
+        feedback_page(facts, record_of(marked, "")),
+        {key: answer_digest(node, key) for key, _ in part_grades(marked)},
     )

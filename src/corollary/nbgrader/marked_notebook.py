@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -74,12 +75,16 @@ def part_grades(marked: Marked) -> Iterator[tuple[str, PartGrade]]:
             yield grade.variant.problem.answer_name(part.part), part
 
 
-def answer_sources(nb: NotebookNode, key: str) -> tuple[str, ...]:
-    """What the student wrote for a part, as it stands in a marked notebook: equal when the answer is the same."""
+def answer_cells(nb: NotebookNode, key: str) -> list[NotebookNode]:
+    """The cells of a marked notebook in which the student wrote for a part."""
     ids = (key, f"{key}_answer", f"{key}_plot")
-    return tuple(
-        cell.source for cell in nb.cells if cell.get("id") in ids and cell.metadata["nbgrader"]["solution"]
-    )
+    return [cell for cell in nb.cells if cell.get("id") in ids and cell.metadata["nbgrader"]["solution"]]
+
+
+def answer_digest(nb: NotebookNode, key: str) -> str:
+    """A digest of what the student wrote for a part: equal when the answer is the same."""
+    written = json.dumps([cell.source for cell in answer_cells(nb, key)])
+    return hashlib.sha256(written.encode()).hexdigest()[:16]
 
 
 def _fill_in(cell: NotebookNode, theirs: NotebookNode) -> None:

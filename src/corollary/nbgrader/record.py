@@ -10,28 +10,28 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from datetime import UTC, datetime
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import nbformat
 
-from corollary.answers.verdict import Unmarked, Unread, word
+from corollary.answers.verdict import Unread
 from corollary.atomic import write_whole
 from corollary.grading.grade import Marked, PartGrade
 from corollary.nbgrader.gradebook import NotRegistered
-from corollary.nbgrader.marked_notebook import answer_sources, part_grades
+from corollary.nbgrader.graded import GradedSubmission
+from corollary.nbgrader.manual import fill, is_blank, lateness_penalty
+from corollary.nbgrader.marked_notebook import answer_digest, part_grades
 from corollary.nbgrader.safe import safe_markdown
 from corollary.notebook.locate import answer_id
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
-from corollary.records.marks import PartRecord, Record
+from corollary.records.manual import OfStudent
+from corollary.records.record import UNMARKED, PartRecord, Record
 from corollary.records.submission import beside, handed_in
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
-
-UNMARKED = word(Unmarked(""))  # the verdict of a part that waits for a person, as it is recorded
 
 
 def is_registered(book: Gradebook, problem_set: ProblemSet) -> bool:
@@ -100,25 +100,35 @@ def record_one(
     course: Course,
     book: Gradebook,
     problem_set: ProblemSet,
-    marked: Marked,
-    notebook: str,
+    graded: GradedSubmission,
+    manual: OfStudent,
     *,
     anew: bool = False,
 ) -> None:
     """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again.
 
-    `notebook` is the text of the marked notebook. `anew`: what lies in `autograded/` is no earlier marking, so whatever a
-    person gave is shown to them again.
+    `manual` is what a person gave, which a gradebook that has never heard of it is given too. `anew`: what lies in
+    `autograded/` is no earlier marking.
     """
-    name, student = problem_set.name, marked.student.id
+    name, student = problem_set.name, graded.marked.student.id
     place = course.notebook("autograded", student, name)
     stamp, when = _timestamp(course, name, student)
-    submission = _submission(book, name, marked)
+    submission = _submission(book, name, graded.marked)
     submission.timestamp = when
+
+    def same(key: str) -> bool:
+        """Whether the answer is the one a person gave a score for."""
+        mark, now = manual.get(key), graded.answers.get(key, "")
+        if mark is not None and mark.answer:
+            return mark.answer == now
+        return not anew and _digest_before(place, key) == now
+
     for each in submission.notebooks:
-        _write_scores(each, marked, partial(_same_answer, place, notebook) if not anew else lambda key: False)
+        if is_blank(each):
+            fill(each, manual)
+        _write_scores(each, graded.marked, same)
     book.db.commit()
-    write_whole(place, notebook)
+    write_whole(place, graded.notebook)
     for file, content in (
         ("timestamp.txt", stamp),
         ("submission_secret.txt", _secret(course, name, student)),
@@ -171,8 +181,7 @@ def _write_scores(notebook: SubmittedNotebook, marked: Marked, same: Callable[[s
     for comment in notebook.comments:
         part = answered.get(comment.name)
         comment.auto_comment = safe_markdown(part.feedback) if part is not None and part.feedback else None
-    late = 1 - marked.late_share
-    notebook.late_submission_penalty = late * sum(map(_score, notebook.grades)) if late > 0 else None
+    notebook.late_submission_penalty = lateness_penalty(notebook, marked.late_share)
 
 
 def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Callable[[str], bool]) -> bool:
@@ -187,19 +196,13 @@ def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Ca
     return not same(grade.name)
 
 
-def _score(grade: Grade) -> float:
-    given = grade.manual_score if grade.manual_score is not None else grade.auto_score  # pyright: ignore[reportUnnecessaryComparison]
-    return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)  # pyright: ignore[reportUnnecessaryComparison]
-
-
-def _same_answer(before: Path, now: str, key: str) -> bool:
-    """Whether the student wrote the same for a part in the marked notebook that lies there and in this one."""
+def _digest_before(place: Path, key: str) -> str:
+    """A digest of what the student wrote for a part in the marked notebook that lies there; nothing when there is none."""
     try:
-        old = nbformat.read(before, as_version=4)
+        return answer_digest(nbformat.read(place, as_version=4), key)
     # no notebook yet, or one that somebody broke: as if there were none
     except (OSError, ValueError, AttributeError, KeyError):
-        return False
-    return answer_sources(nbformat.reads(now, as_version=4), key) == answer_sources(old, key)
+        return ""
 
 
 def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime | None]:

@@ -21,7 +21,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import AssignedSheet
 from corollary.records.files import Course
-from corollary.records.marks import Record
+from corollary.records.record import Record
 
 WITHIN = (
     0.005  # narrower than any part's tolerance: copied digits agree much better, and chance hits are rarer

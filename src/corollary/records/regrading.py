@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from corollary.grading.grade import Marked
-from corollary.records.marks import PartRecord, Record, record_of
+from corollary.records.record import PartRecord, Record, record_of
 
 CENT = 0.005  # half of the last decimal that anybody sees
 NOTHING = PartRecord("", 0.0, 0.0)  # a part that was not there before, or is no longer

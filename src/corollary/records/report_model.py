@@ -16,15 +16,19 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.records.collected import UNUSABLE, read_arrivals
 from corollary.records.collusion import SHARING, Shared, read_shared
 from corollary.records.files import Course, students
-from corollary.records.marks import HandedIn, Row, read_records
+from corollary.records.manual import ManualMarks
+from corollary.records.marks import read_marks
+from corollary.records.record import HandedIn, Row
 from corollary.records.submission import submissions, unclear, why_unclear
 
 WORDS = tuple(verdict.__name__.lower() for verdict in get_args(Verdict))  # from the best to the worst
+BY_HAND = "by_hand"
 
 
 @dataclass(frozen=True, slots=True)
 class PartTally:
-    """How one part went. `counts` has every verdict's word; `share` is the mean share of points among marked answers, or None."""
+    """How one part went. `counts` has every verdict's word, and `by_hand` for what a person marked; `share` is the mean share
+    of points among marked answers, or None."""
 
     problem: str
     part: str
@@ -98,12 +102,13 @@ class Report:
         return dict(Counter(one.isolation for one in self.handed_in if one.isolation))
 
 
-def report_of(course: Course, problem_set: ProblemSet) -> Report:
-    """The report from the records of a course, its rows in the order of the set's parts. Raises NotACourse."""
+def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | None = None) -> Report:
+    """The report from the records of a course, its rows in the order of the set's parts; `manual` is what persons gave (what
+    the journal holds when left out). Raises NotACourse."""
     parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
     places = {part: place for place, part in enumerate(parts)}
     roster = [student.id for student in students(course)]
-    records = read_records(course, problem_set, roster).values()
+    records = read_marks(course, problem_set, roster, manual).values()
     rows = [row for record in records for row in record.rows]
     rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
     shared = read_shared(course, problem_set)
@@ -144,9 +149,7 @@ def report(
         tuple(rows),
         tuple(_tally(problem, part, its) for (problem, part), its in by_part.items()),
         tuple(sorted(found, key=lambda one: (-len(one.students), one.verdict, one.problem, one.part))),
-        tuple(
-            Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.verdict == "unmarked"
-        ),
+        tuple(Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.waits),
         tuple(student for student in roster if student not in came and student not in (unusable or {})),
         tuple(shared),
         tuple((unusable or {}).items()),
@@ -154,9 +157,11 @@ def report(
 
 
 def _tally(problem: str, part: str, rows: Sequence[Row]) -> PartTally:
-    counts = Counter(row.verdict for row in rows)
+    counts = Counter(BY_HAND if row.by_hand else row.verdict for row in rows)
     shares = [row.points / row.out_of for row in rows if row.verdict != "unmarked" and row.out_of > 0]
-    return PartTally(problem, part, {word: counts[word] for word in WORDS}, fmean(shares) if shares else None)
+    return PartTally(
+        problem, part, {word: counts[word] for word in (*WORDS, BY_HAND)}, fmean(shares) if shares else None
+    )
 
 
 def report_record(report: Report) -> dict[str, object]:

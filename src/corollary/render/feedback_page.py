@@ -2,136 +2,102 @@
 
 from __future__ import annotations
 
-import base64
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import msgspec
 from markupsafe import Markup
 
-from corollary.answers.verdict import Unmarked, Unread
-from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.messages import catalogue
-from corollary.notebook.worksheet import Prompt, exercise
-from corollary.problem.problem_set import ProblemSet
-from corollary.render.page import drawing, page
-from corollary.render.wording import Look, look, spell
-from corollary.sandbox.result import CellRun, Figure
+from corollary.records.record import PartRecord, Record
+from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts
+from corollary.render.page import page
+from corollary.render.wording import BLANK, BY_HAND, LOOKS, Look, spell
 
 _ = catalogue(__name__)
-PNG = b"\x89PNG\r\n\x1a\n"
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
-    """A student's figure: `source` is a data URI, empty when no picture could be drawn; `alt` says what it shows."""
+class MarkedPart:
+    """One part of the page, with its marks."""
 
-    source: str
-    alt: str
-
-
-@dataclass(frozen=True, slots=True)
-class AnsweredPart:
-    prompt: Prompt
-    grade: PartGrade
+    facts: PartFacts
+    record: PartRecord
     look: Look
-    pictures: tuple[Picture, ...]
 
     @property
-    def answered(self) -> bool:
-        """Whether there is an answer to show."""
-        return bool(self.grade.answer) and not (
-            isinstance(self.grade.verdict, Unread) and self.grade.verdict.blank
-        )
+    def asked(self) -> Markup:
+        return Markup(self.facts.asked)
 
     @property
-    def introduction(self) -> str:
-        """The words before the answer."""
-        match self.grade.verdict:
-            case Unread():
-                return _("What you wrote:")
-            case Unmarked():
-                return _("Your answer:")
-            case _:
-                return _("Your answer, as read:")
+    def title(self) -> Markup:
+        return Markup(self.facts.title)
+
+    @property
+    def options(self) -> list[tuple[str, Markup]]:
+        return [(option.letter, Markup(option.text)) for option in self.facts.options]
+
+    @property
+    def comment(self) -> str:
+        """What a person said of it."""
+        manual = self.record.manual
+        return "" if manual is msgspec.UNSET else manual.comment or ""
+
+    @property
+    def feedback(self) -> str:
+        """What the program says of it; nothing where a person decided, or where the look says it."""
+        if self.look is BY_HAND or self.record.feedback == f"{self.look.phrase}.":
+            return ""
+        return self.record.feedback
 
 
 @dataclass(frozen=True, slots=True)
-class AnsweredExercise:
-    """One exercise of the page; `solution` is Markdown, or empty when it is not shown."""
+class MarkedExercise:
+    """One exercise of the page, with its marks."""
 
-    grade: Grade
-    statement: str
-    drawing: Markup
-    parts: tuple[AnsweredPart, ...]
-    solution: str
+    facts: ExerciseFacts
+    parts: tuple[MarkedPart, ...]
+
+    @property
+    def points(self) -> float:
+        return sum(part.record.points for part in self.parts)
+
+    @property
+    def out_of(self) -> float:
+        return sum(part.record.out_of for part in self.parts)
+
+    @property
+    def statement(self) -> Markup:
+        return Markup(self.facts.statement)
+
+    @property
+    def drawing(self) -> Markup:
+        return Markup(self.facts.drawing)
+
+    @property
+    def solution(self) -> Markup:
+        return Markup(self.facts.solution)
 
 
-def feedback_page(
-    marked: Marked, problem_set: ProblemSet, *, solutions: Mapping[str, str] | None = None
-) -> str:
-    """The feedback of one student as a page of HTML that needs nothing beside it.
-
-    `solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none.
-    """
-    keys = [grade.variant.problem.answer_name(part.part) for grade in marked.grades for part in grade.parts]
-    pictures = _pictures(marked.figures, keys)
+def feedback_page(facts: PageFacts, record: Record) -> str:
+    """The feedback of one student as a page of HTML that needs nothing beside it; `record` holds the marks as they stand."""
     return page(
         "feedback.html",
-        title=_("{title}: feedback for {name}", title=problem_set.title, name=marked.student.name),
-        marked=marked,
-        problem_set=problem_set,
-        exercises=[_exercise(grade, pictures, solutions or {}) for grade in marked.grades],
-        other_pictures=pictures.get("", ()),
-        waiting=sum(part.waits for grade in marked.grades for part in grade.parts),
-        before_late=sum(grade.points for grade in marked.grades),
-        late=spell(max(60.0, marked.late)) if marked.late > 0 else "",
-        stopped=[_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}],
-        not_run=sum(run.status == "not run" for run in marked.runs),
+        title=_("{title}: feedback for {name}", title=facts.set_title, name=facts.student),
+        facts=facts,
+        record=record,
+        exercises=[_exercise(each, record) for each in facts.exercises],
+        waiting=sum(row.waits for row in record.rows),
+        before_late=sum(part.points for part in record.parts.values()),
+        late=spell(max(60.0, record.late)) if record.late > 0 else "",
     )
 
 
-def describe(figure: Figure) -> str:
-    """A student's figure in a sentence, for those who cannot see it."""
-    axes: list[str] = []
-    for one in figure.axes:
-        words = [_.plural("{count} curve", "{count} curves", len(one.lines))]
-        words += [_("titled “{text}”", text=one.title)] if one.title else []
-        words += [_("x axis “{text}”", text=one.xlabel)] if one.xlabel else []
-        words += [_("y axis “{text}”", text=one.ylabel)] if one.ylabel else []
-        axes.append(", ".join(words))
-    return _("Your figure: {contents}", contents="; ".join(axes) or _("nothing is drawn in it"))
+def _exercise(facts: ExerciseFacts, record: Record) -> MarkedExercise:
+    return MarkedExercise(facts, tuple(_part(each, record.parts[each.key]) for each in facts.parts))
 
 
-def _exercise(
-    grade: Grade, pictures: Mapping[str, tuple[Picture, ...]], solutions: Mapping[str, str]
-) -> AnsweredExercise:
-    asked = exercise(grade.variant)
-    prompts = {prompt.part.id: prompt for prompt in asked.prompts}
-    parts: list[AnsweredPart] = []
-    for part in grade.parts:
-        prompt = prompts[part.part.id]
-        parts.append(AnsweredPart(prompt, part, look(part.verdict), pictures.get(prompt.key, ())))
-    solution = solutions.get(asked.problem.code, "")
-    return AnsweredExercise(grade, asked.statement, drawing(asked), tuple(parts), solution)
-
-
-def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple[Picture, ...]]:
-    """The pictures by the part whose cell drew them; under "" those of no part's."""
-    found: dict[str, tuple[Picture, ...]] = {}
-    for figure in figures:
-        # X12_5_c_2_plot begins with X12_5_c_ and with X12_5_c_2_: the longest key is meant.
-        owners = (key for key in keys if figure.cell == key or figure.cell.startswith(key + "_"))
-        key = max(owners, key=len, default="")
-        png = figure.png if figure.png is not None and figure.png.startswith(PNG) else None
-        source = f"data:image/png;base64,{base64.b64encode(png).decode()}" if png else ""
-        found[key] = (*found.get(key, ()), Picture(source, describe(figure)))
-    return found
-
-
-def _stopped(run: CellRun) -> tuple[str, str]:
-    """The cell, and what stopped it."""
-    if run.error:
-        return run.id, run.error
-    return run.id, (
-        _("It ran too long and was stopped.") if run.status == "timeout" else _("It ended in an error.")
-    )
+def _part(facts: PartFacts, record: PartRecord) -> MarkedPart:
+    manual = record.manual
+    if manual is not msgspec.UNSET and manual.score is not None:
+        return MarkedPart(facts, record, BY_HAND)
+    return MarkedPart(facts, record, BLANK if facts.blank else LOOKS[record.verdict])

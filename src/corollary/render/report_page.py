@@ -10,10 +10,11 @@ from urllib.parse import quote
 
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collusion import SHARING
-from corollary.records.marks import HandedIn, Row
+from corollary.records.record import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page
-from corollary.render.wording import LOOKS
+from corollary.render.report_table import columns
+from corollary.render.wording import BY_HAND, LOOKS
 
 FORMGRADER: Final = "http://localhost:8888/formgrader"
 """Where formgrader is unless somebody says otherwise."""
@@ -42,7 +43,7 @@ class Places:
 
     def feedback(self, student: str) -> str:
         """Our page of feedback."""
-        return f"{self.course}/feedback/{quote(student)}/{quote(self.set_name)}/{quote(self.set_name)}.feedback.html"
+        return f"{self.course}/feedback/{quote(student)}/{quote(self.set_name)}/{quote(self.set_name)}.html"
 
     def submission(self, student: str) -> str:
         """What formgrader has of a student in this set."""
@@ -88,7 +89,8 @@ def report_page(report: Report, problem_set: ProblemSet, *, formgrader: str = ""
         report=report,
         sharing=SHARING,
         problem_set=problem_set,
-        looks=LOOKS,
+        looks=columns(report),
+        all_looks={**LOOKS, BY_HAND.name: BY_HAND},
         titles=titles,
         intervals=intervals([one.points for one in report.handed_in], report.out_of),
         bars={(part.problem, part.part): tuple(_bar(part)) for part in report.parts},
@@ -115,7 +117,7 @@ def intervals(totals: list[float], out_of: float) -> list[HistogramBin]:
 
 def _bar(part: PartTally) -> Iterator[Segment]:
     total, start = sum(part.counts.values()) or 1, 0.0
-    for name in LOOKS:
+    for name in (*LOOKS, BY_HAND.name):
         if part.counts[name]:
             width = 100 * part.counts[name] / total
             yield Segment(name, round(start, 2), round(width, 2))

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from corollary.messages import visible
 from corollary.records.report_model import Report
-from corollary.render.wording import LOOKS, points
+from corollary.render.wording import BY_HAND, LOOKS, Look, points
 
 MOST = 15
 
@@ -70,6 +70,12 @@ def _pieces(report: Report) -> Iterator[RenderableType]:
         yield Text(f"\n{count} ran behind {line}", style="dim")
 
 
+def columns(report: Report) -> dict[str, Look]:
+    """The looks that a table of parts has a column for; what persons marked only where they did."""
+    by_hand = any(part.counts[BY_HAND.name] for part in report.parts)
+    return {**LOOKS, BY_HAND.name: BY_HAND} if by_hand else dict(LOOKS)
+
+
 def _headline(report: Report) -> str:
     if report.mean is None or report.median is None:
         return "Nothing was handed in yet."
@@ -82,11 +88,12 @@ def _headline(report: Report) -> str:
 def _parts(report: Report) -> Table:
     table = Table(title="Parts", title_justify="left", title_style="bold")
     table.add_column("part", no_wrap=True)
-    for look in LOOKS.values():
+    looks = columns(report)
+    for look in looks.values():
         table.add_column(look.short, justify="right")
     table.add_column("points", justify="right")
     for part in report.parts:
-        counts = [str(part.counts[word]) if part.counts[word] else "·" for word in LOOKS]
+        counts = [str(part.counts[name]) if part.counts[name] else "·" for name in looks]
         table.add_row(
             Text(f"{part.problem} {part.part}"), *counts, "–" if part.share is None else f"{part.share:.0%}"
         )

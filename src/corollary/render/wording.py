@@ -47,6 +47,7 @@ LOOKS: Final = MappingProxyType(
 )
 """The look of each verdict, by the word of records and reports, from the best to the worst."""
 
+BY_HAND: Final = Look("by_hand", N_("Marked by your teacher"), "by hand")
 BLANK: Final = Look("unread", N_("No answer"), "unread")
 
 

@@ -1,0 +1,37 @@
+"""A whole run of one of nbgrader's commands, as the only writer in a course of ours, and with what persons gave recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from pathlib import Path
+from typing import cast
+
+from nbgrader.api import Gradebook
+from nbgrader.apps import ExportApp
+from nbgrader.converters.base import BaseConverter, NbGraderException
+from nbgrader.coursedir import CourseDirectory
+
+from corollary.nbgrader.manual import synchronize
+from corollary.records.files import BeingGraded, Course, NotACourse, one_writer, open_course
+
+
+def alone(run: BaseConverter, convert: Callable[[], None]) -> None:
+    """Converts, with the course locked; refused before anything is touched when another run has it."""
+    with ExitStack() as held:
+        try:
+            if (course := course_of(run)) is not None:
+                held.enter_context(one_writer(course))
+                place = cast(CourseDirectory, run.coursedir)
+                with Gradebook(place.db_url, place.course_id) as book:
+                    synchronize(course, book)
+        except (BeingGraded, NotACourse) as error:
+            run.log.error(str(error))
+            raise NbGraderException(str(error)) from None
+        convert()
+
+
+def course_of(run: BaseConverter | ExportApp) -> Course | None:
+    """The course of ours that nbgrader works in; None when it is none. Raises NotACourse when its key is damaged."""
+    root = Path(cast(CourseDirectory, run.coursedir).root)
+    return open_course(root) if (root / ".corollary" / "key").is_file() else None

@@ -1,0 +1,54 @@
+"""What `nbgrader generate_feedback` and formgrader's button make in a course of ours: the one feedback page a student has."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from nbconvert.exporters import HTMLExporter
+from nbgrader.converters import GenerateFeedback
+from nbgrader.converters.base import NbGraderException
+
+from corollary.nbgrader.alone import alone, course_of
+from corollary.nbgrader.marks import page_now
+from corollary.records.files import Course
+from corollary.records.manual import read_manual
+from corollary.records.marks import former_pages, stored_record
+
+
+class FeedbackPage(HTMLExporter):
+    """Our page, with the marks as they stand, in the place of nbgrader's; assignments that are none of ours are left to it."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        run = self.parent
+        self._course: Course | None = None
+        if isinstance(run, GenerateFeedback):
+            self._course = course_of(run)
+            run.convert_notebooks = partial(alone, run, run.convert_notebooks)
+
+    def from_filename(
+        self, filename: str, resources: dict[str, Any] | None = None, **more: Any
+    ) -> tuple[Any, Any]:
+        about = (resources or {}).get("nbgrader", {})
+        course, name, student = self._course, about.get("assignment", ""), about.get("student", "")
+        if course is None or stored_record(course, name, student) is None:
+            return super().from_filename(filename, resources=resources, **more)
+        return _page(course, name, student), {**(resources or {}), "output_extension": ".html"}
+
+
+def _page(course: Course, name: str, student: str) -> str:
+    manual = read_manual(course).by_student(name).get(student, {})
+    page = page_now(course, name, student, manual)
+    former = [path for path in former_pages(course, name, student) if path.exists()]
+    if page is None and former and not manual:
+        page = former[0].read_text(encoding="utf-8")
+    if page is None:
+        raise NbGraderException(
+            f"the marks of {student} in {name} are of an earlier version, which kept nothing to make a page of; "
+            f"run corollary grade {name} once, then generate feedback"
+        )
+    for path in former:
+        Path(path).unlink()
+    return page

@@ -1,0 +1,228 @@
+"""What persons gave in formgrader or through nbgrader, read from the gradebook, and given back to one that has lost it.
+
+The gradebook counts how many entries of our journal it has seen (SQLite's `user_version`, a number that is an application's to
+use). One that has seen fewer than there are is new, or was restored from a backup: then the journal is right. Otherwise what the
+gradebook says is newer, be it a score or its withdrawal.
+"""
+
+# nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
+# pyright: reportAttributeAccessIssue=false, reportReturnType=false, reportGeneralTypeIssues=false
+# pyright: reportUnnecessaryComparison=false, reportArgumentType=false
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache, partial
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from corollary.records.files import Course
+from corollary.records.manual import (
+    NOTHING,
+    ManualMark,
+    ManualMarks,
+    OfStudent,
+    Place,
+    read_manual,
+    write_manual,
+)
+from corollary.records.marks import graded_sets, stored_record
+from corollary.records.record import Record
+
+if TYPE_CHECKING:
+    from nbgrader.api import Comment, Grade, Gradebook, SubmittedNotebook
+
+
+@dataclass(frozen=True, slots=True)
+class FromGradebook:
+    """What stands in the gradebook for one part; `flagged`: nbgrader has a person look at it."""
+
+    mark: ManualMark
+    flagged: bool = False
+
+
+def manual_marks(course: Course, book: Gradebook) -> ManualMarks:
+    """What persons gave up to this moment. Writes nothing."""
+    journal = read_manual(course)
+    return journal.and_then(_newer(course, book, journal))
+
+
+def synchronize(course: Course, book: Gradebook) -> ManualMarks:
+    """What persons gave up to this moment, with journal and gradebook brought to say the same.
+
+    Whoever calls it is the only writer in the course.
+    """
+    journal = read_manual(course)
+    newer = _newer(course, book, journal)
+    if _is_older(book, journal):
+        given = {name: journal.by_student(name) for name in {place.set_name for place in journal.by_place}}
+        for notebook, (name, student) in _notebooks(book, set(given)):
+            if not is_blank(notebook) and student in given[name]:
+                fill(notebook, given[name][student], stored_record(course, name, student))
+    _weigh_lateness(course, book)
+    _has_seen(book, journal.count + len(newer))
+    # The gradebook first: cut short in between it has seen more than there is, and is read again.
+    book.db.commit()
+    write_manual(course, newer)
+    return journal.and_then(newer)
+
+
+def fill(notebook: SubmittedNotebook, given: OfStudent, record: Record | None = None) -> None:
+    """Puts marks into the rows of one submission; what is not among them stays. `record`: the program's own marks, by which it
+    is known whether the answer is still the one a mark was given for."""
+    for grade in notebook.grades:
+        if (mark := given.get(grade.name)) is not None:
+            grade.manual_score, grade.extra_credit = mark.score, mark.extra_credit
+            other = record is not None and record.is_other_answer(grade.name, mark)
+            grade.needs_manual_grade = other if mark.score is not None else grade.auto_score is None
+    names = {grade.name for grade in notebook.grades}
+    written: set[str] = set()
+    for comment in sorted(notebook.comments, key=lambda one: one.name):
+        part = _part_of(comment.name, names)
+        if (mark := given.get(part)) is not None:
+            comment.manual_comment = mark.comment if part not in written else None
+            written.add(part)
+
+
+def is_blank(notebook: SubmittedNotebook) -> bool:
+    """Whether nbgrader has made the rows of a submission and nobody has written into them yet."""
+    grades: Iterable[Grade] = notebook.grades
+    comments: Iterable[Comment] = notebook.comments
+    given = (each for grade in grades for each in (grade.auto_score, grade.manual_score, grade.extra_credit))
+    words = (each for comment in comments for each in (comment.auto_comment, comment.manual_comment))
+    return all(each is None for each in (*given, *words))
+
+
+def lateness_penalty(notebook: SubmittedNotebook, late_share: float) -> float | None:
+    """What is taken off late work, whoever gave the points; None where nothing is."""
+    return (1 - late_share) * sum(map(_score, notebook.grades)) if late_share < 1 else None
+
+
+def _score(grade: Grade) -> float:
+    """As nbgrader counts it; asked of the row itself, whose sum may be of before."""
+    given = grade.manual_score if grade.manual_score is not None else grade.auto_score
+    return (given or 0.0) + ((grade.extra_credit or 0.0) if given is not None else 0.0)
+
+
+def _weigh_lateness(course: Course, book: Gradebook) -> None:
+    """formgrader knows nothing of the late share: what it takes off is worked out again from the scores as they are."""
+    from nbgrader.api import SubmittedNotebook
+
+    late = SubmittedNotebook.late_submission_penalty.isnot(None)
+    for notebook in book.db.query(SubmittedNotebook).filter(late):
+        submission = notebook.assignment
+        record = stored_record(course, submission.assignment.name, submission.student_id)
+        if record is not None and record.late_share < 1:
+            penalty = lateness_penalty(notebook, record.late_share)
+            if abs((penalty or 0.0) - notebook.late_submission_penalty) > 1e-9:
+                notebook.late_submission_penalty = penalty
+
+
+def _newer(course: Course, book: Gradebook, journal: ManualMarks) -> dict[Place, ManualMark]:
+    """What the gradebook has and the journal has not, or has otherwise; each with the answer it was given for."""
+    older = _is_older(book, journal)
+    there = _given(book, set(graded_sets(course)))
+    found: dict[Place, ManualMark] = {}
+    answers = cache(partial(_answers, course))
+    for place, entry in there.items():
+        before = journal.by_place.get(place)
+        if before is not None and older:
+            continue
+        answer = answers(place.set_name, place.student).get(place.part, "")
+        resolved = before is not None and before.answer != answer and not entry.flagged
+        if before is None or not before.equals(entry.mark) or (resolved and answer):
+            found[place] = replace(entry.mark, answer=answer)
+    if older:
+        return found
+    gone = {place for place, mark in journal.by_place.items() if mark.is_given and place not in there}
+    if gone:
+        written = {
+            key for notebook, key in _notebooks(book, {p.set_name for p in gone}) if not is_blank(notebook)
+        }
+        found |= {place: NOTHING for place in gone if (place.set_name, place.student) in written}
+    return found
+
+
+def _answers(course: Course, set_name: str, student: str) -> Mapping[str, str]:
+    """A digest of each answer as it lies there now; nothing where it is not known."""
+    record = stored_record(course, set_name, student)
+    return {} if record is None else record.answers
+
+
+def _given(book: Gradebook, sets: set[str]) -> dict[Place, FromGradebook]:
+    """Every part of these sets for which somebody gave something."""
+    from nbgrader.api import Assignment, BaseCell, Comment, Grade, SubmittedAssignment, SubmittedNotebook
+
+    about = (Assignment.name, SubmittedAssignment.student_id, BaseCell.name)
+
+    def rows(table: type[Grade] | type[Comment], *columns: object, where: object) -> Iterator[tuple]:
+        yield from (
+            book.db.query(*about, *columns)
+            .select_from(SubmittedAssignment)
+            .join(Assignment, Assignment.id == SubmittedAssignment.assignment_id)
+            .join(SubmittedNotebook, SubmittedNotebook.assignment_id == SubmittedAssignment.id)
+            .join(table, table.notebook_id == SubmittedNotebook.id)
+            .join(BaseCell, BaseCell.id == table.cell_id)
+            .filter(Assignment.name.in_(sets))
+            .filter(where)
+            .order_by(BaseCell.name)
+        )
+
+    found: dict[Place, FromGradebook] = {}
+    columns = Grade.manual_score, Grade.extra_credit, Grade.needs_manual_grade
+    scored = Grade.manual_score.isnot(None) | (Grade.extra_credit > 0)
+    for name, student, cell, score, extra, flagged in rows(Grade, *columns, where=scored):
+        mark = ManualMark(score, extra or None)
+        found[Place(name, student, cell)] = FromGradebook(mark, flagged)
+    comments = rows(Comment, Comment.manual_comment, where=Comment.manual_comment.isnot(None))
+    parts = _parts(book, sets)
+    for name, student, cell, comment in comments:
+        if comment.strip():
+            place = Place(name, student, _part_of(cell, parts[name]))
+            before = found.get(place, FromGradebook(NOTHING))
+            words = "\n\n".join(filter(None, (before.mark.comment, comment)))
+            found[place] = FromGradebook(replace(before.mark, comment=words), before.flagged)
+    return found
+
+
+def _parts(book: Gradebook, sets: set[str]) -> dict[str, set[str]]:
+    """The names of the parts of each set, which are those of its graded cells."""
+    return {
+        assignment.name: {cell.name for notebook in assignment.notebooks for cell in notebook.grade_cells}
+        for assignment in book.assignments
+        if assignment.name in sets
+    }
+
+
+def _part_of(cell: str, parts: set[str]) -> str:
+    """The part that a comment on a cell is about: points stand on the check below the cell where the answer is written."""
+    candidates = (cell, cell.removesuffix("_answer"), cell.removesuffix("_plot"))
+    return next((each for each in candidates if each in parts), cell)
+
+
+def _notebooks(book: Gradebook, sets: set[str]) -> Iterator[tuple[SubmittedNotebook, tuple[str, str]]]:
+    """The submissions to these sets, with the names of set and student."""
+    for assignment in book.assignments:
+        for submission in assignment.submissions if assignment.name in sets else ():
+            for notebook in submission.notebooks:
+                yield notebook, (assignment.name, submission.student_id)
+
+
+def _is_older(book: Gradebook, journal: ManualMarks) -> bool:
+    """Whether the gradebook lacks entries that the journal has. A database server has backups of its own, and is believed."""
+    from sqlalchemy import text
+
+    if book.engine.dialect.name != "sqlite":
+        return False
+    return int(book.db.execute(text("PRAGMA user_version")).scalar() or 0) < journal.count
+
+
+def _has_seen(book: Gradebook, count: int) -> None:
+    from sqlalchemy import text
+
+    if book.engine.dialect.name == "sqlite":
+        before = int(book.db.execute(text("PRAGMA user_version")).scalar() or 0)
+        if before < count:
+            book.db.execute(text(f"PRAGMA user_version = {count:d}"))

@@ -1,0 +1,113 @@
+"""What persons gave: manual scores, extra credit and comments, by set, student and part, whatever room they came in through.
+
+The journal `.corollary/manual/marks.jsonl` holds every mark that was ever given by hand; the newest of a part counts. Where
+nbgrader is used it mirrors the gradebook, so that one that is lost or restored from a backup can be filled again; where it is
+not, it is the record itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import msgspec
+
+from corollary.records.files import Course
+from corollary.records.journal import append, entries
+
+
+class ManualMark(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What a person gave for one part; None where they gave nothing. `answer` is the digest of the answer it was given for
+    (empty: not known), `by` the login name where it is known, `at` the moment it was recorded."""
+
+    score: float | None = None
+    extra_credit: float | None = None
+    comment: str | None = None
+    answer: str = ""
+    by: str = ""
+    at: str = ""
+
+    @property
+    def is_given(self) -> bool:
+        """Whether there is anything in it; a mark that was withdrawn has nothing."""
+        return self.score is not None or bool(self.extra_credit) or bool(self.comment)
+
+    def equals(self, other: ManualMark) -> bool:
+        """Whether both say the same to the student."""
+        return (self.score, self.extra_credit or 0.0, self.comment or "") == (
+            other.score,
+            other.extra_credit or 0.0,
+            other.comment or "",
+        )
+
+
+NOTHING = ManualMark()
+OfStudent = Mapping[str, ManualMark]  # by the part's name in the notebook (X12_5_a)
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Place:
+    """Where a mark belongs; `part` is its name in the notebook."""
+
+    set_name: str
+    student: str
+    part: str
+
+
+class _Line(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A line of the journal."""
+
+    set: str
+    student: str
+    part: str
+    mark: ManualMark
+
+
+@dataclass(frozen=True, slots=True)
+class ManualMarks:
+    """Everything that persons gave in a course, withdrawn marks included; `count` says how many entries that took."""
+
+    by_place: Mapping[Place, ManualMark]
+    count: int
+
+    def by_student(self, set_name: str) -> dict[str, dict[str, ManualMark]]:
+        """The marks in one set, by student and part; those that were withdrawn have nothing in them."""
+        found: dict[str, dict[str, ManualMark]] = {}
+        for place, mark in self.by_place.items():
+            if place.set_name == set_name:
+                found.setdefault(place.student, {})[place.part] = mark
+        return found
+
+    def and_then(self, given: Mapping[Place, ManualMark]) -> ManualMarks:
+        """These, followed by newer ones."""
+        return ManualMarks({**self.by_place, **given}, self.count + len(given))
+
+
+def read_manual(course: Course) -> ManualMarks:
+    """What the journal holds."""
+    found: dict[Place, ManualMark] = {}
+    count = 0
+    for entry in entries(_journal(course)):
+        try:
+            line = msgspec.convert(entry, _Line)
+        except msgspec.ValidationError:
+            continue
+        found[Place(line.set, line.student, line.part)] = line.mark
+        count += 1
+    return ManualMarks(found, count)
+
+
+def write_manual(course: Course, given: Mapping[Place, ManualMark]) -> None:
+    """Adds marks to the journal, each with its moment."""
+    at = datetime.now(UTC).isoformat(timespec="seconds")
+    lines: Iterable[_Line] = (
+        _Line(place.set_name, place.student, place.part, msgspec.structs.replace(mark, at=mark.at or at))
+        for place, mark in given.items()
+    )
+    append(_journal(course), lines)
+
+
+def _journal(course: Course) -> Path:
+    return course.record("manual", "marks.jsonl")

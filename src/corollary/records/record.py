@@ -1,0 +1,197 @@
+"""How marks are recorded: a part, a row of the report, a submission; the program's own, or merged with what persons gave."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import assert_never
+
+import msgspec
+
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
+from corollary.grading.grade import Marked
+from corollary.grading.record import marked_record
+from corollary.records.manual import ManualMark, OfStudent
+from corollary.version import __version__
+
+RIGHT, WRONG, UNMARKED = (word(verdict) for verdict in (Right(), Wrong(), Unmarked("")))
+
+
+class Row(msgspec.Struct, frozen=True):
+    """One part of one student, points before lateness. `verdict` is its word, `error` the mistake or slip, `why` the rest;
+    `by_hand`: a person gave the points."""
+
+    student: str
+    problem: str
+    part: str
+    verdict: str
+    points: float
+    out_of: float
+    error: str = msgspec.field(default="", name="said")  # in the files of courses by its older name
+    why: str = ""
+    by_hand: bool = False
+    again: bool = False  # the answer is another than the one a person marked
+
+    @property
+    def waits(self) -> bool:
+        return self.verdict == UNMARKED or self.again
+
+
+class HandedIn(msgspec.Struct, frozen=True):
+    """One submission as a whole: points after lateness; `late` in seconds; `trouble` a sentence, or empty; `notes` tell
+    what was noticed."""
+
+    student: str
+    name: str
+    points: float
+    out_of: float
+    late: float = 0.0
+    late_share: float = 1.0
+    trouble: str = ""
+    isolation: str = ""
+    notes: tuple[str, ...] = ()
+
+
+class PartRecord(msgspec.Struct, frozen=True):
+    """One part as it was marked; a mistake, a slip or a rubric only where the verdict has one, and `manual` only where a
+    person gave something (never in the files of the program's own marks)."""
+
+    verdict: str
+    points: float
+    out_of: float
+    answer: str = ""
+    feedback: str = ""
+    mistake: str | msgspec.UnsetType = msgspec.UNSET
+    slip: str | msgspec.UnsetType = msgspec.UNSET
+    rubric: tuple[str, ...] | msgspec.UnsetType = msgspec.UNSET
+    manual: ManualMark | msgspec.UnsetType = msgspec.UNSET
+
+
+class Record(msgspec.Struct, frozen=True):
+    """How a student's marks in one set came about: answers, verdicts, variants, isolation, and the fingerprint of all that
+    they depend on. Parts go by their name in the notebook (X12_5_a); `late` in seconds; `answers` holds a digest of what the
+    student wrote for each."""
+
+    points: float
+    out_of: float
+    parts: dict[str, PartRecord]
+    fingerprint: str
+    handed_in: HandedIn
+    rows: tuple[Row, ...]
+    variants: dict[str, int | None] = {}
+    isolation: str = ""
+    trouble: str = ""
+    late: float = 0.0
+    late_share: float = 1.0
+    notes: tuple[str, ...] = ()
+    version: str = ""
+    answers: dict[str, str] = {}
+
+    def is_other_answer(self, part: str, mark: ManualMark) -> bool:
+        """Whether a person's mark was given for another answer than the one that lies there now."""
+        now = self.answers.get(part, "")
+        return bool(mark.answer and now) and mark.answer != now
+
+
+def record_of(marked: Marked, fingerprint: str, answers: Mapping[str, str] = MappingProxyType({})) -> Record:
+    """What is recorded of a submission's marks; `answers` is a digest of what was written for each part."""
+    about = {
+        "fingerprint": fingerprint,
+        "handed_in": handed_in(marked),
+        "rows": rows(marked),
+        "answers": dict(answers),
+    }
+    return msgspec.convert(marked_record(marked) | about | {"version": __version__}, Record)
+
+
+def handed_in(marked: Marked) -> HandedIn:
+    """The submission as a whole."""
+    return HandedIn(
+        marked.student.id,
+        marked.student.name,
+        marked.points,
+        marked.out_of,
+        marked.late,
+        marked.late_share,
+        marked.trouble,
+        marked.isolation,
+        marked.notes,
+    )
+
+
+def rows(marked: Marked) -> tuple[Row, ...]:
+    """One row for each part of one submission."""
+    return tuple(
+        Row(
+            marked.student.id,
+            grade.variant.problem.code,
+            part.part.id,
+            word(part.verdict),
+            part.points,
+            part.out_of,
+            *_reasons(part.verdict),
+        )
+        for grade in marked.grades
+        for part in grade.parts
+    )
+
+
+def _reasons(verdict: Verdict) -> tuple[str, str]:
+    """The mistake or slip, and what else there is to know."""
+    match verdict:
+        case Right(note):
+            return "", note
+        case Follows(earlier):
+            return "", f"from {', '.join(earlier)}"
+        case Mistaken(mistake, earlier):
+            return mistake, f"from {', '.join(earlier)}" if earlier else ""
+        case Slip(slip):
+            return slip, ""
+        case Wrong(why) | Unread(why) | Unmarked(why):
+            return "", why
+        case _:
+            assert_never(verdict)
+
+
+def with_manual(record: Record, given: OfStudent) -> Record:
+    """The marks as they stand: what a person gave counts in the place of the program's, and lateness applies to it as well."""
+    given = {part: mark for part, mark in given.items() if part in record.parts and mark.is_given}
+    if not given:
+        return record
+    parts = {name: _part_with(part, given.get(name)) for name, part in record.parts.items()}
+    points = round(sum(part.points for part in parts.values()) * record.late_share, 6)
+    names = zip(record.rows, record.parts, strict=True)  # rows and parts are of one order
+    rows = tuple(_row_with(row, parts[name], record, name) for row, name in names)
+    whole = msgspec.structs.replace(record.handed_in, points=points)
+    return msgspec.structs.replace(record, points=points, parts=parts, rows=rows, handed_in=whole)
+
+
+def _part_with(part: PartRecord, mark: ManualMark | None) -> PartRecord:
+    if mark is None:
+        return part
+    score = part.points if mark.score is None else mark.score
+    counts = (
+        mark.score is not None or part.verdict != UNMARKED
+    )  # as in nbgrader: nothing is added to no score
+    earned = round(score + ((mark.extra_credit or 0.0) if counts else 0.0), 6)
+    verdict = part.verdict if mark.score is None else _verdict_by_hand(part, mark.score)
+    return msgspec.structs.replace(part, verdict=verdict, points=earned, manual=mark)
+
+
+def _verdict_by_hand(part: PartRecord, score: float) -> str:
+    """All points are for a right answer; for fewer the program's verdict stands, unless it was that one or none."""
+    if score >= part.out_of:
+        return RIGHT
+    return WRONG if part.verdict in {RIGHT, UNMARKED} else part.verdict
+
+
+def _row_with(row: Row, part: PartRecord, record: Record, name: str) -> Row:
+    if part.manual is msgspec.UNSET:
+        return row
+    by_hand = part.manual.score is not None
+    again = by_hand and record.is_other_answer(name, part.manual)
+    why = "the answer has changed since a person marked it" if again else "" if by_hand else row.why
+    error = "" if by_hand and part.verdict == RIGHT else row.error
+    return msgspec.structs.replace(
+        row, verdict=part.verdict, points=part.points, error=error, why=why, by_hand=by_hand, again=again
+    )

@@ -1,0 +1,184 @@
+"""What a feedback page says besides the marks: asked, drawn and solved, as pieces of HTML that are made once.
+
+The page itself is put together from these and from the marks as they stand, so that it can be made again whenever a person
+gives some, without the bank, the notebook or the solutions.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Mapping, Sequence
+
+import msgspec
+
+from corollary.answers.verdict import Unmarked, Unread
+from corollary.grading.grade import Grade, Marked, PartGrade
+from corollary.messages import catalogue
+from corollary.notebook.worksheet import Prompt, exercise
+from corollary.problem.problem_set import ProblemSet
+from corollary.render.markdown import html, inline
+from corollary.render.page import drawing
+from corollary.sandbox.result import CellRun, Figure
+
+_ = catalogue(__name__)
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+class Picture(msgspec.Struct, frozen=True):
+    """A student's figure: `source` is a data URI, empty when no picture could be drawn; `alt` says what it shows."""
+
+    source: str
+    alt: str
+
+
+class Choice(msgspec.Struct, frozen=True):
+    """An option of a choice; `text` is HTML."""
+
+    letter: str
+    text: str
+
+
+class PartFacts(msgspec.Struct, frozen=True):
+    """One part: `key` names it in the notebook, `title` and `asked` are HTML, `rubric` is for the student's eyes."""
+
+    key: str
+    id: str
+    title: str
+    asked: str
+    options: tuple[Choice, ...]
+    pictures: tuple[Picture, ...]
+    introduction: str
+    blank: bool
+    rubric: tuple[str, ...] = ()
+
+
+class ExerciseFacts(msgspec.Struct, frozen=True):
+    """One exercise; `statement`, `drawing` and `solution` are HTML, or empty."""
+
+    code: str
+    title: str
+    statement: str
+    drawing: str
+    parts: tuple[PartFacts, ...]
+    solution: str
+
+
+class PageFacts(msgspec.Struct, frozen=True):
+    """A whole page; `stopped` names the cells that stopped and why, `not_run` counts those that were not reached."""
+
+    set_title: str
+    student: str
+    exercises: tuple[ExerciseFacts, ...]
+    other_pictures: tuple[Picture, ...] = ()
+    stopped: tuple[tuple[str, str], ...] = ()
+    not_run: int = 0
+
+
+def page_facts(
+    marked: Marked,
+    problem_set: ProblemSet,
+    *,
+    solutions: Mapping[str, str] | None = None,
+    rubric: bool = False,
+) -> PageFacts:
+    """`solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none. `rubric`:
+    by what a person marks stands beside the answer."""
+    keys = [grade.variant.problem.answer_name(part.part) for grade in marked.grades for part in grade.parts]
+    pictures = _pictures(marked.figures, keys)
+    return PageFacts(
+        problem_set.title,
+        marked.student.name,
+        tuple(_exercise(grade, pictures, solutions or {}, rubric) for grade in marked.grades),
+        pictures.get("", ()),
+        tuple(_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}),
+        sum(run.status == "not run" for run in marked.runs),
+    )
+
+
+def packed(facts: PageFacts) -> bytes:
+    """The facts as JSON; half a surrogate pair in a student's text, which no file can hold, is a question mark."""
+    return json.dumps(msgspec.to_builtins(facts), ensure_ascii=False).encode("utf-8", "replace")
+
+
+def unpacked(content: bytes) -> PageFacts:
+    """The facts that `packed` made a file of. Raises msgspec.DecodeError for anything else."""
+    return msgspec.json.decode(content, type=PageFacts)
+
+
+def describe(figure: Figure) -> str:
+    """A student's figure in a sentence, for those who cannot see it."""
+    axes: list[str] = []
+    for one in figure.axes:
+        words = [_.plural("{count} curve", "{count} curves", len(one.lines))]
+        words += [_("titled “{text}”", text=one.title)] if one.title else []
+        words += [_("x axis “{text}”", text=one.xlabel)] if one.xlabel else []
+        words += [_("y axis “{text}”", text=one.ylabel)] if one.ylabel else []
+        axes.append(", ".join(words))
+    return _("Your figure: {contents}", contents="; ".join(axes) or _("nothing is drawn in it"))
+
+
+def _exercise(
+    grade: Grade, pictures: Mapping[str, tuple[Picture, ...]], solutions: Mapping[str, str], rubric: bool
+) -> ExerciseFacts:
+    asked = exercise(grade.variant)
+    prompts = {prompt.part.id: prompt for prompt in asked.prompts}
+    solution = solutions.get(asked.problem.code, "")
+    return ExerciseFacts(
+        asked.problem.code,
+        asked.problem.title,
+        html(asked.statement),
+        str(drawing(asked)),
+        tuple(_part(prompts[part.part.id], part, pictures, rubric) for part in grade.parts),
+        html(solution) if solution else "",
+    )
+
+
+def _part(
+    prompt: Prompt, part: PartGrade, pictures: Mapping[str, tuple[Picture, ...]], rubric: bool
+) -> PartFacts:
+    blank = isinstance(part.verdict, Unread) and part.verdict.blank
+    return PartFacts(
+        prompt.key,
+        part.part.id,
+        inline(part.part.title),
+        html(prompt.text),
+        tuple(Choice(option.letter, inline(option.text)) for option in prompt.options),
+        pictures.get(prompt.key, ()),
+        _introduction(part) if part.answer and not blank else "",
+        blank,
+        part.verdict.rubric if rubric and isinstance(part.verdict, Unmarked) else (),
+    )
+
+
+def _introduction(part: PartGrade) -> str:
+    """The words before the answer."""
+    match part.verdict:
+        case Unread():
+            return _("What you wrote:")
+        case Unmarked():
+            return _("Your answer:")
+        case _:
+            return _("Your answer, as read:")
+
+
+def _pictures(figures: Sequence[Figure], keys: Sequence[str]) -> dict[str, tuple[Picture, ...]]:
+    """The pictures by the part whose cell drew them; under "" those of no part's."""
+    found: dict[str, tuple[Picture, ...]] = {}
+    for figure in figures:
+        # X12_5_c_2_plot begins with X12_5_c_ and with X12_5_c_2_: the longest key is meant.
+        owners = (key for key in keys if figure.cell == key or figure.cell.startswith(key + "_"))
+        key = max(owners, key=len, default="")
+        png = figure.png if figure.png is not None and figure.png.startswith(PNG) else None
+        source = f"data:image/png;base64,{base64.b64encode(png).decode()}" if png else ""
+        found[key] = (*found.get(key, ()), Picture(source, describe(figure)))
+    return found
+
+
+def _stopped(run: CellRun) -> tuple[str, str]:
+    """The cell, and what stopped it."""
+    if run.error:
+        return run.id, run.error
+    return run.id, (
+        _("It ran too long and was stopped.") if run.status == "timeout" else _("It ended in an error.")
+    )
