@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import json
-import os
+import logging
 import shutil
-import subprocess
 import sys
+from contextlib import chdir, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from datetime import timedelta
 from pathlib import Path
@@ -14,9 +15,11 @@ from typing import Any
 
 import pytest
 
+from corollary.cli.main import main
 from corollary.course.demo.player import right_sources
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
+from corollary.nbgrader.gradebook import programs_on_path
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import chapter_bank
@@ -34,8 +37,7 @@ problems: [X12.11]
 ---
 """
 STUDENTS = (Student("ada", "Ada", "Lovelace"), Student("ben", "Ben", "Boole"), Student("cyd", "Cyd"))
-BIN = Path(sys.executable).parent
-WORDS = {"ada": "The floor takes the energy.", "ben": "The floor moves.", "cyd": ""}
+WORDS = {"ada": "The floor takes the energy.", "ben": "The floor moves.", "cyd": "*Your answer here.*"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,19 +51,47 @@ class Done:
         return json.loads(self.out)
 
 
-def run(course: Course, *words: object, stdin: str | None = None) -> Done:
-    """A command in the course's folder: `corollary …` or `nbgrader …`, without a terminal."""
-    done = subprocess.run(
-        [str(BIN / str(words[0])), *map(str, words[1:])],
-        cwd=course.folder,
-        env={**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "200"},
-        input=stdin,
-        capture_output=True,
-        encoding="utf-8",
-        timeout=240,
-        check=False,
-    )
-    return Done(done.returncode, done.stdout, done.stderr)
+def run(course: Course, *words: object) -> Done:
+    """A command in the course's folder: `corollary …` or `nbgrader …`, without a terminal and in this very process: nbgrader
+    alone takes longer to start than to do anything here."""
+    program, *line = map(str, words)
+    out, errors = io.StringIO(), io.StringIO()
+    before, sys.argv = sys.argv, [program, *line]
+    try:
+        with chdir(course.folder), redirect_stdout(out), redirect_stderr(errors):
+            status = _nbgrader(line, errors) if program == "nbgrader" else _corollary()
+    finally:
+        sys.argv = before
+    return Done(status, out.getvalue(), errors.getvalue())
+
+
+def _corollary() -> int:
+    try:
+        main()
+    except SystemExit as end:
+        return int(end.code or 0)
+    return 0
+
+
+def _nbgrader(line: list[str], log: io.StringIO) -> int:
+    from jupyter_core.application import NoStart
+    from nbgrader.apps.baseapp import NbGrader
+    from nbgrader.apps.nbgraderapp import NbGraderApp
+
+    app = NbGraderApp.instance()
+    try:
+        with programs_on_path():
+            app.initialize(line)
+            app.init_logging(logging.StreamHandler, [log], color=False, subapps=True)
+            app.start()
+    except NoStart:  # how a subcommand says that it is done
+        return 0
+    except SystemExit as end:
+        return int(end.code or 0)
+    finally:
+        app.reset()
+        NbGrader.clear_instance()
+    return 0
 
 
 def grade(course: Course, *words: object) -> Done:
@@ -72,10 +102,9 @@ def hand_in(course: Course, student: Student, **others: str) -> None:
     """Everything right, and in words what WORDS say, in time but for ben."""
     bank = chapter_bank()
     problem_set, solutions = find_set(bank, str(course.folder.parent / "words.md")), Solutions(bank)
-    row = read_assigned(course, "words")[student.id]
-    sheet = worksheet(problem_set, student, problem_set.variants(row))
+    sheet = worksheet(problem_set, student, read_assigned(course, problem_set)[student.id].variants)
     keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
-    written = {"X12_11_c": WORDS[student.id]} if WORDS[student.id] else {}
+    written = {"X12_11_c": WORDS[student.id]}
     path = course.notebook("submitted", student.id, "words")
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(filled_in(sheet, right_sources(sheet, keys) | written | others), encoding="utf-8")

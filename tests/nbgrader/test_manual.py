@@ -67,9 +67,9 @@ def report(course: Course) -> dict:
 
 @pytest.fixture
 def given(marked_course: Course) -> Course:
-    """Three points for ada with a comment, two for ben who came late."""
-    give(marked_course, "ada", 3.0, "Well <b>argued</b>.")
-    give(marked_course, "ben", 2.0, extra=1.0)
+    """Both points for ada with a comment, one and another as extra credit for ben, who came late."""
+    give(marked_course, "ada", 2.0, "Well <b>argued</b>.")
+    give(marked_course, "ben", 1.0, extra=1.0)
     return marked_course
 
 
@@ -81,7 +81,7 @@ def test_before_a_person_looks_the_part_waits(marked_course: Course) -> None:
 
 def test_the_report_and_the_tables_have_it_at_once(given: Course) -> None:
     before = table(given)
-    assert (before["ada"]["X12.11 c"], before["ben"]["X12.11 c"]) == ("3", "3")
+    assert (before["ada"]["X12.11 c"], before["ben"]["X12.11 c"]) == ("2", "2")
     found = report(given)
     assert found["waiting"] == []
     assert [part["counts"]["by_hand"] for part in found["parts"]] == [0, 0, 2]
@@ -113,10 +113,10 @@ def test_the_one_page_says_what_the_person_said(given: Course, command: tuple[st
     assert "Well &lt;b&gt;argued&lt;/b&gt;." in ours
     assert "Waits for your teacher" not in ours
     assert "Waits for your teacher" not in page(given, "ben")
-    assert in_gradebook(given, "ada")[:2] == (3.0, "Well <b>argued</b>.")
+    assert in_gradebook(given, "ada")[:2] == (2.0, "Well <b>argued</b>.")
     assert run(given, "nbgrader", "generate_feedback", "words").status == 0
     assert page(given, "ada") == ours
-    assert table(given)["ada"]["X12.11 c"] == "3"
+    assert table(given)["ada"]["X12.11 c"] == "2"
 
 
 def test_nbgraders_own_table_takes_lateness_off_it(given: Course) -> None:
@@ -154,12 +154,12 @@ def test_a_gradebook_that_was_lost_gets_back_what_persons_gave(
 ) -> None:
     backup = tmp_path / "yesterday.db"
     shutil.copy(marked_course.gradebook, backup)
-    give(marked_course, "ada", 3.0, "Well argued.")
-    assert table(marked_course)["ada"]["X12.11 c"] == "3"
+    give(marked_course, "ada", 2.0, "Well argued.")
+    assert table(marked_course)["ada"]["X12.11 c"] == "2"
     accident(marked_course, backup)
-    assert table(marked_course)["ada"]["X12.11 c"] == "3"
+    assert table(marked_course)["ada"]["X12.11 c"] == "2"
     assert grade(marked_course).status == 0
-    assert in_gradebook(marked_course, "ada") == (3.0, "Well argued.", False)
+    assert in_gradebook(marked_course, "ada") == (2.0, "Well argued.", False)
     assert in_gradebook(marked_course, "ben") == (None, None, True)
     give(marked_course, "ada", 1.0)
     assert table(marked_course)["ada"]["X12.11 c"] == "1", "from then on the gradebook is believed again"
@@ -169,22 +169,22 @@ def test_without_nbgraders_file_the_journal_is_the_record(given: Course) -> None
     assert grade(given).status == 0
     given.gradebook.unlink()
     (given.folder / "nbgrader_config.py").unlink()
-    assert table(given)["ada"]["X12.11 c"] == "3"
+    assert table(given)["ada"]["X12.11 c"] == "2"
 
 
 def test_another_answer_is_shown_to_the_person_again(given: Course) -> None:
     assert grade(given).status == 0
     hand_in(given, ADA, X12_11_c="The floor is a spring.")
     assert grade(given).status == 0
-    assert in_gradebook(given, "ada") == (3.0, "Well <b>argued</b>.", True)
+    assert in_gradebook(given, "ada") == (2.0, "Well <b>argued</b>.", True)
     found = report(given)
     assert [(one["student"], one["why"]) for one in found["waiting"]] == [
         ("ada", "the answer has changed since a person marked it")
     ]
     assert found["students"]["ada"]["points"] == found["out_of"], "until then it stands"
-    give(given, "ada", 3.0, "Well <b>argued</b>.")  # formgrader's Resolve
+    give(given, "ada", 2.0, "Well <b>argued</b>.")  # formgrader's Resolve
     assert report(given)["waiting"] == []
-    assert grade(given, "--regrade", "--yes").status == 0
+    assert grade(given, "--regrade").status == 0
     assert in_gradebook(given, "ada")[2] is False
 
 
@@ -193,13 +193,13 @@ def test_nbgraders_autograde_shows_only_another_answer_again(given: Course) -> N
     done = run(given, "nbgrader", "autograde", "words", "--force")
     assert done.status == 0, done.errors
     assert in_gradebook(given, "ada")[2] is False
-    assert in_gradebook(given, "ben") == (2.0, None, True)
+    assert in_gradebook(given, "ben") == (1.0, None, True)
 
 
 def test_a_course_of_an_earlier_version_is_carried_over(marked_course: Course) -> None:
     """Its pages had another name and could not be made again, and its records knew nothing of answers."""
     shutil.rmtree(marked_course.folder / ".corollary/pages")
-    give(marked_course, "ada", 3.0, "Well argued.")
+    give(marked_course, "ada", 2.0, "Well argued.")
     for student in STUDENTS:
         place = course_page = marked_course.place("feedback", student.id, "words")
         (place / "words.html").rename(place / "words.feedback.html")

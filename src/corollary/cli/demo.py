@@ -89,7 +89,7 @@ def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
     name = performed.outcome.page.stem
     for what, where in (
         ("notebook a student gets", folder / "release" / student / name / f"{name}.ipynb"),
-        ("feedback a student gets", folder / "feedback" / student / name / f"{name}.feedback.html"),
+        ("feedback a student gets", folder / "feedback" / student / name / f"{name}.html"),
         ("report for the instructor", folder / "reports" / f"{name}.html"),
         ("nbgrader gradebook", folder / "gradebook.db"),
     ):

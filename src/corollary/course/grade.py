@@ -154,7 +154,8 @@ def grade_set(
                 write(one, book)
     records = read_marks(course, problem_set, files, manual)
     if not dry_run:
-        write_shared(course, problem_set, find_shared(problem_set, solutions, assigned, records))
+        programs_own = read_records(course, problem_set, files)
+        write_shared(course, problem_set, find_shared(problem_set, solutions, assigned, programs_own))
     report = report_of(course, problem_set, manual)
     page = report_place(course, name)
     if not dry_run:

@@ -7,7 +7,7 @@ from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import BeingGraded, Course, one_writer, students
 from corollary.records.manual import ManualMarks
-from corollary.records.marks import report_place, write_page
+from corollary.records.marks import last_change, report_place, write_page
 from corollary.records.report_model import Report, report_of
 
 
@@ -31,7 +31,7 @@ def renewed(course: Course, problem_set: ProblemSet, manual: ManualMarks) -> Rep
     stale = stale_pages(course, problem_set.name, manual, everybody)
     report = report_of(course, problem_set, manual)
     page = report_place(course, problem_set.name)
-    if stale and page.exists():
+    if page.exists() and (stale or last_change(course, problem_set.name) > page.stat().st_mtime):
         from corollary.render.report_page import report_page  # brings matplotlib
 
         formgrader = read_settings(course.folder).formgrader

@@ -1,4 +1,5 @@
-"""A whole run of one of nbgrader's commands, as the only writer in a course of ours, and with what persons gave recorded."""
+"""A whole run of one of nbgrader's commands, as the only writer in a course of ours; what persons gave is recorded before it and
+in every feedback page after it."""
 
 from __future__ import annotations
 
@@ -13,22 +14,29 @@ from nbgrader.converters.base import BaseConverter, NbGraderException
 from nbgrader.coursedir import CourseDirectory
 
 from corollary.nbgrader.manual import synchronize
-from corollary.records.files import BeingGraded, Course, NotACourse, one_writer, open_course
+from corollary.nbgrader.marks import stale_pages
+from corollary.records.files import BeingGraded, Course, NotACourse, one_writer, open_course, students
+from corollary.records.marks import write_page
 
 
 def alone(run: BaseConverter, convert: Callable[[], None]) -> None:
     """Converts, with the course locked; refused before anything is touched when another run has it."""
+    place = cast(CourseDirectory, run.coursedir)
     with ExitStack() as held:
         try:
-            if (course := course_of(run)) is not None:
-                held.enter_context(one_writer(course))
-                place = cast(CourseDirectory, run.coursedir)
-                with Gradebook(place.db_url, place.course_id) as book:
-                    synchronize(course, book)
+            if (course := course_of(run)) is None:
+                convert()
+                return
+            held.enter_context(one_writer(course))
+            everybody = [student.id for student in students(course)]
         except (BeingGraded, NotACourse) as error:
             run.log.error(str(error))
             raise NbGraderException(str(error)) from None
+        with Gradebook(place.db_url, place.course_id) as book:
+            manual = synchronize(course, book)
         convert()
+        for student, page in stale_pages(course, place.assignment_id, manual, everybody).items():
+            write_page(course, place.assignment_id, student, page)
 
 
 def course_of(run: BaseConverter | ExportApp) -> Course | None:

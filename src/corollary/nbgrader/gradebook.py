@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from corollary.nbgrader.config import broken, renew_config
 from corollary.records.files import Course
+from corollary.records.manual import read_manual
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook
@@ -124,9 +125,31 @@ def _new(course: Course, place: CourseDirectory) -> None:
 
     draft = course.gradebook.with_name(".gradebook.draft")
     draft.unlink(missing_ok=True)
-    with programs_on_path():
-        Gradebook(f"sqlite:///{draft}", place.course_id).close()
+    with programs_on_path(), Gradebook(f"sqlite:///{draft}", place.course_id) as book:
+        has_seen(
+            book, read_manual(course).count
+        )  # its rows are filled with what persons gave as they are made
+        book.db.commit()
     os.replace(draft, course.gradebook)
+
+
+def seen(book: Gradebook) -> int | None:
+    """How many entries of the journal of manual marks a gradebook has seen, by SQLite's `user_version`, a number that is an
+    application's to use. None where the gradebook is on a database server, which has backups of its own, and is believed."""
+    from sqlalchemy import text
+
+    if book.engine.dialect.name != "sqlite":
+        return None
+    return int(book.db.execute(text("PRAGMA user_version")).scalar() or 0)
+
+
+def has_seen(book: Gradebook, count: int) -> None:
+    """Notes in the gradebook that it has seen so many."""
+    from sqlalchemy import text
+
+    before = seen(book)
+    if before is not None and before < count:
+        book.db.execute(text(f"PRAGMA user_version = {count:d}"))
 
 
 @contextmanager

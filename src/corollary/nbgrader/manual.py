@@ -1,8 +1,7 @@
 """What persons gave in formgrader or through nbgrader, read from the gradebook, and given back to one that has lost it.
 
-The gradebook counts how many entries of our journal it has seen (SQLite's `user_version`, a number that is an application's to
-use). One that has seen fewer than there are is new, or was restored from a backup: then the journal is right. Otherwise what the
-gradebook says is newer, be it a score or its withdrawal.
+The gradebook counts how many entries of our journal it has seen. One that has seen fewer than there are was restored from a
+backup, or is new: then the journal is right. Otherwise what the gradebook says is newer, be it a score or its withdrawal.
 """
 
 # nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from corollary.nbgrader.gradebook import has_seen, seen
 from corollary.records.files import Course
 from corollary.records.manual import (
     NOTHING,
@@ -62,7 +62,7 @@ def synchronize(course: Course, book: Gradebook) -> ManualMarks:
             if not is_blank(notebook) and student in given[name]:
                 fill(notebook, given[name][student], stored_record(course, name, student))
     _weigh_lateness(course, book)
-    _has_seen(book, journal.count + len(newer))
+    has_seen(book, journal.count + len(newer))
     # The gradebook first: cut short in between it has seen more than there is, and is read again.
     book.db.commit()
     write_manual(course, newer)
@@ -211,18 +211,6 @@ def _notebooks(book: Gradebook, sets: set[str]) -> Iterator[tuple[SubmittedNoteb
 
 
 def _is_older(book: Gradebook, journal: ManualMarks) -> bool:
-    """Whether the gradebook lacks entries that the journal has. A database server has backups of its own, and is believed."""
-    from sqlalchemy import text
-
-    if book.engine.dialect.name != "sqlite":
-        return False
-    return int(book.db.execute(text("PRAGMA user_version")).scalar() or 0) < journal.count
-
-
-def _has_seen(book: Gradebook, count: int) -> None:
-    from sqlalchemy import text
-
-    if book.engine.dialect.name == "sqlite":
-        before = int(book.db.execute(text("PRAGMA user_version")).scalar() or 0)
-        if before < count:
-            book.db.execute(text(f"PRAGMA user_version = {count:d}"))
+    """Whether the gradebook lacks entries that the journal has."""
+    count = seen(book)
+    return count is not None and count < journal.count

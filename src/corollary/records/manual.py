@@ -89,7 +89,7 @@ def read_manual(course: Course) -> ManualMarks:
     """What the journal holds."""
     found: dict[Place, ManualMark] = {}
     count = 0
-    for entry in entries(_journal(course)):
+    for entry in entries(journal_place(course)):
         try:
             line = msgspec.convert(entry, _Line)
         except msgspec.ValidationError:
@@ -106,8 +106,9 @@ def write_manual(course: Course, given: Mapping[Place, ManualMark]) -> None:
         _Line(place.set_name, place.student, place.part, msgspec.structs.replace(mark, at=mark.at or at))
         for place, mark in given.items()
     )
-    append(_journal(course), lines)
+    append(journal_place(course), lines)
 
 
-def _journal(course: Course) -> Path:
+def journal_place(course: Course) -> Path:
+    """Where the journal lies, once anything was given by hand."""
     return course.record("manual", "marks.jsonl")

@@ -13,7 +13,7 @@ from corollary.atomic import write_whole
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.journal import append, entries, last_line
-from corollary.records.manual import ManualMarks, read_manual
+from corollary.records.manual import ManualMarks, journal_place, read_manual
 from corollary.records.record import Record, with_manual
 
 
@@ -92,6 +92,12 @@ def settle(course: Course, problem_set: ProblemSet) -> None:
 def feedback_place(course: Course, set_name: str, student: str) -> Path:
     """A student's feedback page: where nbgrader has it too, so that there is one."""
     return course.place("feedback", student, set_name) / f"{set_name}.html"
+
+
+def last_change(course: Course, set_name: str) -> float:
+    """When a mark was last given, by whomever, in seconds since 1970; 0 for never."""
+    places = [_history(course, set_name), journal_place(course)]
+    return max((place.stat().st_mtime for place in places if place.exists()), default=0.0)
 
 
 def report_place(course: Course, set_name: str) -> Path:
