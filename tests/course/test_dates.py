@@ -45,8 +45,7 @@ def grade(course: Path, now: datetime, text: str = SET) -> Outcome:
 
 def pages(course: Path) -> dict[str, str]:
     return {
-        each: (course / "feedback" / each / "one" / "one.html").read_text()
-        for each in ("ada", "ben", "cyd")
+        each: (course / "feedback" / each / "one" / "one.html").read_text() for each in ("ada", "ben", "cyd")
     }
 
 

@@ -63,9 +63,7 @@ def test_a_second_run_skips_everybody_and_changes_nothing(played: tuple[Path, di
 
 def test_feedback_says_what_went_wrong_and_needs_nothing_from_outside(played: tuple[Path, dict]) -> None:
     folder, _ = played
-    page = (folder / "feedback" / "finn" / "momentum_1" / "momentum_1.html").read_text(
-        encoding="utf-8"
-    )
+    page = (folder / "feedback" / "finn" / "momentum_1" / "momentum_1.html").read_text(encoding="utf-8")
     assert "Momentum has a direction" in page
     assert "<math" in page
     assert 'src="http' not in page

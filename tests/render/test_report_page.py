@@ -26,7 +26,7 @@ def test_the_page_holds_the_report_and_needs_nothing_beside_it(of):
     )
     text = report_page(found, of)
     page = Page(text)
-    ways = [f"a href=../feedback/{one}/momentum/momentum.feedback.html" for one in ("ada", "eve")]
+    ways = [f"a href=../feedback/{one}/momentum/momentum.html" for one in ("ada", "eve")]
     assert {way for way in page.out if "formgrader" not in way} == {*ways, "form", "script"}
     assert "2 handed in, 1 missing" in page.words
     assert "3.38 mean of 12 points" in page.words
@@ -64,7 +64,7 @@ def test_links_lead_into_formgrader_wherever_it_is(of):
     ).out
     assert "a href=https://hub.example.org/user/me/formgrader/gradebook/momentum/momentum" in out
     assert "a href=https://hub.example.org/user/me/formgrader/manage_students/a%26b%20%C3%B8/momentum" in out
-    assert "a href=a/b/feedback/a%26b%20%C3%B8/momentum/momentum.feedback.html" in out
+    assert "a href=a/b/feedback/a%26b%20%C3%B8/momentum/momentum.html" in out
 
 
 def test_bars_stand_in_the_tables_that_hold_their_numbers(of):

@@ -9,6 +9,7 @@ from corollary.records.files import BeingGraded, Course, one_writer, students
 from corollary.records.manual import ManualMarks
 from corollary.records.marks import last_change, report_place, write_page
 from corollary.records.report_model import Report, report_of
+from corollary.records.settings import read_settings
 
 
 def up_to_date(course: Course, problem_set: ProblemSet) -> Report:

@@ -9,7 +9,8 @@ from corollary.grading.grade import Grade, PartGrade
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import AssignedSheet
 from corollary.records.files import Course
-from corollary.records.marks import PartRecord, read_record
+from corollary.records.marks import read_record
+from corollary.records.record import PartRecord
 
 
 def retained(

@@ -32,7 +32,7 @@ class Picture(msgspec.Struct, frozen=True):
     alt: str
 
 
-class Choice(msgspec.Struct, frozen=True):
+class OptionFacts(msgspec.Struct, frozen=True):
     """An option of a choice; `text` is HTML."""
 
     letter: str
@@ -46,7 +46,7 @@ class PartFacts(msgspec.Struct, frozen=True):
     id: str
     title: str
     asked: str
-    options: tuple[Choice, ...]
+    options: tuple[OptionFacts, ...]
     pictures: tuple[Picture, ...]
     introduction: str
     blank: bool
@@ -143,7 +143,7 @@ def _part(
         part.part.id,
         inline(part.part.title),
         html(prompt.text),
-        tuple(Choice(option.letter, inline(option.text)) for option in prompt.options),
+        tuple(OptionFacts(option.letter, inline(option.text)) for option in prompt.options),
         pictures.get(prompt.key, ()),
         _introduction(part) if part.answer and not blank else "",
         blank,
