@@ -3,18 +3,42 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from corollary.formula.ast import Expr, Negative, Product, Quotient, Relation, Sum
-from corollary.formula.ball import Ball, RationalPi, Undefined, evaluate, precision_of
+from corollary.formula.ball import (
+    Ball,
+    RationalPi,
+    Undefined,
+    evaluate,
+    evaluate_all,
+    in_balls,
+    precision_of,
+)
 
+Letters = Mapping[str, RationalPi] | Mapping[str, Ball]
 BITS = 96  # the double comes out right to its last bit but where more than 40 bits cancel
 
 
-def number(tree: Expr, values: Mapping[str, RationalPi]) -> float:
+def number(tree: Expr, values: Letters) -> float:
     """A formula's value as a double, close to the last bit. Raises Undefined."""
     return _finite(float(evaluate(tree, values, BITS).mid()))
+
+
+def numbers(trees: Iterable[Expr], values: Letters) -> tuple[float, ...]:
+    """Several formulas' values, each close to the last bit. Raises Undefined."""
+    return tuple(_finite(float(ball.mid())) for ball in evaluate_all(trees, values, BITS))
+
+
+def balls(values: Letters) -> dict[str, Ball]:
+    """The values ready for many formulas."""
+    return in_balls(values, BITS)
+
+
+def ball_of(value: float) -> Ball:
+    """The double itself. Raises Undefined for what is no number."""
+    return Ball(_finite(value))
 
 
 def as_exact(value: float) -> RationalPi:

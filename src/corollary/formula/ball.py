@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -35,7 +35,9 @@ __all__ = [
     "Undefined",
     "certified",
     "evaluate",
+    "evaluate_all",
     "holds",
+    "in_balls",
     "precision_of",
     "sign",
 ]
@@ -78,6 +80,18 @@ def evaluate(tree: Expr, values: Values, precision: int) -> arb:
     """
     with precision_of(precision):
         return _ball(tree, values)
+
+
+def evaluate_all(trees: Iterable[Expr], values: Values, precision: int) -> list[arb]:
+    """The balls of several formulas; as `evaluate`, and faster than one by one."""
+    with precision_of(precision):
+        return [_ball(tree, values) for tree in trees]
+
+
+def in_balls(values: Values, precision: int) -> dict[str, arb]:
+    """The values as balls of this precision: to evaluate many formulas on the same numbers."""
+    with precision_of(precision):
+        return {name: _as_ball(value) for name, value in values.items()}
 
 
 def certified(tree: Expr, values: Values) -> Certified:

@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from corollary.answers.evaluation import as_exact, number
+from corollary.answers.evaluation import Letters, ball_of, balls, number, numbers
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import names
-from corollary.formula.ball import RationalPi, Undefined
+from corollary.formula.ball import Undefined
 from corollary.scenes.run import BadSetting, GuardFailed
 
 
@@ -28,32 +28,32 @@ BY_THE_RULES = WhatIf()
 
 def replay(
     solution: Solution,
-    givens: Mapping[str, RationalPi],
+    givens: Letters,
     what_if: WhatIf = BY_THE_RULES,
     until: int | None = None,
 ) -> list[Values]:
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
-    values: dict[str, RationalPi] = dict(givens)
+    values = balls(givens)
     found: list[Values] = []
     for place, find in enumerate(solution.unknowns):
-        numbers = what_if.held.get(place)
-        if numbers is None:
-            numbers = compute(what_if.rules.get(place, find.local), values)
+        answer = what_if.held.get(place)
+        if answer is None:
+            answer = compute(what_if.rules.get(place, find.local), values)
             if what_if.rounding is not None and isinstance(find.local, ClosedForms):
-                numbers = tuple(map(what_if.rounding, numbers))
-        for name, value in zip(find.names, numbers, strict=True):
-            values[name] = as_exact(value)
-        found.append(numbers)
+                answer = tuple(map(what_if.rounding, answer))
+        for name, value in zip(find.names, answer, strict=True):
+            values[name] = ball_of(value)
+        found.append(answer)
         if place == until:
             break
     return found
 
 
-def compute(rule: Rule, values: Mapping[str, RationalPi]) -> Values:
+def compute(rule: Rule, values: Letters) -> Values:
     """What a rule gives for these values. Raises Undefined."""
     match rule:
         case ClosedForms(trees):
-            return tuple(number(tree, values) for tree in trees)
+            return numbers(trees, values)
         case SceneOutcome(scene, settings, observe):
             return observed(
                 scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe

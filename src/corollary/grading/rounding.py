@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from corollary.answers.evaluation import Letters, balls
 from corollary.answers.expected import Values
 from corollary.derive.solution import Solution
 from corollary.formula.ball import RationalPi, Undefined
@@ -33,12 +34,13 @@ class Noise:
 def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Values]) -> list[Noise]:
     """The largest over the replays, plus what 9.8 for 9.81 does."""
     noise = _no_noise(values)
+    ready = balls(givens)
     dice = random.Random(1)  # the same roundings for every variant: fair, and the same in ten years
     for _ in range(REPLAYS):
         _widen(
             noise,
             solution,
-            givens,
+            ready,
             values,
             WhatIf(rounding=lambda x: x + _half_unit(x) * dice.uniform(-1, 1)),
         )
@@ -58,7 +60,7 @@ def _no_noise(values: Sequence[Values]) -> list[Noise]:
 def _widen(
     noise: list[Noise],
     solution: Solution,
-    givens: Mapping[str, RationalPi],
+    givens: Letters,
     values: Sequence[Values],
     what_if: WhatIf,
 ) -> None:
