@@ -11,8 +11,8 @@ from corollary.formula.ball import (
     Ball,
     RationalPi,
     Undefined,
+    ball_at,
     evaluate,
-    evaluate_all,
     in_balls,
     precision_of,
 )
@@ -26,9 +26,9 @@ def number(tree: Expr, values: Letters) -> float:
     return _finite(float(evaluate(tree, values, BITS).mid()))
 
 
-def numbers(trees: Iterable[Expr], values: Letters) -> tuple[float, ...]:
-    """Several formulas' values, each close to the last bit. Raises Undefined."""
-    return tuple(_finite(float(ball.mid())) for ball in evaluate_all(trees, values, BITS))
+def numbers(trees: Iterable[Expr], values: Mapping[str, Ball]) -> tuple[float, ...]:
+    """As `number`, of several formulas, where the precision is set to BITS already. Raises Undefined."""
+    return tuple([_finite(float(ball_at(tree, values).mid())) for tree in trees])
 
 
 def balls(values: Letters) -> dict[str, Ball]:

@@ -23,7 +23,7 @@ def run(folder: Path, as_json: bool) -> int:
     start = time.perf_counter()
     bank = chapter_bank()
     problem_set = find_set(bank, SET)
-    with bar("demonstration", len(problem_set.problems) + 3 * len(PLAYERS) + 1) as progress:
+    with bar("demonstration", 4 * len(PLAYERS) + 1) as progress:
         try:
             performed = perform(folder, problem_set, Solutions(bank), _aloud(progress))
         except NotFresh as error:

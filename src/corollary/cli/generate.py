@@ -59,7 +59,7 @@ def run(
             say_renewals(plan)
             if plan.sheets and not agreed("Give them the sheet of today?", yes):
                 return FAILS
-    with bar(f"generating {problem_set.name}", len(students) + len(problem_set.problems) + 1) as progress:
+    with bar(f"generating {problem_set.name}", 2 * len(students) + 1) as progress:
         made = generate(
             course,
             problem_set,

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
+from corollary.course.making import Makers, ToWrite, makers
 from corollary.course.renew import Renewal
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader
@@ -16,7 +17,7 @@ from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
-from corollary.problem.variant import chapter, index_of
+from corollary.problem.variant import at, chapter, index_of
 from corollary.records.assigned import AssignedSheet, open_record, save_record, sheets
 from corollary.records.edition import values_now
 from corollary.records.files import Course, create_course, one_writer
@@ -51,9 +52,10 @@ def generate(
     progress: Callable[[str], None] = lambda step: None,
     file: Path | None = None,
     renewed: Sequence[Renewal] = (),
+    jobs: int | None = None,
 ) -> Generated:
     """Makes or completes the course; who has a sheet keeps it, as it is, but for the `renewed`. `file`: the set's, when it
-    lies outside the bank.
+    lies outside the bank; `jobs`: how many processes (None: one for each core).
 
     Raises NoVariant, NotRegistered, GradebookLocked, NotOurs, NotSettled, BeingGraded.
     """
@@ -70,44 +72,55 @@ def generate(
             record.carried.pop(each.student, None)
             # Gone before the record says otherwise: cut short here, the next run writes what the record says.
             course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
-        redrawn = _deal(course, problem_set, solutions, record, new, progress)
-        write_origin(course, problem_set.name, solutions.bank, file)
-        save_record(course, problem_set, record)
-        assigned = sheets(course, problem_set, record)
-        registered = _register(course, problem_set, source_notebook(problem_set), progress)
-        other = {*new, *(each.student for each in renewed)}
-        notebooks: dict[str, Path] = {}
-        for student in roster:
-            progress(f"notebook of {student.id}")
-            path = course.notebook("release", student.id, problem_set.name)
-            if student.id in other or not path.exists():  # what was handed out stays as it is, to the byte
-                variants = assigned[student.id].variants
-                write_whole(path, file_text(notebook(worksheet(problem_set, student, variants))))
-            notebooks[student.id] = path
+        with makers(course, problem_set, solutions, len(new) + len(renewed), jobs) as by:
+            redrawn = _deal(by, record, new, progress)
+            write_origin(course, problem_set.name, solutions.bank, file)
+            save_record(course, problem_set, record)
+            assigned = sheets(course, problem_set, record)
+            notebooks = {
+                student.id: course.notebook("release", student.id, problem_set.name) for student in roster
+            }
+            todays = {*new, *(each.student for each in renewed)}
+            # What was handed out stays as it is, to the byte.
+            missing = [each for each in roster if each.id in todays or not notebooks[each.id].exists()]
+            writing = by.write([_to_write(each, assigned[each.id]) for each in missing if each.id in todays])
+            registered = _register(course, problem_set, source_notebook(problem_set), progress)
+            for student in writing:
+                progress(f"notebook of {student}")
+        for student in missing:
+            if student.id not in todays:
+                sheet = worksheet(problem_set, student, assigned[student.id].variants)
+                write_whole(notebooks[student.id], file_text(notebook(sheet)))
     of_roster = {student.id: assigned[student.id] for student in roster}
     return Generated(course, notebooks, of_roster, redrawn, registered, new)
 
 
 def _deal(
-    course: Course,
-    problem_set: ProblemSet,
-    solutions: Solutions,
-    record: Assigned,
-    students: Sequence[str],
-    progress: Callable[[str], None],
+    by: Makers, record: Assigned, students: Sequence[str], progress: Callable[[str], None]
 ) -> dict[str, int]:
     """Numbers of their own for these students, into the record; how many draws were rejected, by code. Raises NoVariant."""
-    redrawn: dict[str, int] = {}
-    for problem in problem_set.problems:
-        progress(f"numbers for {problem.code}")
-        edition = record.place(problem, problem_set.weight(problem))
-        used = set(_in_use(record, problem))
-        for student in students:
-            found = solutions.assign_variant(problem, course.key, student, used)
-            record.students.setdefault(student, {})[problem.code] = numbers_of(found.variant, edition)
-            redrawn[problem.code] = redrawn.get(problem.code, 0) + found.redrawn
-            used |= set() if found.variant.index is None else {found.variant.index}
+    problems, redrawn = by.problem_set.problems, dict[str, int]()
+    used = [set(_in_use(record, problem)) for problem in problems]
+    places = [record.place(problem, by.problem_set.weight(problem)) for problem in problems]
+    for drawn in by.draw(students):
+        progress(f"numbers of {drawn.student}")
+        row = record.students.setdefault(drawn.student, {})
+        for problem, in_use, place, (index, rejected) in zip(
+            problems, used, places, drawn.draws, strict=True
+        ):
+            if index in in_use:  # somebody has it: the next draw that is free
+                found = by.solutions.assign_variant(problem, by.course.key, drawn.student, in_use)
+                variant, rejected = found.variant, found.redrawn
+            else:
+                variant = chapter(problem) if index is None else at(problem, index)
+            row[problem.code] = numbers_of(variant, place)
+            redrawn[problem.code] = redrawn.get(problem.code, 0) + rejected
+            in_use |= set() if variant.index is None else {variant.index}
     return redrawn
+
+
+def _to_write(student: Student, sheet: AssignedSheet) -> ToWrite:
+    return ToWrite(student, {each.problem.code: (each.values, each.index) for each in sheet.variants})
 
 
 def _in_use(record: Assigned, problem: Problem) -> Iterator[int]:

@@ -121,11 +121,12 @@ def _submit(pool: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Pen
 def _begin(context: GradingContext) -> None:
     """In a new worker: Ctrl-C ends it at once, and it does not outlive the process that made it, however that one ends."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    Thread(target=_end_with_parent, daemon=True).start()
+    Thread(target=end_with_parent, daemon=True).start()
     _at_work.append((context, context.runner()))
 
 
-def _end_with_parent() -> None:
+def end_with_parent() -> None:
+    """Waits for the end of the process that made this one, and ends this one."""
     parent = parent_process()
     if parent is not None:
         wait_for([parent.sentinel])

@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from corollary.answers.evaluation import Letters, ball_of, balls, number, numbers
+from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number, numbers
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import names
-from corollary.formula.ball import Undefined
+from corollary.formula.ball import Undefined, precision_of
 from corollary.scenes.run import BadSetting, GuardFailed
 
 
@@ -35,17 +35,22 @@ def replay(
     """The value of each find, in order, up to and with the place `until`. Raises Undefined where a value does not exist."""
     values = balls(givens)
     found: list[Values] = []
-    for place, find in enumerate(solution.unknowns):
-        answer = what_if.held.get(place)
-        if answer is None:
-            answer = compute(what_if.rules.get(place, find.local), values)
-            if what_if.rounding is not None and isinstance(find.local, ClosedForms):
-                answer = tuple(map(what_if.rounding, answer))
-        for name, value in zip(find.names, answer, strict=True):
-            values[name] = ball_of(value)
-        found.append(answer)
-        if place == until:
-            break
+    with precision_of(BITS):
+        for place, find in enumerate(solution.unknowns):
+            answer = what_if.held.get(place)
+            if answer is None:
+                match what_if.rules.get(place, find.local):
+                    case ClosedForms(trees):
+                        answer = numbers(trees, values)
+                    case rule:
+                        answer = compute(rule, values)
+                if what_if.rounding is not None and isinstance(find.local, ClosedForms):
+                    answer = tuple(map(what_if.rounding, answer))
+            for name, value in zip(find.names, answer, strict=True):
+                values[name] = ball_of(value)
+            found.append(answer)
+            if place == until:
+                break
     return found
 
 
@@ -53,7 +58,7 @@ def compute(rule: Rule, values: Letters) -> Values:
     """What a rule gives for these values. Raises Undefined."""
     match rule:
         case ClosedForms(trees):
-            return numbers(trees, values)
+            return tuple(number(tree, values) for tree in trees)
         case SceneOutcome(scene, settings, observe):
             return observed(
                 scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from random import Random
 
-from corollary.answers.evaluation import Letters, balls
+from corollary.answers.evaluation import BITS, ball_of, balls
 from corollary.answers.expected import Values
-from corollary.derive.solution import Solution
-from corollary.formula.ball import RationalPi, Undefined
-from corollary.grading.replay import WhatIf, replay
+from corollary.derive.solution import ClosedForms, Solution
+from corollary.formula.ball import Ball, RationalPi, Undefined, precision_of
+from corollary.formula.compiled import program
+from corollary.grading.replay import compute, replay
 
 REPLAYS = 32  # with random roundings; what so few of them miss, the key's margin of a quarter is for
 FIGURES = 3  # what the book asks for
@@ -34,40 +36,55 @@ class Noise:
 def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Values]) -> list[Noise]:
     """The largest over the replays, plus what 9.8 for 9.81 does."""
     noise = _no_noise(values)
-    ready = balls(givens)
-    dice = random.Random(1)  # the same roundings for every variant: fair, and the same in ten years
-    for _ in range(REPLAYS):
-        _widen(
-            noise,
-            solution,
-            ready,
-            values,
-            WhatIf(rounding=lambda x: x + _half_unit(x) * dice.uniform(-1, 1)),
-        )
+    for found in _rounded_replays(solution, balls(givens)):
+        _widen(noise, found, values)
     if (other := GRAVITY.get(givens["g"].ratio) if "g" in givens else None) is not None:
         shifts = _no_noise(values)
-        _widen(shifts, solution, {**givens, "g": RationalPi(other)}, values, WhatIf())
+        with suppress(Undefined):
+            _widen(shifts, replay(solution, {**givens, "g": RationalPi(other)}), values)
         for each, shift in zip(noise, shifts, strict=True):
             each.distance += shift.distance
             each.components = [a + b for a, b in zip(each.components, shift.components, strict=True)]
     return noise
 
 
+def _rounded_replays(solution: Solution, givens: Mapping[str, Ball]) -> Iterator[list[Values]]:
+    """What every step gives when each before it was rounded; a replay in which something has no value is left out.
+
+    As `replay` does it, written out: a key replays its derivation some thirty times, and is made for every student.
+    """
+    steps = [
+        (find, [program(tree) for tree in find.local.trees] if isinstance(find.local, ClosedForms) else None)
+        for find in solution.unknowns
+    ]
+    random = Random(1).random  # the same roundings for every variant: fair, and the same in ten years
+    with precision_of(BITS):
+        start = {"pi": Ball.pi(), **givens}
+        for _ in range(REPLAYS):
+            known, found = dict(start), list[Values]()
+            with suppress(Undefined):
+                for find, programs in steps:
+                    if programs is None:
+                        answer = compute(find.local, known)
+                    else:
+                        exact = [
+                            float(each.run([known[name] for name in each.names]).mid()) for each in programs
+                        ]
+                        if not all(map(math.isfinite, exact)):
+                            break
+                        answer = tuple([x + _half_unit(x) * (-1 + 2 * random()) for x in exact])
+                    for name, value in zip(find.names, answer, strict=True):
+                        known[name] = ball_of(value)
+                    found.append(answer)
+                else:
+                    yield found
+
+
 def _no_noise(values: Sequence[Values]) -> list[Noise]:
     return [Noise(0.0, [0.0] * len(numbers)) for numbers in values]
 
 
-def _widen(
-    noise: list[Noise],
-    solution: Solution,
-    givens: Letters,
-    values: Sequence[Values],
-    what_if: WhatIf,
-) -> None:
-    try:
-        found = replay(solution, givens, what_if)
-    except Undefined:
-        return
+def _widen(noise: list[Noise], found: Sequence[Values], values: Sequence[Values]) -> None:
     for each, numbers, truth in zip(noise, found, values, strict=True):
         off = math.dist(numbers, truth)
         if math.isfinite(off):

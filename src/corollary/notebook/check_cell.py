@@ -13,7 +13,7 @@ from corollary.answers.question import Question
 from corollary.answers.registry import folder
 from corollary.messages import catalogue
 from corollary.notebook.packing import modules
-from corollary.notebook.worksheet import Worksheet
+from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.units.table import rows_of_others
 from corollary.version import __version__
 
@@ -44,11 +44,27 @@ def check_source(sheet: Worksheet) -> str:
             "No answer is hidden in it, only the code that reads yours when they are marked, compressed; print(check.source) shows it."
         ),
         too_old=_("check needs Python 3.11 or newer; what you write counts all the same"),
-        carried=_carried(tuple(prompt.question for prompt in prompts)),
+        carried=_of_set(tuple(prompts)),
     )
 
 
-@lru_cache(maxsize=64)  # the questions of a set are the same for everybody: only the numbers are not
+# By identity: everybody's questions are the same, only the numbers are not, and to hash them all takes longer than a notebook.
+# What the questions are made of is held, so that its id stays its own.
+_OF_SET: dict[tuple[int, ...], tuple[list[object], str]] = {}
+MOST_SETS = 64
+
+
+def _of_set(prompts: tuple[Prompt, ...]) -> str:
+    made_of = [each for prompt in prompts for each in (prompt.problem, prompt.part)]
+    key = tuple(map(id, made_of))
+    if key not in _OF_SET:
+        if len(_OF_SET) >= MOST_SETS:
+            _OF_SET.clear()
+        _OF_SET[key] = list(made_of), _carried(tuple(prompt.question for prompt in prompts))
+    return _OF_SET[key][1]
+
+
+@lru_cache(maxsize=64)
 def _carried(questions: tuple[Question, ...]) -> str:
     types = tuple(sorted({question.types[0] for question in questions}))
     carried = {

@@ -4,9 +4,11 @@
 
 from __future__ import annotations
 
+import json
 from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 import nbformat
 from nbformat import NotebookNode
@@ -69,8 +71,29 @@ def filled_in(sheet: Worksheet, sources: Mapping[str, str]) -> str:
 
 
 def file_text(nb: NotebookNode) -> str:
-    """The text of an .ipynb file."""
-    return nbformat.writes(nb) + "\n"
+    """The text of an .ipynb file: what nbformat writes, put together of the cells' texts, of which most are everybody's."""
+    if not nb.cells or any(cell.get("outputs") or "attachments" in cell for cell in nb.cells):
+        return nbformat.writes(nb) + "\n"
+    cells = ",\n  ".join(
+        _text_of(cell.cell_type, cell.get("id", ""), cell.source, json.dumps(cell.metadata))
+        for cell in nb.cells
+    )
+    rest = _json({name: value for name, value in nb.items() if name != "cells"})
+    return f'{{\n "cells": [\n  {cells}\n ],{rest[1:]}\n'
+
+
+@lru_cache(maxsize=1024)
+def _text_of(kind: str, name: str, source: str, metadata: str) -> str:
+    """A cell that was not run, as it stands in the file."""
+    cell: dict[str, object] = {"cell_type": kind, "metadata": json.loads(metadata)}
+    cell |= {"id": name} if name else {}
+    cell |= {"source": source.splitlines(keepends=True)}
+    cell |= {"execution_count": None, "outputs": []} if kind == "code" else {}
+    return _json(cell).replace("\n", "\n  ")
+
+
+def _json(data: object) -> str:
+    return json.dumps(data, ensure_ascii=False, indent=1, sort_keys=True, separators=(",", ": "))
 
 
 def _cells(sheet: Worksheet) -> Iterator[NotebookNode]:

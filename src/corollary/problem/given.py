@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from corollary.units.unit import Unit
 
@@ -43,4 +44,9 @@ class Given:
 
 def decimal_places(*numbers: Fraction) -> int:
     """How many decimals write every one of the numbers exactly (at most 12: beyond, the number is no decimal)."""
-    return next((n for n in range(13) if all((x * 10**n).denominator == 1 for x in numbers)), 12)
+    return max((_places(number.denominator) for number in numbers), default=0)
+
+
+@lru_cache(maxsize=4096)
+def _places(denominator: int) -> int:
+    return next((n for n in range(13) if 10**n % denominator == 0), 12)
