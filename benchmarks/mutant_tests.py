@@ -52,6 +52,14 @@ lines = {os.path.relpath(file): data.contexts_by_lineno(file) for file in data.m
 json.dump({"tests": Watch.found, "lines": lines}, open(sys.argv[1], "w"))
 """
 
+WARM = """
+from corollary.derive.cache import solution_of
+from corollary.problem.bank import chapter_bank, load
+
+for problem in load(chapter_bank()):
+    solution_of(chapter_bank(), problem)
+"""
+
 
 class Tests:
     """A copy of the tree with its tests, for as long as it is open."""
@@ -71,6 +79,7 @@ class Tests:
         os.environ["XDG_CACHE_HOME"] = str(self.folder / "cache")
         if not self._learned.is_file():
             subprocess.run([sys.executable, "-c", LEARN, str(self._learned), *ROOMS], check=True)
+        subprocess.run([sys.executable, "-c", WARM], check=True)
         found = json.loads(self._learned.read_text(encoding="utf-8"))
         self.seconds = {
             test: each["seconds"] for test, each in found["tests"].items() if not each.get("failed")
