@@ -100,18 +100,22 @@ def expected() -> tuple[type[BaseException], ...]:
 
 def _unforeseen(error: Exception) -> int:
     """A fault of ours, or of the machine: one sentence, and the traceback only when asked for."""
-    if os.environ.get("COROLLARY_DEBUG"):
-        raise error
+    sentence = unforeseen(error)
     if isinstance(error, OSError):
         remedy = (
             "; make room and run this again, what is written so far stands" if error.errno == ENOSPC else ""
         )
         say(f"corollary: {error.strerror or error}{f': {error.filename}' if error.filename else ''}{remedy}")
         return REFUSED
-    say(
-        f"corollary: this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
-    )
+    say(f"corollary: {sentence}")
     return FAILS
+
+
+def unforeseen(error: Exception) -> str:
+    """What is said of a fault of ours; with COROLLARY_DEBUG it is raised instead."""
+    if os.environ.get("COROLLARY_DEBUG"):
+        raise error
+    return f"this should not have happened: {type(error).__name__}: {error} (COROLLARY_DEBUG=1 shows where; please report it)"
 
 
 def say(sentence: str) -> None:

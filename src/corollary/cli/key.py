@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from corollary.api import key, solve
-from corollary.cli.ending import HOLDS, answer, refuse
+from corollary.api import solve, variant
+from corollary.cli.ending import HOLDS, answer, refuse, unforeseen
 from corollary.cli.given import from_options, read_cases
 from corollary.derive.solution import Solution
-from corollary.formula.ball import Undefined
 from corollary.grading.key_record import key_record
 from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
@@ -23,7 +22,7 @@ def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_
         solution = solve(problem)
         answer([_case(solution, case) for case in read_cases(cases)])
         return HOLDS
-    record = key_record(key(problem, **from_options(givens)))
+    record = key_record(solve(problem), variant(problem, from_options(givens)))
     if as_json:
         answer(record)
         return HOLDS
@@ -42,18 +41,29 @@ def _case(solution: Solution, case: Any) -> dict[str, Any]:
     if not isinstance(case, dict):
         return {"error": 'a case is an object of givens, such as {"m": 0.43}'}
     try:
-        return key_record(key(solution, **given))
-    except (OutOfRange, Undefined) as error:
+        record = key_record(solution, variant(solution.problem, given))
+    except OutOfRange as error:
         return {"error": str(error)}
+    except Exception as error:  # a fault of ours loses its own case, and none of the others
+        return {"error": unforeseen(error)}
+    return record | {
+        "defaulted": [each.symbol for each in solution.problem.givens if each.symbol not in given]
+    }
 
 
 def _line(entry: dict[str, Any]) -> str:
     if "value" in entry:
-        found = entry["value"]
+        found = entry.get("decimal", entry["value"])
         values: list[Any] = found if isinstance(entry["value"], list) else [found]
         numbers = ", ".join(f"{value:.10g}" if isinstance(value, float) else str(value) for value in values)
         unit = "" if entry["unit"] == "1" else f" {entry['unit']}"
-        how = "certified" if entry["certified"] else f"± {entry['error']:.1g}"
+        how = (
+            "certified"
+            if entry["certified"]
+            else f"± {entry['error']:.1g}"
+            if "error" in entry
+            else "rounded"
+        )
         formula = _together(entry.get("expression", ""), ", ")
         formula = formula and f"   = {formula}"
         return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"

@@ -2,41 +2,109 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
+from corollary.answers.evaluation import BITS
+from corollary.answers.expected import Values
+from corollary.derive.solution import Solution, Unknown
 from corollary.derive.statements import Code, Explain, Plot
+from corollary.formula.ast import Expr
+from corollary.formula.ball import Undefined, evaluate
+from corollary.formula.exact import exactly
 from corollary.formula.text import text
 from corollary.grading.from_json import finite
-from corollary.grading.key import Key
+from corollary.grading.key import answer, option_that_holds
+from corollary.grading.replay import ancestors
 from corollary.problem.part import Part
+from corollary.problem.variant import Variant
 from corollary.units.unit import canonical, si_unit
 
 T = TypeVar("T")
+FIGURES = 17  # of a decimal beyond the doubles: as many as a double needs
+LONGEST = 400  # characters of an exact rational that is still worth reading
 
 
-def key_record(key: Key) -> dict[str, Any]:
-    """Every part of a variant: values in SI with their formulas, or what its answer type has."""
-    problem = key.variant.problem
+def key_record(solution: Solution, variant: Variant) -> dict[str, Any]:
+    """Every part of a variant: values in SI with their formulas, or what its answer type has.
+
+    A part without a value for these numbers says why, and the others keep theirs.
+    """
+    problem = variant.problem
+    found = _answers(solution, variant)
     return {
         "code": problem.code,
-        "given": {name: finite(value) for name, value in key.variant.si.items()},
-        "parts": {part.id: part_key(key, part) for part in problem.parts},
+        "given": {name: finite(value) for name, value in variant.si.items()},
+        "parts": {part.id: _part(solution, variant, part, found) for part in problem.parts},
     }
 
 
-def part_key(key: Key, part: Part) -> dict[str, Any]:
-    """One part."""
-    solution = key.solution
-    if part.id in key.truths:
-        truth = key.truths[part.id]
-        entry: dict[str, Any] = {"value": _one(truth.values, finite, part), "unit": si_name(part)}
-        if (in_givens := key.find(truth).in_givens) is not None:
-            entry["expression"] = _one(in_givens, text, part)
-            return entry | {"certified": truth.proven}
-        return entry | {"certified": False, "error": truth.error}
-    if part.id in key.choices:
-        return {"choice": key.choices[part.id]}
+def _answers(solution: Solution, variant: Variant) -> dict[str, dict[str, Any]]:
+    """What is found for each part that asks for a quantity."""
+    values: list[Values] = []
+    missing: set[int] = set()
+    found: dict[str, dict[str, Any]] = {}
+    for place, find in enumerate(solution.unknowns):
+        numbers, entry = (math.nan,) * len(find.names), {}
+        lost = find.in_givens is None and missing & (ancestors(solution, place) - {place})
+        try:
+            if lost:
+                raise Undefined(
+                    f"it follows from {solution.unknowns[min(lost)].names[0]}, which has no value"
+                )
+            numbers, proven, error = answer(solution, find, variant, values)
+            entry = _quantity(find, variant, numbers, proven, error)
+        except Undefined as why:
+            missing.add(place)
+            entry = {"why": f"no value for these numbers: {why}"}
+        values.append(numbers)
+        if find.part:
+            found[find.part] = entry
+    return found
+
+
+def _quantity(find: Unknown, variant: Variant, numbers: Values, proven: bool, error: float) -> dict[str, Any]:
+    part = variant.problem.part(find.part) if find.part else None
+    if part is None:
+        return {}
+    entry: dict[str, Any] = {"value": _one(numbers, finite, part), "unit": si_name(part)}
+    if find.in_givens is None:
+        return entry | {"certified": False, "error": error}
+    entry["expression"] = _one(find.in_givens, text, part)
+    if not all(map(math.isfinite, numbers)):
+        decimals = [_decimal(tree, variant) for tree in find.in_givens]
+        return entry | {"certified": False, "decimal": _one(decimals, str, part)}
+    rationals = [_rational(tree, variant) for tree in find.in_givens]
+    if all(rationals):
+        entry["exact"] = _one(rationals, str, part)
+    return entry | {"certified": proven}
+
+
+def _decimal(tree: Expr, variant: Variant) -> str:
+    """A value that doubles cannot hold, rounded: `1.0000000000000000e+400`."""
+    return evaluate(tree, variant.exact, BITS).str(FIGURES, radius=False)
+
+
+def _rational(tree: Expr, variant: Variant) -> str:
+    """The value as a fraction, `43/5`; nothing where it is none, or too long to be of use."""
+    value = exactly(tree, variant.exact)
+    if value is None or (value.pi and value.ratio):
+        return ""
+    written = str(value.ratio) if abs(value.ratio.numerator).bit_length() < 4 * LONGEST else ""
+    return written if len(written) <= LONGEST else ""
+
+
+def _part(
+    solution: Solution, variant: Variant, part: Part, found: dict[str, dict[str, Any]]
+) -> dict[str, Any]:
+    if part.id in found:
+        return found[part.id]
+    if part.id in solution.choices:
+        try:
+            return {"choice": option_that_holds(solution.choices[part.id].options, variant.exact, part.id)}
+        except Undefined as why:
+            return {"why": f"no option for these numbers: {why}"}
     if part.id in solution.examples:
         example = solution.examples[part.id]
         return {
