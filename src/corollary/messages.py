@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import gettext
 import unicodedata
-from collections.abc import Generator, Iterable
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -91,6 +91,11 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
         by_small_letters[each] for each in get_close_matches(word.lower(), by_small_letters, n=3, cutoff=0.7)
     ]
     return f" (did you mean {' or '.join(near)}?)" if near else ""
+
+
+def few(names: Sequence[str], most: int = 5) -> str:
+    """The first names, and how many more there are."""
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
 def visible(text: str) -> str:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import base64
+import csv
+import io
 import re
 import runpy
 from pathlib import Path
@@ -13,7 +15,9 @@ from corollary.notebook.worksheet import Worksheet, exercise, worksheet
 from corollary.plug_ins import PlugInFault
 from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter
+from corollary.records.marks_table import Column, Mark, MarksTable, every_column
 from corollary.render.exports import Target, UnknownTarget, names, names_for_exercises, target
+from corollary.render.spreadsheet import table_text
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
 
@@ -85,21 +89,65 @@ def test_the_figures_of_a_sheet_do_not_share_their_names(tmp_path):
     assert "\n[figure]: " not in write(twice, {})
 
 
+def marks(name: str, table: MarksTable) -> list[str]:
+    write = target(name).marks
+    assert write is not None
+    return write(table).splitlines()
+
+
 def test_marks_are_blank_where_there_are_none(tmp_path):
     of = SAMPLE["problem_set"](tmp_path)
-    write = target("csv").marks
-    assert write is not None
-    work = SAMPLE["marked"](of)
-    table = write(
-        of,
-        SAMPLE["summary"]([work, SAMPLE["late"](SAMPLE["marked"](of, "eve"))]),
-        [ADA, Student("bo", "Bo, jr."), Student("eve")],
-    )
-    assert table.splitlines() == [
+    report = SAMPLE["summary"]([SAMPLE["marked"](of), SAMPLE["late"](SAMPLE["marked"](of, "eve"))])
+    roster = (ADA, Student("bo", "Bo, jr."), Student("eve"))
+    assert marks("csv", MarksTable(roster, tuple(every_column(of, report, roster)))) == [
         "id,first_name,last_name,email,X12.5 a,X12.5 b,X12.5 c,X12.5 c_2,X12.5 e,P12.14 a,P12.14 b,total,out_of",
         "ada,Ada,Lovelace,,1,1,0.5,0,,2,0,4.5,12",
         'bo,"Bo, jr.",,,,,,,,,,,12',
         "eve,,,,1,1,0.5,0,,2,0,2.25,12",
+    ]
+
+
+HARMLESS = ["-", "-1", "+1,5", "a=b", "7", "Ada"]
+FORMULAS = ["=1+1", "@SUM(A1)", "+A1", "-A1", "\t=1", " =1", '=HYPERLINK("x")', "-1+1"]
+
+
+def test_no_name_is_a_formula_for_a_spreadsheet():
+    cells = list(csv.reader(io.StringIO(table_text([HARMLESS, FORMULAS]))))
+    assert cells == [HARMLESS, [f"'{cell}" for cell in FORMULAS]]
+
+
+def _of(*students: Student) -> MarksTable:
+    return MarksTable(students, (Column("Week 1", (), 5, {"ada": Mark(4.5, 5)}),))
+
+
+def test_moodle_gets_no_column_of_ids_that_somebody_is_without():
+    """For a row whose id is blank Moodle's importer takes the student of the row above."""
+    full = Student("ada", "Ada", "Lovelace", "ada@uio.no", (("Username", "ada"), ("ID number", "007")))
+    part = Student("bo", "Bo", "Ek", "", (("Username", "bo"),))
+    assert marks("moodle-grades", _of(full)) == [
+        "First name,Last name,Username,ID number,Email address,Week 1",
+        "Ada,Lovelace,ada,007,ada@uio.no,4.5",
+    ]
+    assert marks("moodle-grades", _of(full, part)) == [
+        "First name,Last name,Username,Week 1",
+        "Ada,Lovelace,ada,4.5",
+        "Bo,Ek,bo,",
+    ]
+    by_mail = Student("ada@uio.no", "Ada", "L", "ada@uio.no", (("Email address", "ada@uio.no"),))
+    assert marks("moodle-grades", _of(by_mail))[0] == "First name,Last name,Email address,Week 1"
+    assert marks("moodle-grades", _of(Student("bo", ids=(("column 1", "bo"),)))) == [
+        "First name,Last name,ID number,Week 1",
+        ",,bo,",
+    ]
+
+
+def test_canvas_gets_its_own_numbers_where_the_roster_has_them():
+    ids = (("ID", "2001"), ("SIS User ID", "S-1"), ("SIS Login ID", "ada"))
+    assert marks("canvas-grades", _of(Student("ada", "Ada", "Lovelace", ids=ids), Student("bo"))) == [
+        "Student,ID,SIS User ID,SIS Login ID,Section,Week 1",
+        "    Points Possible,,,,,5",
+        '"Lovelace, Ada",2001,S-1,ada,,4.5',
+        "bo,,,bo,,",
     ]
 
 
@@ -123,7 +171,18 @@ NOTHING = "no target"
 def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
     points = ["roll = rollcall:ROLL", "broken = rollcall:NOTHING", "gone = rollcall:MISSING"]
     installed("rollcall", {"corollary.exports": points}, {"rollcall.py": THEIRS})
-    assert names() == ("text", "md", "html", "ipynb", "csv", "broken", "gone", "roll")
+    assert names() == (
+        "text",
+        "md",
+        "html",
+        "ipynb",
+        "csv",
+        "moodle-grades",
+        "canvas-grades",
+        "broken",
+        "gone",
+        "roll",
+    )
     roll = target("roll")
     assert isinstance(roll, Target)
     assert roll.problem_set is not None

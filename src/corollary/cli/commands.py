@@ -222,7 +222,14 @@ _command(
 _command(
     "export",
     "A set as files for elsewhere: each student's sheet, or the marks of all.",
-    SET,
+    click.Argument(
+        ["sets"],
+        nargs=-1,
+        required=True,
+        metavar="SET…",
+        help="A problem set of the bank, or a path to its .md file; of marks several.",
+        shell_complete=SETS,
+    ),
     TargetOption(
         ["--to"],
         required=True,
@@ -237,6 +244,22 @@ _command(
         ["--variants"], type=AT_LEAST_1, help="Without either: so many sheets with distinct numbers."
     ),
     SOLUTION,
+    click.Option(
+        ["--columns"], type=click.Choice(["sets", "parts"]), help="Marks: a column for each of these."
+    ),
+    click.Option(
+        ["--round", "decimals"],
+        type=click.IntRange(0, 9),
+        help="Marks: at most so many decimals; 2 when left out.",
+    ),
+    click.Option(
+        ["--out-of"],
+        type=click.FloatRange(min=0, min_open=True),
+        help="Marks: scaled, so that this is all of them.",
+    ),
+    text("--blank", "Marks: what stands where there is none; nothing when left out."),
+    path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
+    several("--column", "headings", "The template's column to fill in, where its title does not say which"),
     click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
     JSON,
 )

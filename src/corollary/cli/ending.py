@@ -34,6 +34,7 @@ RAISED = {
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
+    "corollary.course.marks_export": ["NothingGraded"],
     "corollary.course.roster": ["OneFolder"],
     "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "GradebookUnusable", "NotRegistered"],
     "corollary.nbgrader.config": ["NotOurs", "BrokenConfig"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
@@ -13,63 +14,100 @@ from corollary.course.export import (
     sheets_of_course,
     write_files,
 )
-from corollary.course.up_to_date import up_to_date
+from corollary.course.marks_export import By, Template, marks_file, marks_table
 from corollary.grading.solutions import Solutions
+from corollary.messages import few
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import open_bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import read_roster
 from corollary.records.files import Course, open_course, students
+from corollary.records.lms_file import FilledIn
+from corollary.records.marks_table import MarksTable, Notation
 from corollary.records.origin import set_of
-from corollary.render.exports import Target, target
+from corollary.render.exports import target
 
 
 def run(
-    name: str,
+    sets: Sequence[str],
     to: str,
     course: Path | None,
     roster: Path | None,
     bank: Path | None,
     variants: int | None,
     solution: bool,
+    columns: By | None,
+    decimals: int | None,
+    out_of: float | None,
+    blank: str | None,
+    template: Path | None,
+    headings: Sequence[str],
     output: Path,
     as_json: bool,
 ) -> int:
-    chosen = target(to)
+    chosen, sets = target(to), list(dict.fromkeys(sets))
     if sum(each is not None for each in (course, roster, variants)) > 1:
         refuse("--course, --roster and --variants each choose the numbers; give one of them")
     opened = None if course is None else open_course(course)
-    place, problem_set = (
-        set_of(opened, name, bank) if opened else (found := open_bank(bank), find_set(found, name))
-    )
+    found = [
+        set_of(opened, name, bank) if opened else (there := open_bank(bank), find_set(there, name))
+        for name in sets
+    ]
+    problem_sets = [problem_set for _, problem_set in found]
+    names = [each.name for each in problem_sets]
+    about: dict[str, object] = {"set": names[0]} if len(names) == 1 else {"sets": names}
     if chosen.marks is not None:
-        files = {f"{problem_set.name}.{chosen.ending}": _marks(chosen, to, opened, problem_set).encode()}
+        if opened is None:
+            refuse(f"{to} holds marks; say of which course with --course")
+        if headings and template is None:
+            refuse("--column names a column of a template; give the file with --template")
+        every = chosen.every_column and len(sets) == 1 and template is None
+        notation = Notation(2 if decimals is None else decimals, out_of, blank or "")
+        table = marks_table(opened, problem_sets, columns or ("every" if every else "sets"), notation)
+        made = marks_file(chosen, table, None if template is None else Template(template, headings))
+        _say_of_marks(table, made)
+        word = "" if to == "csv" else f"-{to}"
+        files = {f"{'-'.join(names)}{word}.{chosen.ending}": made.content}
+        about |= {"strangers": made.strangers, "absent": made.absent, "waiting": table.waiting}
+    elif given := _of_marks(columns, decimals, out_of, blank, template, headings):
+        refuse(f"{given} is for marks, and {to} holds none; leave it out")
+    elif len(sets) > 1:
+        refuse(f"{to} is of one set; export each by itself")
     elif chosen.worksheet is None and chosen.problem_set is None:
         refuse(f"{to} is for single exercises; write it with: corollary show CODE --format {to}")
     else:
+        (place, problem_set), *_ = found
         solutions = Solutions(place)
         sheets = _sheets(opened, roster, variants, problem_set, solutions)
         files = sheet_files(chosen, problem_set, sheets, solutions if solution else None)
     written = write_files(output, files)
     if as_json:
-        answer({"set": problem_set.name, "to": to, "files": [str(path) for path in written]})
+        answer({**about, "to": to, "files": [str(path) for path in written]})
     else:
         count = len(written)
-        print(f"{problem_set.title}: {count} file{'s' * (count != 1)} in {output}/")
+        titles = ", ".join(each.title for each in problem_sets)
+        print(f"{titles}: {count} file{'s' * (count != 1)} in {output}/")
     return HOLDS
 
 
-def _marks(chosen: Target, to: str, course: Course | None, problem_set: ProblemSet) -> str:
-    assert chosen.marks is not None
-    if course is None:
-        refuse(f"{to} holds marks; say of which course with --course")
-    report = up_to_date(course, problem_set)
-    if not report.handed_in:
-        refuse(
-            f"nothing of {problem_set.name} is graded in {course.folder}; "
-            f"run corollary grade {problem_set.name} --course {course.folder} first"
-        )
-    return chosen.marks(problem_set, report, students(course))
+def _of_marks(*values: object) -> str:
+    """The first option given of those that only marks have; "" for none."""
+    options = ("--columns", "--round", "--out-of", "--blank", "--template", "--column")
+    given = (option for option, value in zip(options, values, strict=True) if value not in (None, [], ()))
+    return next(given, "")
+
+
+def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
+    """What whoever imports the file should know."""
+    for note in made.notes:
+        say(note)
+    for who, what in (
+        (made.strangers, "in the file are not in the course and are left as they are"),
+        (made.absent, "of the course are not in the file"),
+        (table.waiting, "have parts that wait for a person: those points are not in the marks yet"),
+    ):
+        if who:
+            say(f"{len(who)} {what}: {few(who)}")
 
 
 def _sheets(

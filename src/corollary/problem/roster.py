@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from corollary.messages import few
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.roster_columns import HEADINGS, Columns, columns_of, guessed, is_header
 from corollary.problem.table import Table, read_table
@@ -34,7 +35,6 @@ WITHOUT_STROKES = str.maketrans(
         "ı": "i",
     }
 )
-MOST_NAMED = 5
 TWINS = (
     "are one folder on many disks (macOS, Windows); change one of them, or take other ids with --id-column"
 )
@@ -139,9 +139,8 @@ def _notes(columns: Columns, at: int, students: Sequence[Student]) -> Iterator[s
         yield f"ids are those of {heading}" + (f"; --id-column takes others ({others})" if others else "")
     renamed = [(dict(each.ids)[heading], each.id) for each in students if (heading, each.id) not in each.ids]
     if renamed:
-        names = ", ".join(f"{given} is {name}" for given, name in renamed[:MOST_NAMED])
-        more = f" and {len(renamed) - MOST_NAMED} more" if len(renamed) > MOST_NAMED else ""
-        yield f"an id that cannot name a folder on every computer gets a name that can: {names}{more}"
+        names = few([f"{given} is {name}" for given, name in renamed])
+        yield f"an id that cannot name a folder on every computer gets a name that can: {names}"
 
 
 def _with_ids(table: Table, columns: Columns, id_column: str, seen: str) -> Columns:

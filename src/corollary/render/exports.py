@@ -18,10 +18,10 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 
 if TYPE_CHECKING:
-    from corollary.records.report_model import Report
+    from corollary.records.marks_table import MarksTable
 
 GROUP = "corollary.exports"
-OURS = ("text", "md", "html", "ipynb", "csv")
+OURS = ("text", "md", "html", "ipynb", "csv", "moodle-grades", "canvas-grades")
 
 
 class UnknownTarget(LookupError):
@@ -34,20 +34,22 @@ class Target:
 
     `ending` is that of its files, without the dot. `exercise` writes one exercise for a student, with its worked solution in
     Markdown (or ""); `worksheet` one student's sheet, with worked solutions by the code of the problem; `problem_set` all
-    sheets of a set at once, as files by name; `marks` the marks of a set, for everybody on the roster.
+    sheets of a set at once, as files by name; `marks` a table of marks, for everybody on the roster, which has every column of a
+    set when `every_column`.
     """
 
     ending: str
     exercise: Callable[[Exercise, Student, str], str] | None = None
     worksheet: Callable[[Worksheet, Mapping[str, str]], str] | None = None
     problem_set: Callable[[ProblemSet, Sequence[Worksheet]], Mapping[str, bytes]] | None = None
-    marks: Callable[[ProblemSet, Report, Sequence[Student]], str] | None = None
+    marks: Callable[[MarksTable], str] | None = None
+    every_column: bool = False
 
 
 def target(name: str) -> Target:
     """The target of this name. Raises UnknownTarget, and PlugInFault for another package's that is none."""
     if name in OURS:
-        return import_module(f"corollary.render.targets.{name}").TARGET
+        return import_module(f"corollary.render.targets.{name.replace('-', '_')}").TARGET
     if (theirs := plug_ins(GROUP, OURS).get(name)) is None:
         raise UnknownTarget(
             f"{name} is not known{did_you_mean(name, names())}; choose one of {', '.join(names())}"

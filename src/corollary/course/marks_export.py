@@ -1,0 +1,68 @@
+"""The marks of a course in one or several sets, as a table and as the file that an LMS takes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from corollary.course.up_to_date import up_to_date
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.deadlines import read_deadlines
+from corollary.records.files import Course, students
+from corollary.records.lms_file import FilledIn, fill_in
+from corollary.records.marks_table import (
+    Column,
+    MarksTable,
+    Notation,
+    every_column,
+    part_columns,
+    set_column,
+)
+from corollary.render.exports import Target
+
+By = Literal["sets", "parts", "every"]
+
+
+class NothingGraded(LookupError):
+    """There are no marks yet; one sentence says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Template:
+    """A file that the LMS exported, and the headings of the columns to fill in where their titles do not say."""
+
+    path: Path
+    headings: Sequence[str] = ()
+
+
+def marks_table(course: Course, sets: Sequence[ProblemSet], by: By, notation: Notation) -> MarksTable:
+    """The marks as they stand, for everybody on the roster; excused students have none. Raises NothingGraded and NotACourse."""
+    roster = students(course)
+    columns: list[Column] = []
+    for problem_set in sets:
+        report = up_to_date(course, problem_set)
+        if not report.handed_in:
+            raise NothingGraded(
+                f"nothing of {problem_set.name} is graded in {course.folder}; "
+                f"run corollary grade {problem_set.name} --course {course.folder} first"
+            )
+        deadlines = read_deadlines(course, problem_set)
+        excused = {each.id for each in roster if deadlines.excused(each.id)}
+        if by == "sets":
+            columns.append(set_column(problem_set, report, excused))
+        elif by == "parts":
+            columns += part_columns(problem_set, report, excused)
+        else:
+            columns += every_column(problem_set, report, roster, excused)
+    return MarksTable(roster, tuple(columns), notation)
+
+
+def marks_file(target: Target, table: MarksTable, template: Template | None) -> FilledIn:
+    """The file's content, with what is to be said of it. Raises Malformed for a template that cannot be filled in."""
+    if template is not None:
+        return fill_in(template.path, table, template.headings)
+    if target.marks is None:
+        raise TypeError("the target is not for marks")
+    return FilledIn(target.marks(table).encode(), (), (), ())

@@ -1,0 +1,172 @@
+"""A file of marks as an LMS exports it, filled in: its columns, order, ids, encoding and delimiter stay as they are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from corollary.messages import few, visible
+from corollary.problem.cells import Cells, read_cells
+from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.recognition import Recognition, RowOwners, folded, recognized
+from corollary.problem.roster_columns import HEADINGS
+from corollary.records.marks_table import Column, MarksTable, Notation
+
+# The column of Moodle's grading worksheet, in a few languages; the next one says what it is out of.
+WORKSHEET = frozenset({"grade", "bewertung", "karakter", "note", "calificación"})
+# Moodle's "Assignment: Week 1 (Real)", Canvas's "Week 1 (1234)".
+KIND = re.compile(r"[^:]{1,40}:\s*(?=\S)")
+AS_POINTS = re.compile(r"\s*\((?:real|\d+)\)$")
+MARK = re.compile(r"-?\d+(?:[.,]\d+)?$")
+WITH_COMMA = re.compile(r"-?\d+,\d+$")
+POINTS = "points possible"
+
+
+@dataclass(frozen=True, slots=True)
+class FilledIn:
+    """`strangers` are people of the file who are not in the course, `absent` ids of students who are not in the file, `notes`
+    what else is to be known."""
+
+    content: bytes
+    strangers: tuple[str, ...]
+    absent: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+def fill_in(path: Path, table: MarksTable, headings: Sequence[str] = ()) -> FilledIn:
+    """The file with the marks of the table. `headings` name the file's columns (or give their numbers from 1) for those of the
+    table, in their order; when left out they are found by their titles. Raises Malformed."""
+    cells = read_cells(path, HEADINGS)
+    if not cells.rows:
+        raise _refused(path, "is empty; export the marks from the LMS and give that file")
+    first = cells.values(0)
+    places = _named(path, first, table, headings) if headings else _by_title(path, first, table)
+    rows = [(row, cells.values(row)) for row in range(1, len(cells.rows))]
+    people = recognized(Recognition.of(table.students), first, rows)
+    if not people.students:
+        raise _refused(path, f"names no student of the course; its columns are {', '.join(first)}")
+    notation = replace(table.notation, point="," if _with_commas(rows) else ".")
+    texts, overlooked = _texts(cells, replace(table, notation=notation), places, people)
+    present = {student.id for student in people.students.values()}
+    notes = [
+        *_on_people(rows, people),
+        *_on_scale(rows, first, places, notation),
+        *(f"{column}: a mark stands in the file and there is none here, so it is left as it is: {few(who)}"
+          for column, who in overlooked.items()),
+    ]  # fmt: skip
+    return FilledIn(
+        cells.changed(texts),
+        tuple(_called(cells.values(row)) for row in people.strangers),
+        tuple(student.id for student in table.students if student.id not in present),
+        tuple(notes),
+    )
+
+
+def _texts(
+    cells: Cells, table: MarksTable, places: dict[int, Column], people: RowOwners
+) -> tuple[dict[tuple[int, int], str], dict[str, list[str]]]:
+    """What is written where; and whose marks in the file are not touched, by heading.
+
+    Whoever has no mark here keeps what the file says (Moodle's -, Canvas's EX); an excused student's mark goes.
+    """
+    texts: dict[tuple[int, int], str] = {}
+    overlooked: dict[str, list[str]] = {}
+    for row, student in people.students.items():
+        for at, column in places.items():
+            there = cells.rows[row][at].text if at < len(cells.rows[row]) else None
+            if there is None:
+                raise _refused(
+                    cells.path, f"the row of {student.name} is shorter than the first one; export it anew"
+                )
+            is_mark = MARK.match(there) is not None
+            if student.id in column.marks or (student.id in column.excused and is_mark):
+                texts[row, at] = table.cell(student, column)
+            elif is_mark:
+                overlooked.setdefault(cells.rows[0][at].text, []).append(student.name)
+    return texts, overlooked
+
+
+def _by_title(path: Path, first: Sequence[str], table: MarksTable) -> dict[int, Column]:
+    found: dict[int, Column] = {}
+    for column in table.columns:
+        titles = {folded(title) for title in (column.title, *column.also)}
+        at = [place for place, heading in enumerate(first) if titles & set(_titles(heading))]
+        if not at and len(table.columns) == 1:
+            at = [place for place, heading in enumerate(first) if folded(heading) in WORKSHEET]
+        if len(at) != 1:
+            sentence = "several columns" if at else "no column"
+            raise _refused(
+                path,
+                f"has {sentence} for {column.title}; its columns are {', '.join(first)}; say which with --column",
+            )
+        found[at[0]] = column
+    return found
+
+
+def _named(path: Path, first: Sequence[str], table: MarksTable, headings: Sequence[str]) -> dict[int, Column]:
+    if len(headings) != len(table.columns):
+        titles = ", ".join(column.title for column in table.columns)
+        raise _refused(path, f"is to get {titles}: name a column for each with --column, in this order")
+    lower, found = [folded(heading) for heading in first], dict[int, Column]()
+    for heading, column in zip(headings, table.columns, strict=True):
+        if folded(heading) in lower:
+            found[lower.index(folded(heading))] = column
+        elif heading.isdecimal() and 1 <= int(heading) <= len(first):
+            found[int(heading) - 1] = column
+        else:
+            raise _refused(path, f"has no column {heading}; its columns are {', '.join(first)}")
+    return found
+
+
+def _titles(heading: str) -> Iterator[str]:
+    """What a heading may be the title of."""
+    heading = folded(heading)
+    for text in (heading, AS_POINTS.sub("", heading)):
+        yield text
+        yield KIND.sub("", text, count=1)
+
+
+def _on_people(rows: Sequence[tuple[int, Sequence[str]]], people: RowOwners) -> Iterator[str]:
+    called = {row: _called(values) for row, values in rows}
+    if people.unclear:
+        who = [called[row] for row in people.unclear]
+        yield f"ids contradict each other, or several have the name; nothing is written for {few(who)}"
+    if people.by_name:
+        who = [called[row] for row in people.by_name]
+        yield f"no id is known, and the name alone says who it is: {few(who)}"
+
+
+def _on_scale(
+    rows: Sequence[tuple[int, Sequence[str]]],
+    first: Sequence[str],
+    places: dict[int, Column],
+    notation: Notation,
+) -> Iterator[str]:
+    """Where the file says that marks are out of something else than they are here."""
+    for at, column in places.items():
+        if folded(first[at]) in WORKSHEET:
+            cells = [values[at + 1] for _, values in rows[:1] if at + 1 < len(values)]
+        else:
+            cells = [values[at] for _, values in rows if POINTS in folded(values[0]) and at < len(values)]
+        theirs = next((float(cell.replace(",", ".")) for cell in cells if MARK.match(cell)), None)
+        ours = column.out_of if notation.out_of is None else notation.out_of
+        if theirs is not None and abs(theirs - ours) > 1e-6:
+            yield (
+                f"{first[at]} is out of {theirs:g} in the file and out of {ours:g} here; --out-of {theirs:g} scales the marks"
+            )
+
+
+def _with_commas(rows: Sequence[tuple[int, Sequence[str]]]) -> bool:
+    """Whether the file writes decimal commas."""
+    return any(WITH_COMMA.match(cell) for _, values in rows for cell in values)
+
+
+def _called(values: Sequence[str]) -> str:
+    """What a person of the file is called, by the first cells that are filled."""
+    return visible(" ".join([value for value in values if value][:2]))
+
+
+def _refused(path: Path, sentence: str) -> Malformed:
+    return Malformed([Diagnostic(path, 1, sentence)])
