@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -19,7 +19,7 @@ def read(name: str, origin: str) -> bytes | None:
     """The text of that name, if it is whole, the user's own, and was made from `origin`."""
     with suppress(OSError, ValueError, RuntimeError):
         with _place(name).open("rb") as file:
-            if os.fstat(file.fileno()).st_uid != os.getuid():
+            if not _own(file.fileno()):
                 return None
             made_from, digest, text = file.read(LARGEST).split(b"\n", 2)
         if (made_from.decode(), digest.decode()) == (origin, hashlib.sha256(text).hexdigest()):
@@ -51,6 +51,12 @@ def programs(rooms: Iterable[str]) -> str:
     return state(
         path for place in places for path in ([place] if place.suffix else sorted(place.rglob("*.py")))
     )
+
+
+def _own(descriptor: int) -> bool:
+    """Whether the file is the user's; on Windows the user's folder is."""
+    user: Callable[[], int] | None = getattr(os, "getuid", None)
+    return user is None or os.fstat(descriptor).st_uid == user()
 
 
 def folder() -> Path | None:

@@ -57,7 +57,9 @@ def test_a_second_run_skips_everybody_and_changes_nothing(played: tuple[Path, di
     done = corollary("grade", "momentum_1", "--course", folder, "--json")
     again = json.loads(done.stdout)
     assert (again["graded"], again["skipped"]) == (0, len(told["students"]))
-    assert done.returncode == 1, "two submissions could not be run to their end, and that is said"
+    assert done.returncode == 0, done.stderr
+    assert len(again["failed"]) == 2, "two submissions could not be run to their end, and that is listed"
+    assert corollary("grade", "momentum_1", "--course", folder, "--strict").returncode == 1
     assert {path: path.read_bytes() for path in before} == before
 
 
@@ -68,6 +70,21 @@ def test_feedback_says_what_went_wrong_and_needs_nothing_from_outside(played: tu
     assert "<math" in page
     assert 'src="http' not in page
     assert 'href="http' not in page
+
+
+def test_without_nbgrader_no_gradebook_is_claimed(tmp_path: Path) -> None:
+    program = (
+        "import sys\nsys.modules['nbgrader'] = None\nsys.argv = ['corollary', 'demo', 'demo']\n"
+        "from corollary.cli.main import main\nmain()"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert "gradebook.db" not in done.stdout
+    assert "ormgrader" not in done.stdout
+    assert "nbgrader is not installed, so there is no gradebook" in done.stdout
+    assert not (tmp_path / "demo" / "gradebook.db").exists()
 
 
 def test_no_truth_in_what_students_get(played: tuple[Path, dict]) -> None:

@@ -170,7 +170,7 @@ def test_nbgrader_waits_its_turn_while_another_run_is_writing(courses: tuple[Cou
             cwd=theirs.folder, capture_output=True, text=True, timeout=300, check=False,
         )  # fmt: skip
     assert done.returncode == 1
-    assert "another run is grading in" in done.stdout + done.stderr
+    assert "another run is at work in" in done.stdout + done.stderr
     assert (place.read_bytes(), rows(theirs, GRADES)) == (before, marks)
 
 

@@ -13,6 +13,7 @@ from corollary.atomic import write_whole
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
+from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
 from corollary.records.submission import (
@@ -95,7 +96,9 @@ def test_a_students_folder_that_is_a_link_is_not_followed(course: Course):
     problem_set = find_set(chapter_bank(), "momentum_1")
     for student, content in (("ada", b"{}"), ("bob", None)):
         path = course.notebook("submitted", student, "week_1")
-        read = read_submission(course, problem_set, Student(student), path, {}, "", Terms()).content
+        read = read_submission(
+            course, problem_set, Student(student), path, AssignedSheet((), ""), "", Terms()
+        ).content
         assert read == content if content is not None else "link" in str(read)
 
 
@@ -120,22 +123,22 @@ def test_the_fingerprint_tells_whatever_marks_depend_on(course: Course):
     write_whole(notebook, "{}")
     os.utime(notebook, (1_700_000_000, 1_700_000_000))
 
-    def now(row: dict[str, int], state: str = "s", terms: Terms = NO_DATE) -> str:
-        return fingerprint(course, "week_1", "ada", notebook, row, state, terms)
+    def now(identity: str, state: str = "s", terms: Terms = NO_DATE) -> str:
+        return fingerprint(course, "week_1", "ada", notebook, AssignedSheet((), identity), state, terms)
 
-    before = now({"X12.5": 3, "X12.8": 4})
-    assert now({"X12.8": 4, "X12.5": 3}) == before
-    assert now({"X12.5": 4, "X12.8": 4}) != before
-    assert now({"X12.5": 3, "X12.8": 4}, "t") != before
+    before = now("sheet")
+    assert now("sheet") == before
+    assert now("another") != before
+    assert now("sheet", "t") != before
     due = datetime(2026, 12, 4, 23, tzinfo=UTC)
     for terms in (Terms(due), Terms(excused=True), Terms(reveal=True)):  # the page says each of them
-        assert now({"X12.5": 3, "X12.8": 4}, terms=terms) != before
+        assert now("sheet", terms=terms) != before
     os.utime(notebook, (1_700_000_001, 1_700_000_001))
-    later = now({"X12.5": 3, "X12.8": 4})
+    later = now("sheet")
     assert later != before
     notebook.write_text("{ }")
     os.utime(notebook, (1_700_000_001, 1_700_000_001))
-    assert now({"X12.5": 3, "X12.8": 4}) != later
+    assert now("sheet") != later
 
 
 def test_late_is_after_ones_own_deadline(course: Course):

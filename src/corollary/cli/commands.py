@@ -179,6 +179,9 @@ _command(
     JSON,
     flag("--regrade", "Mark again what is marked, and show first who changes."),
     flag("--dry-run", "Mark, show who changes, and write nothing."),
+    flag(
+        "--strict", "Status 1, too, where students' files could not be opened, run, or matched to a student."
+    ),
     flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
     click.Option(
         ["--require-isolation", "require"],

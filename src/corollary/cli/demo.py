@@ -87,16 +87,24 @@ def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
             console.print(f"{each.player.student.id}: {difference}", markup=False)
     student = "finn"
     name = performed.outcome.page.stem
+    there = performed.outcome.in_gradebook
     for what, where in (
         ("notebook a student gets", folder / "release" / student / name / f"{name}.ipynb"),
         ("feedback a student gets", folder / "feedback" / student / name / f"{name}.html"),
         ("report for the instructor", folder / "reports" / f"{name}.html"),
-        ("nbgrader gradebook", folder / "gradebook.db"),
+        *([("nbgrader gradebook", folder / "gradebook.db")] if there else []),
     ):
         console.print(f"{what:26} {where}", soft_wrap=True, highlight=False)
     console.print(
         f"isolation: {', '.join(performed.outcome.report.isolation)}", highlight=False, soft_wrap=True
     )
     console.print(
-        f"done in {seconds:.0f} s; try: cd {folder} && nbgrader formgrader", highlight=False, soft_wrap=True
+        f"done in {seconds:.0f} s; "
+        + (
+            f"for formgrader: cd {folder} && jupyter lab, then Nbgrader > Formgrader in its menu"
+            if there
+            else "nbgrader is not installed, so there is no gradebook: pip install 'corollary[nbgrader]'"
+        ),
+        highlight=False,
+        soft_wrap=True,
     )

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import csv
-import fcntl
 import io
 import os
 import secrets
-from collections.abc import Generator, Iterable
+from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from corollary.atomic import write_whole
@@ -140,19 +140,36 @@ def roster_table(roster: Iterable[Student]) -> str:
 
 @contextmanager
 def one_writer(course: Course) -> Generator[None]:
-    """Held while marks are written. Raises BeingGraded.
+    """Held while something is written that two must not write at once. Raises BeingGraded.
 
-    A lock on the folder itself, which the system releases when its holder ends, however it ends: no stale lock file is left.
+    A lock which the system releases when its holder ends, however it ends: no stale lock file is left.
     """
-    descriptor = os.open(course.folder / ".corollary", os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        os.close(descriptor)
+    descriptor = _locked(course.folder / ".corollary")
+    if descriptor is None:
         raise BeingGraded(
-            f"another run is grading in {course.folder}; wait until it is done, then run this again"
-        ) from None
+            f"another run is at work in {course.folder}; wait until it is done, then run this again"
+        )
     try:
         yield
     finally:
         os.close(descriptor)
+
+
+def _locked(folder: Path) -> int | None:
+    """An open file that holds the lock; None when another has it. The folder itself is locked, and on Windows a file in it."""
+    try:
+        import fcntl
+    except ModuleNotFoundError:
+        import msvcrt
+
+        descriptor = os.open(folder / "lock", os.O_RDWR | os.O_CREAT)
+        take: Callable[[], None] = partial(msvcrt.locking, descriptor, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
+    else:
+        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+        take = partial(fcntl.flock, descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    try:
+        take()
+    except OSError:  # BlockingIOError, or PermissionError on Windows
+        os.close(descriptor)
+        return None
+    return descriptor

@@ -55,6 +55,8 @@ def too_large(most_bytes: int) -> Unreadable:
 
 
 def _opened(path: Path, within: Path | None) -> int:
+    if os.open not in os.supports_dir_fd:
+        return _opened_by_name(path, within)
     # A named pipe would wait for a writer, and a link leads where the student could not go.
     flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY
     if within is None:
@@ -69,6 +71,17 @@ def _opened(path: Path, within: Path | None) -> int:
         return os.open(name, flags, dir_fd=folder)
     finally:
         os.close(folder)
+
+
+def _opened_by_name(path: Path, within: Path | None) -> int:
+    """Where folders cannot be opened one after another (Windows): whatever leads there is looked at first."""
+    folders = [] if within is None else [within / part for part in path.relative_to(within).parents][:-1]
+    for each in (path, *folders):
+        if each.is_symlink() or each.resolve() != each.absolute():
+            raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path))
+    if not path.is_file():
+        raise OSError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
+    return os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
 
 
 def _why(error: OSError | ValueError) -> str:

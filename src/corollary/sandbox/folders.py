@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import fcntl
 import os
 import shutil
 import socket
@@ -89,7 +88,7 @@ def new_base() -> Base:
     try:
         # Locked before it gets its name, or another process could find it free and remove the folder.
         lock = os.open(path / "lock.new", os.O_CREAT | os.O_RDWR | os.O_CLOEXEC, 0o600)
-        fcntl.flock(lock, fcntl.LOCK_EX)
+        _flock(lock, wait=True)
         (path / "lock.new").rename(path / "lock")
         base = Base(path, lock)
         path.chmod(0o711)  # a worker that is no longer root must be able to pass
@@ -110,7 +109,7 @@ def _remove_abandoned() -> None:
         except OSError:  # not one of these, or just being made
             continue
         try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            _flock(lock, wait=False)
             _remove(path)
         except BlockingIOError:
             continue  # in use
@@ -153,3 +152,10 @@ def bytes_in(folder: Path, most_entries: int = 20_000) -> int:
                 continue
             total += max(_ENTRY, size)
     return total
+
+
+def _flock(descriptor: int, *, wait: bool) -> None:
+    """Locks an open file. Raises OSError when another has it locked and is not waited for."""
+    import fcntl  # only here: Windows has none, and nothing runs there, but what does not run anything is imported
+
+    fcntl.flock(descriptor, fcntl.LOCK_EX if wait else fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -19,14 +19,14 @@ from corollary.sandbox.session import WorkerState
 _PNG = "image/png"
 _CHANGED = " (changed after it was shown; this is how it was at the end)"
 _SIGNALS = {
-    signal.SIGSEGV: "a crash in compiled code (segmentation fault; very deep recursion does this too)",
-    signal.SIGABRT: "a crash in compiled code (abort)",
-    signal.SIGBUS: "a crash in compiled code (bus error)",
-    signal.SIGFPE: "a crash in compiled code (arithmetic)",
-    signal.SIGILL: "a crash in compiled code (illegal instruction)",
-    signal.SIGXCPU: "its computing time was used up",
-    signal.SIGSYS: "a system call that is not allowed",
-    signal.SIGKILL: "it was killed, most likely for want of memory",
+    "SIGSEGV": "a crash in compiled code (segmentation fault; very deep recursion does this too)",
+    "SIGABRT": "a crash in compiled code (abort)",
+    "SIGBUS": "a crash in compiled code (bus error)",
+    "SIGFPE": "a crash in compiled code (arithmetic)",
+    "SIGILL": "a crash in compiled code (illegal instruction)",
+    "SIGXCPU": "its computing time was used up",
+    "SIGSYS": "a system call that is not allowed",
+    "SIGKILL": "it was killed, most likely for want of memory",
 }
 
 
@@ -64,7 +64,7 @@ def _trouble(job: Job, state: WorkerState) -> str:
             number = signal.Signals(code - 128)
         except ValueError:
             return f"The notebook's process died {place}: signal {code - 128}."
-        return f"The notebook's process died {place}: {_SIGNALS.get(number, number.name)}."
+        return f"The notebook's process died {place}: {_SIGNALS.get(number.name, number.name)}."
     return f"The notebook's process ended itself {place}, as os._exit does."
 
 

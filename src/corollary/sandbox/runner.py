@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from contextlib import suppress
 from functools import partial
+from importlib.util import find_spec
 from types import TracebackType
 from typing import Self, final
 
@@ -18,6 +19,11 @@ from corollary.sandbox.session import WorkerState, follow, send_job
 from corollary.sandbox.zygote import CannotStart, Worker, Zygote
 
 _NO_JOB = Job((), ())
+
+NOT_HERE = (
+    "notebooks and programs are run on Linux and macOS only: everything else works on Windows, "
+    "and grading does in WSL or in a container (docs/instructor.md, Windows)"
+)
 
 
 def probe_isolation(require: int = 0) -> Isolation:
@@ -82,6 +88,8 @@ class Runner:
     def _started(self) -> Zygote:
         if self._zygote is not None and not self._zygote.running:
             self._stop()
+        if find_spec("fcntl") is None:
+            raise CannotStart(NOT_HERE)
         if self._zygote is None:
             self._zygote = Zygote(self.limits, self.without, self._probe_only)
             probed = self._probe(self._zygote)

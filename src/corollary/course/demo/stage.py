@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,12 +20,13 @@ from corollary.grading.points import share
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import Worksheet, worksheet
-from corollary.problem.problem_set import ProblemSet
+from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.records.files import Course, open_course, roster_table
 from corollary.sandbox.runner import Runner
 
 KEY = b"a course key for everyone to see"
 MARK = ".corollary/demonstration"
+DUE_LINE, DUE = re.compile(r"^due:.*$", re.MULTILINE), "2025-12-05"
 VERDICTS: dict[str, Verdict] = {
     word(verdict): verdict
     for verdict in (Right(), Follows(()), Mistaken(""), Slip(""), Wrong(), Unread(""), Unmarked(""))
@@ -70,7 +72,8 @@ def perform(
     write_whole(folder / MARK, "made by corollary demo; may be thrown away\n")
     roster = tuple(player.student for player in PLAYERS)
     write_whole(folder / "roster.csv", roster_table(roster))
-    made = generate(folder, problem_set, roster, solutions, progress)
+    problem_set, file = _of_last_year(folder, problem_set, solutions)
+    made = generate(folder, problem_set, roster, solutions, progress, file)
     hands: dict[str, tuple[Worksheet, Hand]] = {}
     for player in PLAYERS:
         progress(f"{player.student.first_name} works")
@@ -85,11 +88,17 @@ def perform(
         solutions,
         Runner,
         progress=lambda student, left: progress(f"marking {student}"),
-        # It plays a week that is over, whatever the day is today.
-        now=None if problem_set.due is None else problem_set.due + timedelta(days=7),
     )
     played = tuple(_played(problem_set, player, *hands[player.student.id], outcome) for player in PLAYERS)
     return Demonstration(made.course, played, outcome)
+
+
+def _of_last_year(folder: Path, problem_set: ProblemSet, solutions: Solutions) -> tuple[ProblemSet, Path]:
+    """The set in a file of the demonstration's own, due on a day that is over: solutions may be seen, whatever the day is."""
+    file = folder / f"{problem_set.name}.md"
+    found = next(path for bank in solutions.bank.each if (path := bank.sets / file.name).is_file())
+    write_whole(file, DUE_LINE.sub(f"due: {DUE}", found.read_text(encoding="utf-8"), count=1))
+    return find_set(solutions.bank, str(file)), file
 
 
 def hand_in(course: Course, problem_set: ProblemSet, sheet: Worksheet, hand: Hand) -> None:

@@ -1,0 +1,74 @@
+"""Every command that a page, a message or a comment in a course's files names is there, ours and nbgrader's."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from corollary.cli.commands import app
+
+TOP = Path(__file__).parents[2]
+SENTENCE = {"leaves", "or"}  # what follows the name of our program in a sentence and is no command
+# Where a command stands as one: as code, or after what tells the reader to run it.
+AS_A_COMMAND = r"(?:`|&& |\$ |[Rr]un |[Tt]ry: )"
+
+
+def texts() -> Iterator[tuple[str, str]]:
+    """Every page, every string of the package and of the tools, every template, each with where it stands."""
+    for path in [
+        TOP / "README.md",
+        TOP / "Makefile",
+        TOP / "Dockerfile",
+        *sorted((TOP / "docs").glob("*.md")),
+    ]:
+        yield path.name, path.read_text(encoding="utf-8")
+    for path in sorted((TOP / "src").rglob("*.html")):
+        yield path.name, path.read_text(encoding="utf-8")
+    for path in sorted((TOP / "src").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                yield f"{path.name}:{node.lineno}", node.value
+
+
+@pytest.fixture(scope="module")
+def commands() -> dict[str, set[str]]:
+    from nbgrader.apps.nbgraderapp import NbGraderApp
+
+    return {"corollary": set(app.commands), "nbgrader": set(NbGraderApp.subcommands)}
+
+
+def test_every_command_of_ours_that_is_named_is_there(commands: dict[str, set[str]]):
+    found = [
+        (where, word)
+        for where, text in texts()
+        for word in re.findall(r"(?<![\w./'-])corollary ([a-z_]+)\b", text)
+    ]
+    assert len(found) > 50
+    known = commands["corollary"] | SENTENCE
+    assert not [f"{where}: corollary {word}" for where, word in found if word not in known]
+
+
+@pytest.mark.parametrize("program", ["corollary", "nbgrader"])
+def test_what_stands_as_a_command_is_one(commands: dict[str, set[str]], program: str):
+    named = re.compile(rf"{AS_A_COMMAND}{program} ([a-z_]+)")
+    found = [(where, word) for where, text in texts() for word in named.findall(text)]
+    assert len(found) > 5
+    assert not [f"{where}: {program} {word}" for where, word in found if word not in commands[program]]
+
+
+def test_every_option_that_a_page_names_is_there():
+    """`corollary grade SET --dry-run` on a page: `grade` has it."""
+    for path in [TOP / "README.md", *sorted((TOP / "docs").glob("*.md"))]:
+        for name, rest in re.findall(
+            r"(?:^|`|\$ )corollary ([a-z]+)([^`\n#]*)", path.read_text(encoding="utf-8"), re.MULTILINE
+        ):
+            if name in app.commands:
+                have = {option for parameter in app.commands[name].params for option in parameter.opts} | {
+                    "--help"
+                }
+                for option in re.findall(r"(?<![\w-])--[a-z-]+", rest):
+                    assert option in have, f"{path.name}: corollary {name} {option}"
