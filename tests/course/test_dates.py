@@ -7,13 +7,17 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from nbgrader.api import Gradebook
 
 from corollary.atomic import write_whole
 from corollary.course.grade import Outcome, grade_set
+from corollary.course.marks_export import marks_table
 from corollary.grading.solutions import Solutions
 from corollary.records.deadlines import Extension, write_extension
 from corollary.records.files import open_course
+from corollary.records.marks_table import Notation
 from corollary.records.origin import set_of
+from corollary.records.report_model import report_record
 from corollary.sandbox.runner import Runner
 
 DUE = datetime(2026, 12, 4, 22, 59, 59, 999999, tzinfo=UTC)  # the end of the day in Oslo
@@ -79,3 +83,32 @@ def test_moving_the_date_moves_lateness_alone_and_accuses_nobody(course: Path):
     assert points(hidden) == before
     assert not [record.notes for record in hidden.records.values() if record.notes]
     assert not [student for student, page in pages(course).items() if WORKED in page]
+
+
+def test_excused_is_blank_and_not_nothing(course: Path):
+    write_extension(open_course(course), "one", "ben", Extension(excused=True))
+    outcome = grade(course, DUE + 2 * DAY)
+    report = outcome.report
+    assert (report.excused, report.missing, [one.student for one in report.handed_in]) == (
+        ("ben",),
+        (),
+        ["ada", "cyd"],
+    )
+    assert report.mean == 5.0
+    assert report_record(report)["excused"] == ["ben"]
+    assert "Excused" in outcome.page.read_text(encoding="utf-8")
+    opened = open_course(course)
+    _, problem_set = set_of(opened, str(course.parent / "one.md"))
+    table = marks_table(opened, [problem_set], "sets", Notation())
+    assert [table.cell(student, table.columns[0]) for student in table.students] == ["5", "", "5"]
+
+
+def test_the_page_and_the_gradebook_have_ones_own_deadline(course: Path):
+    grade(course, DUE + 2 * DAY)
+    found = pages(course)
+    assert "due Friday 4 December 2026, 23:59 (Europe/Oslo)" in found["ada"]
+    assert "due Saturday 5 December 2026, 23:59 (Europe/Oslo)" in found["cyd"]
+    with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
+        dates = {each.student.id: each.duedate for each in book.assignment_submissions("one")}
+    utc = DUE.replace(tzinfo=None)
+    assert dates == {"ada": utc, "ben": utc, "cyd": utc + DAY}

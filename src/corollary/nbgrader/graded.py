@@ -72,7 +72,7 @@ def not_graded(context: GradingContext, submission: Submission, why: str) -> Gra
 def graded(problem_set: ProblemSet, submission: Submission, found: MarkedSubmission) -> GradedSubmission:
     """All that is to be written of marked work."""
     marked = found.marked
-    facts = page_facts(marked, problem_set, solutions=found.worked_solutions)
+    facts = page_facts(marked, problem_set, solutions=found.worked_solutions, due=submission.due)
     node = marked_notebook(marked, problem_set, found.notebook)
     return GradedSubmission(
         replace(submission, content=b""),

@@ -115,6 +115,7 @@ def record_one(
     stamp, when = _timestamp(course, name, student)
     submission = _submission(book, name, graded.marked)
     submission.timestamp = when
+    _set_dates(submission, problem_set.due, graded.submission.due)
 
     def same(key: str) -> bool:
         """Whether the answer is the one a person gave a score for."""
@@ -135,6 +136,12 @@ def record_one(
     ):
         if content:
             write_whole(course.place("autograded", student, name) / file, content)
+
+
+def _set_dates(submission: SubmittedAssignment, due: datetime | None, own: datetime | None) -> None:
+    """The date of the set as it is now, and what the student has beyond it: formgrader shows both."""
+    submission.assignment.duedate = _in_utc(due)
+    submission.extension = own - due if own is not None and due is not None and own > due else None
 
 
 def _submission(book: Gradebook, name: str, marked: Marked) -> SubmittedAssignment:

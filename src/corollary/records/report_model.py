@@ -15,6 +15,7 @@ from corollary.messages import visible
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collected import UNUSABLE, read_arrivals
 from corollary.records.collusion import SHARING, Shared, read_shared
+from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.manual import ManualMarks
 from corollary.records.marks import read_marks
@@ -58,7 +59,8 @@ class Waiting:
 @dataclass(frozen=True, slots=True)
 class Report:
     """A graded problem set in sum; `missing` are students of the roster who handed in nothing; `shared` proves nothing;
-    `unusable` says of a student why what was handed in cannot be marked."""
+    `unusable` says of a student why what was handed in cannot be marked. `excused` need not hand in, and are counted nowhere,
+    though their work is marked."""
 
     handed_in: tuple[HandedIn, ...]
     rows: tuple[Row, ...]
@@ -68,6 +70,7 @@ class Report:
     missing: tuple[str, ...]
     shared: tuple[Shared, ...] = ()
     unusable: tuple[tuple[str, str], ...] = ()
+    excused: tuple[str, ...] = ()
 
     @property
     def noticed(self) -> tuple[HandedIn, ...]:
@@ -108,6 +111,9 @@ def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | Non
     parts = [(problem.code, part.id) for problem in problem_set.problems for part in problem.parts]
     places = {part: place for place, part in enumerate(parts)}
     roster = [student.id for student in students(course)]
+    deadlines = read_deadlines(course, problem_set)
+    excused = [student for student in roster if deadlines.excused(student)]
+    roster = [student for student in roster if student not in excused]
     records = read_marks(course, problem_set, roster, manual).values()
     rows = [row for record in records for row in record.rows]
     rows.sort(key=lambda row: places.get((row.problem, row.part), len(places)))
@@ -123,7 +129,12 @@ def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | Non
         if each.outcome == UNUSABLE and each.student in known and each.student not in there:
             unusable[each.student] = visible(f"{each.file}: {each.why}")
     return report(
-        [record.handed_in for record in records], rows, roster=roster, shared=shared, unusable=unusable
+        [record.handed_in for record in records],
+        rows,
+        roster=roster,
+        shared=shared,
+        unusable=unusable,
+        excused=excused,
     )
 
 
@@ -134,6 +145,7 @@ def report(
     roster: Iterable[str] = (),
     shared: Sequence[Shared] = (),
     unusable: Mapping[str, str] | None = None,
+    excused: Sequence[str] = (),
 ) -> Report:
     """The report on rows as they are recorded; parts in the order of their first row. `roster` holds all students' ids."""
     by_part: dict[tuple[str, str], list[Row]] = {}
@@ -153,6 +165,7 @@ def report(
         tuple(student for student in roster if student not in came and student not in (unusable or {})),
         tuple(shared),
         tuple((unusable or {}).items()),
+        tuple(excused),
     )
 
 
@@ -169,6 +182,7 @@ def report_record(report: Report) -> dict[str, object]:
     return {
         "handed_in": len(report.handed_in),
         "missing": list(report.missing),
+        "excused": list(report.excused),
         "mean": report.mean,
         "median": report.median,
         "out_of": report.out_of,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import json
 from collections.abc import Mapping, Sequence
+from datetime import datetime
 
 import msgspec
 
@@ -16,6 +17,7 @@ from corollary.answers.verdict import Unmarked, Unread
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Prompt, exercise
+from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.render.markdown import html, inline
 from corollary.render.page import drawing
@@ -65,7 +67,8 @@ class ExerciseFacts(msgspec.Struct, frozen=True):
 
 
 class PageFacts(msgspec.Struct, frozen=True):
-    """A whole page; `stopped` names the cells that stopped and why, `not_run` counts those that were not reached."""
+    """A whole page; `stopped` names the cells that stopped and why, `not_run` counts those that were not reached; `due` is the
+    student's own deadline in words."""
 
     set_title: str
     student: str
@@ -73,6 +76,7 @@ class PageFacts(msgspec.Struct, frozen=True):
     other_pictures: tuple[Picture, ...] = ()
     stopped: tuple[tuple[str, str], ...] = ()
     not_run: int = 0
+    due: str = ""
 
 
 def page_facts(
@@ -81,8 +85,9 @@ def page_facts(
     *,
     solutions: Mapping[str, str] | None = None,
     rubric: bool = False,
+    due: datetime | None = None,
 ) -> PageFacts:
-    """`solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none. `rubric`:
+    """`due` is the student's own deadline. `solutions` gives the worked solution (Markdown, with the student's numbers) by problem code; None shows none. `rubric`:
     by what a person marks stands beside the answer."""
     keys = [grade.variant.problem.answer_name(part.part) for grade in marked.grades for part in grade.parts]
     pictures = _pictures(marked.figures, keys)
@@ -93,6 +98,7 @@ def page_facts(
         pictures.get("", ()),
         tuple(_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}),
         sum(run.status == "not run" for run in marked.runs),
+        "" if due is None else written(due),
     )
 
 

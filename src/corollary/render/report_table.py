@@ -66,6 +66,8 @@ def _pieces(report: Report) -> Iterator[RenderableType]:
         yield from _more(len(report.shared))
     if report.missing:
         yield Text(f"\nNothing from {len(report.missing)}: {_some(report.missing, 12)}")
+    if report.excused:
+        yield Text(f"\nExcused: {_some(report.excused, 12)}")
     for line, count in report.isolation.items():
         yield Text(f"\n{count} ran behind {line}", style="dim")
 
