@@ -10,16 +10,17 @@ from pathlib import Path
 from kernel import CLONE_NEWNS, MS_BIND, MS_PRIVATE, MS_REC, libc, mount
 
 NOBODY = 65534
+ACCOUNT = int(os.environ.get("AS_ACCOUNT", NOBODY))
 
 
 def main() -> None:
     script, *arguments = sys.argv[1:]
     if os.geteuid() == 0:
-        _become_nobody()
+        _become_ordinary()
     os.execv(sys.executable, [sys.executable, script, *arguments])
 
 
-def _become_nobody() -> None:
+def _become_ordinary() -> None:
     interpreter = Path(sys.base_prefix)
     closed = [folder for folder in reversed(interpreter.parents) if not folder.stat().st_mode & 0o001]
     if closed:
@@ -34,7 +35,7 @@ def _become_nobody() -> None:
         mount(aside, str(interpreter), None, MS_BIND | MS_REC)
     os.setgroups([])
     os.setresgid(NOBODY, NOBODY, NOBODY)
-    os.setresuid(NOBODY, NOBODY, NOBODY)
+    os.setresuid(ACCOUNT, ACCOUNT, ACCOUNT)
 
 
 if __name__ == "__main__":

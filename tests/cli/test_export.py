@@ -52,7 +52,10 @@ def test_a_roster_gets_the_numbers_that_show_would_give(run, tmp_path: Path, mon
 
 
 REFUSED = [
-    (["--to", "pdf"], "pdf is not known; choose one of text, md, html, ipynb, csv"),
+    (
+        ["--to", "pdf"],
+        "pdf is not known; choose one of text, md, html, ipynb, csv, moodle-grades, canvas-grades, feedback-zip",
+    ),
     (["--to", "csv"], "csv holds marks; say of which course with --course"),
     (["--to", "md", "--variants", "2", "--roster", "r.csv"], "each choose the numbers; give one of them"),
     (["--to", "md", "--course", "nowhere"], "is no course of ours"),

@@ -46,3 +46,21 @@ def test_a_config_of_somebody_elses_is_left_alone(course: Course) -> None:
     (course.folder / "nbgrader_config.py").write_text("c = get_config()\n")
     with pytest.raises(NotOurs, match="was not written by corollary"):
         check_config(course.folder)
+
+
+def test_a_course_made_before_the_exchange_was_ours_gets_it_before_what_its_owner_has_set(
+    course: Course,
+) -> None:
+    write_config(course)
+    path = course.folder / "nbgrader_config.py"
+    text = path.read_text()
+    start, end = text.index("\n# The exchange gives"), text.index("\n# The source notebooks")
+    path.write_text(text[:start] + text[end:] + 'c.ExchangeFactory.submit = "mine.Submit"\n')
+    assert "ReleaseOwnSheets" not in path.read_text()
+    found = settings(course)
+    assert found.ExchangeFactory.release_assignment == "corollary.nbgrader.exchange.ReleaseOwnSheets"
+    assert found.ZipCollectApp.collector_plugin == "corollary.nbgrader.zip_collect.OwnerCollector"
+    assert found.ExchangeFactory.submit == "mine.Submit"
+    before = path.read_bytes()
+    settings(course)
+    assert path.read_bytes() == before

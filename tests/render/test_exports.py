@@ -179,6 +179,7 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         "csv",
         "moodle-grades",
         "canvas-grades",
+        "feedback-zip",
         "broken",
         "gone",
         "roll",

@@ -21,6 +21,8 @@ from corollary.cli.parameters import (
     PATH,
     SET,
     SOLUTION,
+    WAY_OUT,
+    WHAT_CAME,
     TargetOption,
     all_when_left_out,
     flag,
@@ -158,12 +160,24 @@ _command(
     flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
 )
 _command(
+    "release",
+    "Gives each student the own sheet: nbgrader's exchange, folders, archives, a mailing, Moodle, Canvas.",
+    SET,
+    WAY_OUT,
+    COURSE,
+    GENERATED_BANK,
+    path("--output", "-o", text="The folder for the files; given_out/ in the course when left out."),
+    path(
+        "--ids", text="What Moodle or Canvas knows the students by: a grading worksheet, or all submissions."
+    ),
+    flag("--force", "Release to the exchange again."),
+    JSON,
+)
+_command(
     "collect",
     "Takes what came back: Moodle's and Canvas's archives of all submissions, folders, renamed notebooks.",
     SET,
-    click.Argument(
-        ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="What the LMS gave."
-    ),
+    WHAT_CAME,
     COURSE,
     GENERATED_BANK,
     path("--times", text="Moodle's grading worksheet, which says when each was handed in."),
@@ -263,6 +277,7 @@ _command(
     text("--blank", "Marks: what stands where there is none; nothing when left out."),
     path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
     several("--column", "headings", "The template's column to fill in, where its title does not say which"),
+    path("--ids", text="feedback-zip: what Moodle or Canvas knows the students by, as for release."),
     click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
     JSON,
 )

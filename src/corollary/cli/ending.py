@@ -35,6 +35,8 @@ RAISED = {
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
     "corollary.course.marks_export": ["NothingGraded"],
+    "corollary.course.lms_places": ["NoPlaces"],
+    "corollary.course.release": ["NoSheets"],
     "corollary.course.roster": ["OneFolder"],
     "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "GradebookUnusable", "NotRegistered"],
     "corollary.nbgrader.config": ["NotOurs", "BrokenConfig"],

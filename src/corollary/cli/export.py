@@ -14,6 +14,7 @@ from corollary.course.export import (
     sheets_of_course,
     write_files,
 )
+from corollary.course.feedback import feedback_files
 from corollary.course.marks_export import By, Template, marks_file, marks_table
 from corollary.grading.solutions import Solutions
 from corollary.messages import few
@@ -44,6 +45,7 @@ def run(
     headings: Sequence[str],
     output: Path,
     as_json: bool,
+    ids: Path | None = None,
 ) -> int:
     chosen, sets = target(to), list(dict.fromkeys(sets))
     if sum(each is not None for each in (course, roster, variants)) > 1:
@@ -73,6 +75,16 @@ def run(
         refuse(f"{given} is for marks, and {to} holds none; leave it out")
     elif len(sets) > 1:
         refuse(f"{to} is of one set; export each by itself")
+    elif chosen.feedback is not None:
+        if opened is None:
+            refuse(f"{to} holds feedback; say of which course with --course")
+        pages = feedback_files(opened, problem_sets[0], ids)
+        if pages.without:
+            say(
+                f"{few(pages.without)}: {pages.lms.capitalize()} has no number of theirs that is known, so nothing goes back"
+            )
+        files = {f"{names[0]}-feedback-{pages.lms}.{chosen.ending}": chosen.feedback(pages.files)}
+        about |= {"without": pages.without}
     elif chosen.worksheet is None and chosen.problem_set is None:
         refuse(f"{to} is for single exercises; write it with: corollary show CODE --format {to}")
     else:

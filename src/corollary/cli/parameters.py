@@ -74,4 +74,9 @@ GENERATED_BANK = click.Option(
     multiple=True,
     help="A folder with problems/ and solutions/, or an installed bank; the bank the set was dealt from when left out.",
 )
+WAYS = ["exchange", "folder", "zip", "mail", "moodle", "canvas"]
+WAY_OUT = click.Option(["--to"], required=True, type=click.Choice(WAYS), help="The way out.")
+WHAT_CAME = click.Argument(
+    ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="What the LMS gave."
+)
 SOLUTION = flag("--solution", "Add the worked solution.")

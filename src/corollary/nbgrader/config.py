@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.records.files import Course
 
 MARK = "# Written by corollary."
+ROADS = """\
+
+# The exchange gives each student the own sheet, and `nbgrader zip_collect` knows the names that Moodle and Canvas give to files.
+c.ExchangeFactory.release_assignment = "corollary.nbgrader.exchange.ReleaseOwnSheets"
+c.ExchangeFactory.fetch_assignment = "corollary.nbgrader.exchange.FetchOwnSheet"
+c.ExchangeFactory.submit = "corollary.nbgrader.exchange.SubmitOwnSheet"
+c.ZipCollectApp.extractor_plugin = "corollary.nbgrader.zip_collect.BoundedExtractor"
+c.ZipCollectApp.collector_plugin = "corollary.nbgrader.zip_collect.OwnerCollector"
+"""
 TEXT = f"""\
 {MARK} Add your own settings below; corollary leaves this file alone from now on.
 from nbconvert.preprocessors import ClearMetadataPreprocessor
@@ -22,7 +32,7 @@ from corollary.nbgrader.feedback import FeedbackPage
 
 c = get_config()  # noqa: F821
 c.CourseDirectory.course_id = __NAME__
-
+{ROADS}
 # The source notebooks hold no solutions, so nothing has to be cut out of them.
 c.GenerateAssignment.preprocessors = [LockCells, ClearOutput, CheckCellMetadata, ComputeChecksums, SaveCells]
 
@@ -59,6 +69,7 @@ RENAMED = {
     "MarksKept": "RecordMarks",
     "LatenessKept": "LatenessInMarks",
 }
+CONFIG = re.compile(r"^c = get_config\(\).*\n", re.MULTILINE)
 
 
 class NotOurs(Exception):
@@ -89,7 +100,8 @@ def write_config(course: Course) -> None:
 
 
 def renew_config(course: Course) -> None:
-    """Lets a file from an older version find our classes where they are now; all else in it is left as it is."""
+    """Lets a file from an older version find our classes where they are now, and those that were not there yet, before all
+    that its owner has set; all else in it is left as it is."""
     path = course.folder / "nbgrader_config.py"
     text = path.read_text(encoding="utf-8", errors="surrogateescape") if path.exists() else ""
     renewed = text
@@ -98,6 +110,8 @@ def renew_config(course: Course) -> None:
     if MARK in renewed and FORMER_FEEDBACK in renewed:
         now = TEXT[TEXT.index("\n# `nbgrader generate_feedback` gives") :]
         renewed = renewed.replace(FORMER_FEEDBACK, now).replace("\n\nc = get_config()", IMPORTS, 1)
+    if MARK in renewed and ROADS.split("\n")[1] not in renewed:
+        renewed = CONFIG.sub(lambda line: line[0] + ROADS, renewed, count=1)
     if renewed != text:
         write_whole(path, renewed.encode("utf-8", "surrogateescape"))
 

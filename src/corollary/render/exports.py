@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from corollary.records.marks_table import MarksTable
 
 GROUP = "corollary.exports"
-OURS = ("text", "md", "html", "ipynb", "csv", "moodle-grades", "canvas-grades")
+OURS = ("text", "md", "html", "ipynb", "csv", "moodle-grades", "canvas-grades", "feedback-zip")
 
 
 class UnknownTarget(LookupError):
@@ -35,7 +35,7 @@ class Target:
     `ending` is that of its files, without the dot. `exercise` writes one exercise for a student, with its worked solution in
     Markdown (or ""); `worksheet` one student's sheet, with worked solutions by the code of the problem; `problem_set` all
     sheets of a set at once, as files by name; `marks` a table of marks, for everybody on the roster, which has every column of a
-    set when `every_column`.
+    set when `every_column`; `feedback` an archive of what goes back to students, from files by their names in it.
     """
 
     ending: str
@@ -44,6 +44,7 @@ class Target:
     problem_set: Callable[[ProblemSet, Sequence[Worksheet]], Mapping[str, bytes]] | None = None
     marks: Callable[[MarksTable], str] | None = None
     every_column: bool = False
+    feedback: Callable[[Mapping[str, bytes]], bytes] | None = None
 
 
 def target(name: str) -> Target:

@@ -1,0 +1,44 @@
+"""Feedback pages on their way back into an LMS, each to the student whose it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from corollary.course.lms_places import NoPlaces, packed, places
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.files import Course, students
+from corollary.records.marks import feedback_place
+
+
+@dataclass(frozen=True, slots=True)
+class FeedbackFiles:
+    """The pages by their names in the archive that `lms` ("moodle" or "canvas") takes back, and whose have no place in it."""
+
+    lms: str
+    files: Mapping[str, bytes]
+    without: tuple[str, ...]
+
+
+def feedback_files(course: Course, problem_set: ProblemSet, ids: Path | None = None) -> FeedbackFiles:
+    """For the LMS that `ids`, or else what was collected, comes from. Raises NoPlaces and Malformed."""
+    name, roster = problem_set.name, students(course)
+    pages: dict[str, tuple[str, bytes]] = {}
+    for student in roster:
+        path = feedback_place(course, name, student.id)
+        if path.is_file():
+            pages[student.id] = (f"{name}-feedback.html", path.read_bytes())
+    if not pages:
+        raise NoPlaces(
+            f"nobody has a feedback page of {name} in {course.folder}; run corollary grade {name} first"
+        )
+    try:
+        lms, found = "moodle", places(course, name, roster, "moodle", ids)
+    except NoPlaces as error:
+        try:
+            lms, found = "canvas", places(course, name, roster, "canvas", ids)
+        except NoPlaces:
+            raise error from None
+    files = packed(lms, found, pages, roster)
+    return FeedbackFiles(lms, files, tuple(student for student in pages if student not in found))

@@ -1,0 +1,102 @@
+"""Where an LMS puts the files that are given back: by whose number, from a file of the LMS or from what was collected."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from corollary.problem.roster import Student
+from corollary.problem.table import read_table
+from corollary.records.collected import read_arrivals
+from corollary.records.files import Course
+from corollary.records.lms_names import Directory, LmsName, canvas_file, lms_name, moodle_folder
+
+MOODLES = "Moodle's grading worksheet or its archive of all submissions"
+CANVAS = "Canvas's archive of all submissions"
+
+
+class NoPlaces(ValueError):
+    """Nothing says by what numbers the LMS knows the students; one sentence says which file does."""
+
+
+def places(
+    course: Course, set_name: str, roster: Sequence[Student], lms: str, file: Path | None
+) -> dict[str, LmsName]:
+    """By student, what `lms` ("moodle" or "canvas") knows the submission by: from a file that the LMS gave, else from what was
+    collected. Raises NoPlaces and Malformed."""
+    directory = Directory(roster)
+    if file is None:
+        found = [
+            (each.student, name)
+            for each in read_arrivals(course, set_name)
+            if each.student and (name := lms_name(each.file.split("/"))) is not None
+        ]
+    elif file.suffix.lower() == ".csv":
+        found = list(_of_worksheet(file, directory))
+    else:
+        found = [(student, name) for name in _names(file) if (student := directory.of_lms(name)) is not None]
+    by_student = {
+        student: name for student, name in found if name.lms == lms and (lms == "moodle" or name.attachment)
+    }
+    if not by_student:
+        wanted = MOODLES if lms == "moodle" else CANVAS
+        hint = (
+            ""
+            if lms == "moodle"
+            else " (Canvas gives files back to those only who have handed something in; --to mail or zip reaches all)"
+        )
+        where = f"{file} says" if file else "nothing collected says"
+        raise NoPlaces(
+            f"{where} nothing of the numbers {lms.capitalize()} has for the students; give {wanted} with --ids{hint}"
+        )
+    return by_student
+
+
+def packed(
+    lms: str, found: Mapping[str, LmsName], files: Mapping[str, tuple[str, bytes]], roster: Iterable[Student]
+) -> dict[str, bytes]:
+    """The files of an archive that the LMS gives back, by their names in it; `files` has a name and a content by student."""
+    members: dict[str, bytes] = {}
+    for student in roster:
+        if student.id in files and student.id in found:
+            name, content = files[student.id]
+            theirs = found[student.id]
+            path = (
+                f"{moodle_folder(student, theirs.number)}/{name}"
+                if lms == "moodle"
+                else canvas_file(student, theirs.number, theirs.attachment, name)
+            )
+            members[path] = content
+    return members
+
+
+def _of_worksheet(file: Path, directory: Directory) -> Iterable[tuple[str, LmsName]]:
+    table = read_table(file, ("identifier", "full name", "email address"))
+    head = [cell.lower() for cell in table.first]
+    if "identifier" not in head:
+        return
+    for _, row in table.rows[1:]:
+        cells = dict(zip(head, row, strict=False))
+        number = "".join(filter(str.isdigit, cells["identifier"]))
+        named = [cells.get(heading, "") for heading in ("id number", "username", "email address")]
+        student = next(filter(None, (directory.by_id(each) for each in named if each)), None)
+        student = student or directory.by_name(cells.get("full name", ""))
+        if student and number:
+            yield student, LmsName("moodle", cells.get("full name", ""), number, "")
+
+
+def _names(file: Path) -> Iterable[LmsName]:
+    """The names in an archive, or of what lies in a folder; nothing is unpacked."""
+    if file.is_dir():
+        names = [str(path.relative_to(file)) for path in sorted(file.rglob("*"))]
+    else:
+        try:
+            with zipfile.ZipFile(file) as archive:
+                names = archive.namelist()
+        except (zipfile.BadZipFile, OSError, ValueError) as error:
+            raise NoPlaces(f"{file} is no archive that can be opened ({error})") from None
+    for name in names:
+        parts = [part for part in name.split("/") if part]
+        if parts and (found := lms_name(parts)) is not None:
+            yield found

@@ -1,0 +1,126 @@
+"""nbgrader's exchange in a course of ours: each student gets the own sheet, in a folder that nobody else can read.
+
+`outbound/SET/STUDENT/` belongs to the student and is closed to all others, so that it does not matter what a student's own
+configuration says. Where that cannot be had, nothing is released, and a sentence says what to do instead.
+"""
+
+from __future__ import annotations
+
+import os
+import pwd
+import shutil
+import subprocess
+from pathlib import Path
+from typing import cast
+
+from nbgrader.coursedir import CourseDirectory
+from nbgrader.exchange.default import ExchangeFetchAssignment, ExchangeReleaseAssignment, ExchangeSubmit
+from nbgrader.utils import get_username
+
+from corollary.records.files import open_course, students
+
+INSTEAD = "give the sheets out with corollary release --to zip, mail, moodle or canvas instead"
+MOST_NAMED = 5
+
+
+class ReleaseOwnSheets(ExchangeReleaseAssignment):
+    """Release: every student's own sheet in the place of the chapter's numbers for everybody. Other assignments as ever."""
+
+    def copy_files(self) -> None:
+        coursedir = cast(CourseDirectory, self.coursedir)
+        root, name = Path(coursedir.root), str(coursedir.assignment_id)
+        if sheets := _own_sheets(root, name):
+            self._release(sheets, Path(self.dest_path))
+            self.log.info(
+                "Released the own sheets of %s students: %s %s", len(sheets), coursedir.course_id, name
+            )
+        else:  # an assignment of the owner's own, with the same notebook for everybody
+            super().copy_files()
+
+    def _release(self, sheets: dict[str, Path], destination: Path) -> None:
+        accounts = {student: _account(student) for student in sheets}
+        self._refuse_without_separation(accounts)
+        if destination.is_dir() and not self.force:
+            self.fail(
+                f"{destination.name} is released already; --force releases it again, with the sheets of students who were added"
+            )
+        destination.mkdir(mode=0o755, exist_ok=True)
+        destination.chmod(0o755)
+        for each in destination.iterdir():
+            if not each.is_dir():  # the chapter's numbers, released by an older version
+                each.unlink()
+        for student, place in sheets.items():
+            self._give(place, destination / student, cast(int, accounts[student]))
+
+    def _refuse_without_separation(self, accounts: dict[str, int | None]) -> None:
+        if without := [student for student, account in accounts.items() if account is None]:
+            more = f" and {len(without) - MOST_NAMED} more" if len(without) > MOST_NAMED else ""
+            listed = ", ".join(without[:MOST_NAMED]) + more
+            self.fail(
+                f"{listed} have no account on this machine, so their sheets cannot be for them alone; {INSTEAD}"
+            )
+        if os.geteuid() != 0 and shutil.which("setfacl") is None:
+            self.fail(
+                f"only root (or setfacl, which is not installed) can give each student a folder that nobody else can read; {INSTEAD}"
+            )
+
+    def _give(self, place: Path, destination: Path, account: int) -> None:
+        """The files are moved into place when they are readable for their student alone, and for nobody in between."""
+        draft = destination.with_name(f".{destination.name}.draft")
+        shutil.rmtree(draft, ignore_errors=True)
+        draft.mkdir(mode=0o700)
+        for source in sorted(place.iterdir()):
+            if source.is_file() and not source.is_symlink():
+                shutil.copyfile(source, draft / source.name)
+                (draft / source.name).chmod(0o600)
+                self._hand_over(draft / source.name, account, "r--")
+        self._hand_over(draft, account, "r-x")
+        shutil.rmtree(destination, ignore_errors=True)
+        draft.rename(destination)
+
+    def _hand_over(self, path: Path, account: int, rights: str) -> None:
+        if os.geteuid() == 0:
+            os.chown(path, account, -1)
+            return
+        given = subprocess.run(
+            ["setfacl", "-m", f"u:{account}:{rights}", str(path)], capture_output=True, encoding="utf-8", check=False
+        )  # fmt: skip
+        if given.returncode:
+            self.fail(f"setfacl cannot give {path} to its student ({given.stderr.strip()}); {INSTEAD}")
+
+
+class FetchOwnSheet(ExchangeFetchAssignment):
+    """Fetch: from the student's own folder, where there are such. Students' nbgrader needs it in its configuration."""
+
+    def init_src(self) -> None:
+        super().init_src()
+        self.src_path = _own(self.src_path, cast(CourseDirectory, self.coursedir))
+
+
+class SubmitOwnSheet(ExchangeSubmit):
+    """Submit: what was handed in is held against the own sheet, when nbgrader looks whether a notebook is missing."""
+
+    def init_release(self) -> None:
+        super().init_release()
+        self.release_path = _own(self.release_path, cast(CourseDirectory, self.coursedir))
+
+
+def _own_sheets(root: Path, name: str) -> dict[str, Path]:
+    """The folder with the own sheet of each student; none where the course or the assignment is none of ours."""
+    if not (root / ".corollary" / "key").is_file():
+        return {}
+    places = {each.id: root / "release" / each.id / name for each in students(open_course(root))}
+    return {student: place for student, place in places.items() if place.is_dir()}
+
+
+def _own(path: str, coursedir: CourseDirectory) -> str:
+    student = str(coursedir.student_id)
+    own = os.path.join(path, get_username() if student in {"", "*"} else student)
+    return own if os.path.isdir(own) else path
+
+
+def _account(student: str) -> int | None:
+    try:
+        return pwd.getpwnam(student).pw_uid
+    except KeyError:
+        return None

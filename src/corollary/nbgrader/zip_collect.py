@@ -1,0 +1,76 @@
+"""What `nbgrader zip_collect` does in a course of ours: no pattern has to be written for the names of an LMS's files."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import cast
+
+from nbgrader.apps import ZipCollectApp
+from nbgrader.coursedir import CourseDirectory
+from nbgrader.plugins.zipcollect import ExtractorPlugin, FileNameCollectorPlugin
+
+from corollary.atomic import write_whole
+from corollary.notebook.origin import origin
+from corollary.records.files import open_course, students
+from corollary.records.lms_names import Directory, again, file_words, lms_name
+from corollary.sandbox.archive import members
+from corollary.sandbox.file import bytes_of
+from corollary.sandbox.notebook import Notebook, notebook_of
+
+
+class BoundedExtractor(ExtractorPlugin):
+    """Unpacks archives, and archives in archives, within bounds; what is refused is named, and the rest is unpacked."""
+
+    def extract(self, archive_path: str, extracted_path: str) -> None:
+        for number, member in enumerate(members(Path(archive_path))):
+            if not isinstance(member.content, bytes):
+                why = "is no notebook" if member.content is None else member.content.why
+                self.log.warning("%s %s, and is left out", member.name, why)
+                continue
+            folders = [file_name(part) for part in member.parts[:-1]]
+            place = Path(extracted_path, *folders, file_name(member.parts[-1]))
+            if place.exists():
+                place = place.with_name(f"{place.stem} ({number}){place.suffix}")
+            write_whole(place, member.content)
+
+
+class OwnerCollector(FileNameCollectorPlugin):
+    """Whose a notebook is, by the name that Moodle or Canvas gave it, by an id or name in its own, and then by its metadata;
+    of several of one student, nbgrader takes the one with the latest moment."""
+
+    def collect(self, submitted_file: str) -> dict[str, str] | None:
+        path = Path(submitted_file)
+        app = self.parent
+        coursedir = cast(CourseDirectory, app.coursedir) if isinstance(app, ZipCollectApp) else None
+        root = Path(coursedir.root) if coursedir is not None else Path.cwd()
+        if self.named_regexp or not (root / ".corollary" / "key").is_file():
+            return super().collect(submitted_file)
+        name = str(coursedir.assignment_id) if coursedir is not None else ""
+        content = bytes_of(path) if path.suffix == ".ipynb" else None
+        read = notebook_of(content) if isinstance(content, bytes) else None
+        if not isinstance(read, Notebook):
+            return None
+        says = origin(read.node)
+        if says.set_name not in ("", name):
+            self.log.warning("%s is a notebook of %s, and is left out", path.name, says.set_name)
+            return None
+        roster = students(open_course(root))
+        directory, parts = Directory(roster), path.parts[-3:]
+        lms = lms_name(parts)
+        owner = directory.of_lms(lms) if lms else directory.of_parts(parts[-2:], name)
+        if owner is None and says.student in {each.id for each in roster}:
+            owner = says.student
+        if owner is None:
+            self.log.warning("nobody knows whose %s is", submitted_file)
+            return None
+        # Of equal moments nbgrader takes the last, and files come in the order of their names: a second one says so in its name.
+        when = datetime.fromtimestamp(int(path.stat().st_mtime), UTC).replace(
+            microsecond=min(999_999, again(path.stem)[1])
+        )
+        return {"student_id": owner, "file_id": name, "timestamp": f"{when:%Y-%m-%d %H:%M:%S.%f} UTC"}
+
+
+def file_name(part: str) -> str:
+    """A name of a file as it was, but for what could lead elsewhere; the _ by which LMSs part names stays."""
+    return "_".join(file_words(piece) if piece else "" for piece in part.split("_"))[:200]

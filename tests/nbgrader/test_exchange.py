@@ -1,0 +1,158 @@
+"""nbgrader's own exchange with several users of one machine, as JupyterHub has them: each gets the own sheet and no other."""
+
+from __future__ import annotations
+
+import json
+import os
+import pwd
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("nbgrader")
+
+from corollary.course.generate import generate
+from corollary.grading.solutions import Solutions
+from corollary.problem.bank import chapter_bank
+from corollary.problem.problem_set import find_set
+from corollary.problem.roster import Student
+
+pytestmark = [
+    pytest.mark.whole,
+    pytest.mark.usefixtures("open_to_everybody"),
+    pytest.mark.skipif(os.geteuid() != 0, reason="only root can act as several users"),
+]
+SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
+NBGRADER = Path(sys.executable).with_name("nbgrader")
+ORDINARY_USER = Path(__file__).parents[1] / "adversary" / "ordinary_user.py"
+# Accounts that every Debian has: no user is made for a test.
+ADA, BEN = (pwd.getpwnam(name) for name in ("daemon", "games"))
+HUB = """\
+c = get_config()
+c.CourseDirectory.course_id = "course"
+c.Exchange.root = {root!r}
+c.ExchangeFactory.fetch_assignment = "corollary.nbgrader.exchange.FetchOwnSheet"
+c.ExchangeFactory.submit = "corollary.nbgrader.exchange.SubmitOwnSheet"
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Hub:
+    folder: Path
+
+    @property
+    def course(self) -> Path:
+        return self.folder / "course"
+
+    @property
+    def outbound(self) -> Path:
+        return self.folder / "exchange" / "course" / "outbound" / "one"
+
+    def home(self, who: pwd.struct_passwd) -> Path:
+        return self.folder / who.pw_name
+
+    def run(self, who: pwd.struct_passwd | None, *words: object) -> subprocess.CompletedProcess[str]:
+        """A command of nbgrader's, by a student or by the instructor."""
+        home = self.course if who is None else self.home(who)
+        by = [] if who is None else [sys.executable, ORDINARY_USER]
+        about = {"HOME": home, "PATH": os.environ["PATH"], "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": home}
+        about |= {} if who is None else {"AS_ACCOUNT": who.pw_uid}
+        return subprocess.run(
+            list(map(str, (*by, NBGRADER, *words))), cwd=home, env={name: str(value) for name, value in about.items()},
+            capture_output=True, encoding="utf-8", timeout=200, check=False,
+        )  # fmt: skip
+
+
+def notebook(path: Path) -> bytes:
+    return path.read_bytes()
+
+
+@pytest.fixture
+def hub() -> Iterator[Hub]:
+    with tempfile.TemporaryDirectory() as name:  # pytest's own folders are for one user
+        hub = Hub(Path(name))
+        hub.folder.chmod(0o755)
+        (hub.folder / "one.md").write_text(SET)
+        bank = chapter_bank()
+        problem_set = find_set(bank, str(hub.folder / "one.md"))
+        roster = [Student(ADA.pw_name), Student(BEN.pw_name)]
+        generate(hub.course, problem_set, roster, Solutions(bank), file=hub.folder / "one.md")
+        (hub.folder / "exchange").mkdir()
+        (hub.folder / "exchange").chmod(0o777)
+        config = hub.course / "nbgrader_config.py"
+        config.write_text(config.read_text() + f"c.Exchange.root = {str(hub.folder / 'exchange')!r}\n")
+        for who in (ADA, BEN):
+            hub.home(who).mkdir()
+            (hub.home(who) / "nbgrader_config.py").write_text(HUB.format(root=str(hub.folder / "exchange")))
+            shutil.chown(hub.home(who), who.pw_uid, who.pw_gid)
+        yield hub
+
+
+def test_each_fetches_the_own_sheet_and_can_read_no_other(hub: Hub) -> None:
+    released = hub.run(None, "release_assignment", "one")
+    assert released.returncode == 0, released.stderr
+    assert sorted(path.name for path in hub.outbound.iterdir()) == sorted([ADA.pw_name, BEN.pw_name])
+    for who in (ADA, BEN):
+        done = hub.run(who, "fetch_assignment", "one")
+        assert done.returncode == 0, done.stderr
+        own = hub.course / "release" / who.pw_name / "one" / "one.ipynb"
+        assert notebook(hub.home(who) / "one" / "one.ipynb") == notebook(own)
+    other = hub.run(
+        ADA, "fetch_assignment", "one", "--student", BEN.pw_name, "--Exchange.assignment_dir=other"
+    )
+    assert other.returncode != 0
+    assert not list(hub.home(ADA).glob("other/**/*.ipynb"))
+    # hand in, collect: nbgrader's own, and nothing is missing
+    handed_in = hub.run(ADA, "submit", "one")
+    assert handed_in.returncode == 0, handed_in.stderr
+    assert "missing" not in handed_in.stderr
+    collected = hub.run(None, "collect", "one")
+    assert collected.returncode == 0, collected.stderr
+    theirs = json.loads(notebook(hub.course / "submitted" / ADA.pw_name / "one" / "one.ipynb"))
+    assert theirs["metadata"]["corollary"]["student"] == ADA.pw_name
+
+
+def test_released_again_for_newcomers_and_never_the_chapters_numbers(hub: Hub) -> None:
+    hub.outbound.mkdir(parents=True)
+    shutil.copy(hub.course / "release" / "one" / "one.ipynb", hub.outbound)  # as a version before released it
+    assert (
+        "is released already; --force releases it again" in hub.run(None, "release_assignment", "one").stderr
+    )
+    assert hub.run(None, "release_assignment", "one", "--force").returncode == 0
+    assert sorted(path.name for path in hub.outbound.iterdir()) == sorted([ADA.pw_name, BEN.pw_name])
+    assert {path.stat().st_mode & 0o777 for path in hub.outbound.iterdir()} == {0o700}
+
+
+def test_who_has_no_account_cannot_have_a_sheet_alone(hub: Hub) -> None:
+    roster = hub.course / ".corollary" / "roster.csv"
+    roster.write_text(roster.read_text() + "zoe,,,\n")
+    shutil.copytree(hub.course / "release" / ADA.pw_name, hub.course / "release" / "zoe")
+    done = hub.run(None, "release_assignment", "one")
+    assert done.returncode != 0
+    assert "zoe have no account on this machine" in done.stderr
+    assert "corollary release --to zip" in done.stderr
+    assert not hub.outbound.exists()
+
+
+def test_zip_collect_works_by_default(hub: Hub) -> None:
+    downloaded = hub.course / "downloaded" / "one" / "archive"
+    downloaded.mkdir(parents=True)
+    sheets = {who.pw_name: hub.course / "release" / who.pw_name / "one" / "one.ipynb" for who in (ADA, BEN)}
+    shutil.copy(sheets[ADA.pw_name], downloaded / "one (1).ipynb")
+    inner = downloaded / "games_18_assignsubmission_file_"
+    inner.mkdir()
+    shutil.make_archive(str(inner / "mine"), "zip", sheets[BEN.pw_name].parent)
+    (downloaded / "scan.pdf").write_bytes(b"%PDF")
+    done = hub.run(None, "zip_collect", "one")
+    assert done.returncode == 0, done.stderr
+    for who, sheet in sheets.items():
+        place = hub.course / "submitted" / who / "one"
+        assert notebook(place / "one.ipynb") == notebook(sheet)
+        assert (place / "timestamp.txt").is_file()
+    assert "scan.pdf is no notebook, and is left out" in done.stderr
