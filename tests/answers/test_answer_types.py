@@ -110,6 +110,8 @@ def test_nothing_is_blank(part, given):
         (OWN, items("1 J", "2 J"), "energy"),
         (PROOF, Text("p"), "one = sign"),
         (PROOF, Text("p + m*v"), "one = sign"),
+        (PROOF, Text("the mass * the speed"), "one = sign"),
+        (PROOF, Text("mass > 0"), "one = sign"),
         (PROOF, Text("so it is"), "equation"),
         (PROOF, Text("\n".join(["p = m*v"] * 31)), "more than 30"),
         (PROOF, Real(1.0), "equations"),
@@ -230,3 +232,14 @@ def test_samples_are_read_as_they_are_named(part, truth):
     for sample in samples:
         found = read(from_json(sample.answer), part)
         assert isinstance(found, (Blank, Unclear)) == (sample.verdict == "unread"), sample
+
+
+def test_a_machine_number_is_read_with_the_unit_it_needs():
+    assert read(Real(8.6)).as_read.split(" ", 1)[1] == "kg m/s"
+    assert read(Exact(Fraction(9))).as_read == "9 kg m/s"
+
+
+def test_words_alone_are_left_to_a_person():
+    assert answer_type("explain").preview(
+        Text("Gravity pulls it down."), question_of(PROBLEM, VALUE)
+    ).text == ("will be read by a person")

@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.answers.evaluation import holds_nearly
-from corollary.cli.main import app
+from corollary.cli.commands import app
 from corollary.formula.ast import Name, Number, Product, Relation
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.bank import chapter_bank

@@ -303,3 +303,9 @@ def test_a_unit_of_another_subject_is_a_wrong_dimension():
     found = read_quantity("5 T", unit("N"))
     assert isinstance(found, Reading)
     assert found.why == "a force is expected, for example in N; 5 T is a magnetic field"
+
+
+def test_a_length_and_an_angle_are_a_vector_in_a_plane_only():
+    found = read_quantities("5 m/s at 30 deg", unit("m/s"), 3)
+    assert isinstance(found, ParseError)
+    assert (found.status, found.why) == ("refused", "a length and an angle give a vector in a plane only")

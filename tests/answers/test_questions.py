@@ -40,7 +40,10 @@ def problem(tmp_path: Path) -> Callable[[str], Problem]:
         ("## A {#a .number}", "needs one kind"),
         ("## A {#a .value .choice}", "needs one kind"),
         ("## A {#a .vector}", "name its components"),
-        ('## A {#a .value components="x y"}', "have components"),
+        (
+            '## A {#a .value components="x y"}',
+            "only .vector, .expression, .example and .proof parts have components",
+        ),
         ("## A {#a .code}", "function="),
         ('## A {#a .code function="f"}', "function="),
         ('## A {#a .value function="f(x)"}', "function="),

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from click.testing import CliRunner, Result
 
-from corollary.cli.main import app
+from corollary.cli.commands import app
 from corollary.course.grade import grade_set
 from corollary.grading.solutions import Solutions
 from corollary.records.files import open_course

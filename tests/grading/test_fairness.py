@@ -104,6 +104,9 @@ def test_a_hint_on_components_is_true(verdicts):
     one = verdicts("S12.5nc", c=[1.595, 0.9, 0.405, -0.9])["c"]
     assert isinstance(one, Wrong)
     assert one.why == "Components Bx and Ax fit; look at the others again."
+    three = verdicts("S12.5nc", c=[1.595, 0.81, 0.405, -0.9])["c"]
+    assert isinstance(three, Wrong)
+    assert three.why.startswith("Component")
     close = verdicts("S12.5nc", c=[1.603, 0.812, 0.397, -0.812])["c"]
     assert isinstance(close, Wrong)
     assert close.why.startswith("Close, but outside what rounding explains")

@@ -3,12 +3,14 @@
 import math
 import random
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import Called
-from corollary.grading.programs.ions import closest, ion_force, ion_inputs, judge_ions
-from corollary.grading.programs.spheres import judge_spheres, sphere_force, sphere_inputs
+from corollary.grading.programs.ions import IONS, closest, ion_force, ion_inputs, judge_ions
+from corollary.grading.programs.spheres import SPHERES, judge_spheres, sphere_force, sphere_inputs
 from corollary.grading.programs.two_bodies import converged
 from corollary.scenes.catalogue import run
 
@@ -111,3 +113,41 @@ def test_the_reference_of_ions_turns_the_relative_velocity_round_and_knows_the_c
     energy = 0.06 * 1.0**2 / 2 + 0.0012 / 0.08
     assert bu - au == pytest.approx(math.sqrt(2 * energy / 0.06), rel=2e-3)
     assert closest(0.0012, 0.1, 0.15, 0.08, 1.0) == pytest.approx(0.0012 / energy)
+
+
+def test_the_numbers_drawn_are_a_student_s_own_and_short():
+    """Two students have other dampings and distances, none with more figures than one types."""
+    drawn = [sphere_inputs({}, random.Random(seed).uniform)[4] for seed in range(8)]
+    damped = [case["eta"] for case in drawn]
+    assert len(set(damped)) > 4
+    assert all(0.5 <= eta <= 1.5 for eta in damped)
+    for seed in range(8):
+        for case in ion_inputs({}, random.Random(seed).uniform):
+            assert case["rB"][0] == round(case["rB"][0], 3)
+
+
+def ionic(inputs, r):
+    return -inputs["C"] / r**3
+
+
+def pressed(inputs, r):
+    return -inputs["k"] * max(2 * inputs["R"] - r, 0.0) ** 1.5 / r
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    ("drawn", "family", "push"), [(ion_inputs, IONS, ionic), (sphere_inputs, SPHERES, pressed)]
+)
+def test_what_an_adaptive_method_finds_is_no_error(drawn, family, push, seed):
+    """scipy's DOP853 at 1e-11, on the printed equations: the references agree to a millionth."""
+    inputs = drawn({}, random.Random(seed).uniform)[2]
+    start = [number for name in ("rA", "rB", "vA", "vB") for number in inputs[name]]
+
+    def slope(t, z):
+        apart = z[2:4] - z[0:2]
+        on_a = push(inputs, math.hypot(*apart)) * apart
+        return np.array([*z[4:], *(on_a / inputs["mA"]), *(-on_a / inputs["mB"])])
+
+    span, step = (0.0, inputs["T"]), inputs["T"] / 400
+    found = solve_ivp(slope, span, start, "DOP853", rtol=1e-11, atol=1e-13, max_step=step)
+    assert max(family.standard(inputs).errors(tuple(map(float, found.y[4:, -1])))) < 1e-6

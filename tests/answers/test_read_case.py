@@ -1,0 +1,74 @@
+"""One case of `corollary read`: what is read, its value in SI, and what is decided."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.answers.read_case import BadCase, read_case
+
+
+def read(text: str, **others: object) -> dict[str, object]:
+    return read_case({"text": text, **others})
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "read_as", "value", "its_unit", "dimension", "verdict"),
+    [
+        ("8,6 Ns", "kg m/s", "8.6 N s", 8.6, "N*s", {"kg": 1, "m": 1, "s": -1}, "compatible"),
+        ("5 cm", "m", "5 cm", 0.05, "cm", {"m": 1}, "compatible"),
+        ("5", "cm", "5", 5.0, "1", {}, "wrong dimension"),
+        ("5 cm", "s", "5 cm", 0.05, "cm", {"m": 1}, "wrong dimension"),
+        ("5 cm", None, "5 cm", 0.05, "cm", {"m": 1}, None),
+        ("5", None, "5", 5.0, "1", {}, None),
+    ],
+)
+def test_a_quantity(text, unit, read_as, value, its_unit, dimension, verdict):
+    found = read(text, unit=unit)
+    assert (found["status"], found["field"], found["text"]) == ("ok", "quantity", text)
+    assert (found["read"], found["value"], found["unit"]) == (read_as, value, its_unit)
+    assert (found["dimension"], found["verdict"]) == (dimension, verdict)
+    assert bool(found["why"]) == (verdict == "wrong dimension")
+
+
+def test_a_unit():
+    found = read("N s", field="unit", unit="kg m/s")
+    assert (found["status"], found["read"], found["value"], found["verdict"]) == (
+        "ok",
+        "N s",
+        1.0,
+        "compatible",
+    )
+    other = read("km/h", field="unit", unit="s")
+    assert other["read"] == "km/h"
+    assert other["value"] == pytest.approx(1 / 3.6)
+    assert other["dimension"] == {"m": 1, "s": -1}
+    assert other["verdict"] == "wrong dimension"
+    assert other["why"]
+    assert read("km/h", field="unit")["verdict"] is None
+
+
+def test_an_expression():
+    names = {"names": ["m", "v"], "equals": "m*v"}
+    assert read("v m", **names)["verdict"] == "equal"
+    different = read("m/v", **names)
+    assert different["verdict"] == "different"
+    at = different["counterexample"]
+    assert at["m"] / at["v"] != pytest.approx(at["m"] * at["v"])
+    alone = read("m v", names=["m", "v"])
+    assert (alone["field"], alone["read"], alone["verdict"]) == ("expression", "m*v", None)
+
+
+@pytest.mark.parametrize("field", ["quantity", "unit", "expression"])
+def test_what_cannot_be_read_says_where_and_why(field):
+    found = read("8.6 furlong *", field=field, names=["m"])
+    assert found["status"] == "refused"
+    assert found["why"]
+    assert found["read"] is found["value"] is found["verdict"] is None
+
+
+@pytest.mark.parametrize(
+    "case", [None, 3, [], {}, {"text": 3}, {"text": "5", "field": "poem"}, {"text": "5", "unit": 3}, {"text": "m", "names": ["m"], "equals": "m*"}]
+)  # fmt: skip
+def test_what_is_no_case(case):
+    with pytest.raises(BadCase):
+        read_case(case)
