@@ -219,7 +219,8 @@ def test_hand_ins_that_do_not_fit_have_a_defined_outcome(
     shutil.copy(place / "pair.ipynb", place / "pair (1).ipynb")
     (place / "pair.ipynb").rename(place / "pair (2).ipynb")
     status, told, said = grade(pair, course)
-    assert status == 0
+    assert status == 0, "the run is finished; what is wrong with whose file is listed"
+    assert grade(pair, course, "--strict")[0] == 1
     assert told["strangers"] == ["zoe"]
     assert "zoe handed in but is not on the roster" in said
     assert "zoe" not in told["students"]
@@ -245,7 +246,15 @@ def test_a_regrade_shows_who_changes_before_it_writes(
     assert "ben" in said
     assert in_gradebook(course) == before
     assert len(list(history(course, "pair"))) == len(ROSTER)
-    _, told, _ = grade(own, course, "--regrade")
+    assert told["written"] is False
+    assert "nothing was written" in said
+    status, told, said = grade(own, course, "--regrade")
+    assert (status, told["written"]) == (1, False), "there is nobody to ask"
+    assert "--yes agrees" in said
+    assert in_gradebook(course) == before
+    status, told, _ = grade(own, course, "--regrade", "--yes")
+    assert (status, told["written"]) == (0, True)
     assert [each["student"] for each in told["changed"]] == ["ben"]
+    assert told["changed"][0]["why"] == "changed: what the set gives for a verdict"
     assert in_gradebook(course) != before
     assert len(list(history(course, "pair"))) == 2 * len(ROSTER)

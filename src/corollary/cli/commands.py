@@ -193,6 +193,7 @@ _command(
     JSON,
     flag("--regrade", "Mark again what is marked, and show first who changes."),
     flag("--dry-run", "Mark, show who changes, and write nothing."),
+    flag("--yes", "Move marks that were given already without asking."),
     flag(
         "--strict", "Status 1, too, where students' files could not be opened, run, or matched to a student."
     ),
@@ -224,6 +225,25 @@ _command(
     flag("--remove", "Take back the extension or the excuse."),
     click.Option(
         ["--list", "listing"], is_flag=True, help="Who has which; of STUDENT, or of SET, when named."
+    ),
+    JSON,
+)
+_command(
+    "mark",
+    "Marking by hand, all answers to one part together: a page on this machine.",
+    SET,
+    COURSE,
+    GENERATED_BANK,
+    click.Option(["--all", "everything"], is_flag=True, help="Also what the program marked."),
+    flag("--names", "Show whose the answers are."),
+    flag("--terminal", "Mark in the terminal instead."),
+    several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
+    click.Option(
+        ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."
+    ),
+    flag("--no-browser", "Print the page's address, and open nothing."),
+    click.Option(
+        ["--port"], type=click.IntRange(0, 65535), default=0, help="The page's port; any when left out."
     ),
     JSON,
 )

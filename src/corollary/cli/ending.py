@@ -39,6 +39,7 @@ RAISED = {
     "corollary.course.release": ["NoSheets"],
     "corollary.course.roster": ["OneFolder"],
     "corollary.nbgrader.gradebook": ["NoNbgrader", "GradebookLocked", "GradebookUnusable", "NotRegistered"],
+    "corollary.nbgrader.marking": ["NotMarkable"],
     "corollary.nbgrader.config": ["NotOurs", "BrokenConfig"],
     "corollary.sandbox.isolation": ["WeakIsolation"],
     "corollary.sandbox.zygote": ["CannotStart"],

@@ -9,12 +9,14 @@ from typing import Any
 
 import msgspec
 
+from corollary.cli.asking import agreed
 from corollary.cli.dates import reveal_now, warn_of_grading_early
 from corollary.cli.ending import FAILS, HOLDS, answer, say
 from corollary.cli.progress import countdown
 from corollary.course.cluster import on_cluster
 from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
+from corollary.messages import visible
 from corollary.records.files import one_writer, open_course
 from corollary.records.origin import set_of
 from corollary.records.regrading import Change
@@ -34,6 +36,7 @@ def run(
     executor: str = "",
     dry_run: bool = False,
     reveal: bool = False,
+    yes: bool = False,
     strict: bool = False,
 ) -> int:
     opened = open_course(course)
@@ -49,7 +52,7 @@ def run(
             partial(Runner, require=require),
             regrade=regrade,
             dry_run=dry_run,
-            show=show_changes,
+            ask=partial(ask, as_json=as_json, yes=yes),
             progress=progress,
             jobs=jobs,
             execute=on_cluster(executor) if executor else None,
@@ -63,7 +66,7 @@ def run(
     if done.refilled:
         say(
             f"the gradebook or autograded/ lacked the marks of {', '.join(done.refilled)}, which were recorded before: they are marked and "
-            "written anew; what a person had given them is there only if the gradebook still had it"
+            "written anew, with what persons gave"
         )
     for student, why in done.not_run.items():
         say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
@@ -72,9 +75,24 @@ def run(
     if as_json:
         answer(document(problem_set.name, done))
     else:
+        if dry_run:
+            show_changes(done.changed, as_json=False)
         show(done)
-    # What students' files are like is listed, and no failing of the run: only a script that wants to know is told by the status.
-    return FAILS if done.not_run or (strict and (done.failed or done.strangers or done.unclear)) else HOLDS
+    if dry_run:
+        say("nothing was written: this was a dry run")
+    refused = not dry_run and not done.written
+    broken = bool(done.failed or done.strangers or done.unclear)
+    return FAILS if refused or done.not_run or (strict and broken) else HOLDS
+
+
+def ask(changed: tuple[Change, ...], *, as_json: bool, yes: bool) -> bool:
+    """Shows whose marks would move, from what to what and why, and asks whether they may."""
+    show_changes(changed, as_json=as_json)
+    count = sum(each.moves_points for each in changed)
+    return agreed(
+        f"Marks that {count} {'student has' if count == 1 else 'students have'} already would move. Write them?",
+        yes,
+    )
 
 
 FIELDS = ("points", "out_of", "parts", "isolation", "trouble", "late", "notes")
@@ -98,6 +116,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
         "in_gradebook": done.in_gradebook,
         "report": str(done.page),
         "unclear": {student: list(names) for student, names in done.unclear.items()},
+        "written": done.written,
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
             student: {each: msgspec.to_builtins(getattr(record, each)) for each in FIELDS}
@@ -106,24 +125,28 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
     }
 
 
-def show_changes(changed: tuple[Change, ...]) -> None:
-    """Who changes and by how much, on standard error, before anything is written."""
+def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
+    """Who changes, from what to what, and why; on standard output, unless a document goes there."""
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    console = Console(stderr=True)
+    console = Console(stderr=as_json)
     if not changed:
         console.print("nobody's marks change")
         return
     table = Table(title="Whose marks change", title_justify="left", title_style="bold")
-    for heading in ("student", "had", "gets", "by", "parts"):
-        table.add_column(heading, justify="left" if heading in {"student", "parts"} else "right")
+    for heading in ("student", "had", "gets", "by", "parts", "why"):
+        table.add_column(
+            heading, justify="left" if heading in {"student", "parts", "why"} else "right", overflow="fold"
+        )
     for each in changed:
         parts = "; ".join(
             f"{part.part}: {part.verdict_before or 'nothing'} to {part.verdict or 'nothing'} ({part.after - part.before:+g})"
             for part in each.parts
         )
-        table.add_row(each.student, f"{each.before:g}", f"{each.after:g}", f"{each.by:+g}", parts)
+        numbers = (f"{each.before:g}", f"{each.after:g}", f"{each.by:+g}")
+        table.add_row(*(Text(visible(word)) for word in (each.student, *numbers, parts, each.why)))
     console.print(table)
 
 

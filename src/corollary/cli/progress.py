@@ -71,6 +71,8 @@ def _drawn(what: str, total: int | None, done: int) -> Generator[Callable[[str, 
         elif total is not None:
             left = total - count + 1
         progress.update(task, advance=1, name=name, pace=pace(moments, left))
+        if left == 0:
+            progress.stop()  # what comes now may be a question
 
     try:
         yield step

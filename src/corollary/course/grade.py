@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,25 +15,27 @@ from corollary.atomic import write_whole
 from corollary.course.generate import source_notebook
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
-from corollary.grading.submission import GradingContext, state_of
+from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.marks import current_manual, stale_pages, synchronized, write_graded
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
+from corollary.records.causes import dependencies, is_handed_in_anew, why
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.marks import (
     page_facts_place,
     read_marks,
+    read_record,
     read_records,
     report_place,
     settle,
     write_page,
 )
-from corollary.records.record import Record
-from corollary.records.regrading import Change, changes
+from corollary.records.record import Record, with_manual
+from corollary.records.regrading import Change, change, largest_first
 from corollary.records.report_model import Report, report_of
 from corollary.records.settings import read_settings
 from corollary.records.submission import fingerprint, read_submission, submissions, unclear
@@ -52,7 +54,8 @@ class NotGenerated(LookupError):
 class Outcome:
     """What a run of grading did. `not_run` are those whose notebook the machine failed to run, with a sentence: nothing is
     recorded for them, and the next run marks them. `records` holds every student's marks, those skipped included; `refilled`
-    are those who had marks on record that nbgrader no longer had."""
+    are those who had marks on record that nbgrader no longer had. `changed` are those whose marks are others than before, or would
+    be: when not all of it is `written`, those whose points move are as they were."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -63,6 +66,7 @@ class Outcome:
     report: Report
     page: Path
     changed: tuple[Change, ...] = ()
+    written: bool = True
     unclear: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     not_run: Mapping[str, str] = field(default_factory=dict)
     refilled: tuple[str, ...] = ()
@@ -76,7 +80,7 @@ def grade_set(
     *,
     regrade: bool = False,
     dry_run: bool = False,
-    show: Callable[[tuple[Change, ...]], None] = lambda changed: None,
+    ask: Callable[[tuple[Change, ...]], bool] = lambda changed: True,
     progress: Callable[[str, int], None] = lambda student, left: None,
     jobs: int | None = None,
     execute: Execute | None = None,
@@ -85,7 +89,8 @@ def grade_set(
 ) -> Outcome:
     """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
 
-    A regrade marks everything first and shows who changes before anything is written; a dry run writes nothing at all.
+    Marks already given are moved only when `ask` agrees to the changes, unless the student handed in something else; a regrade
+    marks everything again; a dry run writes nothing at all, and asks nothing.
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
     `begin` is called before the first notebook is run. `now` (None: this moment) decides what is revealed.
     `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
@@ -105,6 +110,7 @@ def grade_set(
     state = state_of(problem_set, solutions)
     deadlines, moment = read_deadlines(course, problem_set), now or datetime.now(UTC)
     terms = {student: deadlines.terms(student, moment) for student in files}
+    by_name = state_by_name(problem_set, solutions)
     digests = {
         student: fingerprint(course, name, student, path, assigned[student], state, terms[student])
         for student, path in files.items()
@@ -118,16 +124,33 @@ def grade_set(
     }
     written = _written(course, problem_set, done, dry_run)
     todo = [student for student in digests if regrade or student not in written]
-    waiting = (
-        read_submission(course, problem_set, roster[one], files[one], assigned[one], digests[one], terms[one])
-        for one in todo
-    )
+
+    def submission(one: str) -> Submission:
+        about = assigned[one], terms[one]
+        depends = dependencies(course, name, one, files[one], *about, by_name)
+        read = read_submission(
+            course, problem_set, roster[one], files[one], assigned[one], digests[one], terms[one]
+        )
+        return replace(read, depends=depends)
+
+    waiting = map(submission, todo)
     given = manual.by_student(name)
 
     def write(one: GradedSubmission, book: Gradebook | None) -> None:
         write_graded(course, problem_set, one, given.get(one.marked.student.id, {}), book)
 
+    def change_by(one: GradedSubmission) -> Change | None:
+        """How marks already given would change; None as well where the student handed in something else."""
+        student, depends = one.marked.student.id, one.submission.depends
+        old = read_record(course, problem_set, student)
+        if old is None or (not dry_run and is_handed_in_anew(course, name, student, old, depends)):
+            return None
+        by_hand = given.get(student, {})
+        found = change(student, with_manual(old, by_hand), with_manual(one.record, by_hand))
+        return None if found is None else found.because(why(old, depends))
+
     held: list[GradedSubmission] = []
+    found: list[Change] = []
     not_run: dict[str, str] = {}
     changed: tuple[Change, ...] = ()
     if todo:
@@ -142,16 +165,21 @@ def grade_set(
             for place, one in enumerate(graded, start=1):
                 if one.marked.machine_failed:
                     not_run[one.submission.student.id] = one.marked.trouble
-                elif regrade or dry_run:
-                    held.append(one)
                 else:
-                    write(one, book)
+                    moved = change_by(one)
+                    found += [moved] if moved is not None else []
+                    if dry_run or (moved is not None and moved.moves_points):
+                        held.append(one)
+                    else:
+                        write(one, book)
                 progress(one.submission.student.id, len(todo) - place)
-            changed = changes(read_records(course, problem_set, todo), (one.marked for one in held))
-            if regrade or dry_run:
-                show(changed)
-            for one in held if not dry_run else ():
-                write(one, book)
+            changed = largest_first(found)
+            agreed = not held if dry_run else not held or ask(changed)
+            if agreed:
+                for one in held:
+                    write(one, book)
+                held = []
+    unwritten = set[str]() if dry_run else {one.marked.student.id for one in held}
     records = read_marks(course, problem_set, files, manual)
     if not dry_run:
         programs_own = read_records(course, problem_set, files)
@@ -165,7 +193,8 @@ def grade_set(
         for student, text in stale_pages(course, name, manual, files).items():
             write_page(course, name, student, text)
     return Outcome(
-        graded=tuple(student for student in todo if student not in not_run),
+        graded=tuple(student for student in todo if student not in not_run and student not in unwritten),
+        written=not unwritten and not dry_run,
         skipped=tuple(student for student in digests if student not in todo),
         failed=(*not_run, *(one.student for one in report.failed if one.student not in not_run)),
         strangers=strangers,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from typing import TYPE_CHECKING
 
@@ -34,7 +34,8 @@ _ = catalogue(__name__)
 class Submission:
     """What a student handed in: its bytes (or why there are none), the variants that the student was given, how late it is
     in seconds, the fingerprint of all that its marks and its page depend on, whether its feedback may give right values by
-    now, the student's own deadline, and earlier marks of parts that are not asked any more."""
+    now, the student's own deadline, earlier marks of parts that are not asked any more, and a digest of each thing that the
+    marks depend on, by name."""
 
     student: Student
     content: bytes | Unreadable
@@ -44,6 +45,8 @@ class Submission:
     reveal: bool = False
     due: datetime | None = None
     retained: tuple[Grade, ...] = ()
+    depends: Mapping[str, str] = field(default_factory=dict)
+    rubric: bool = False  # whether the student may read by now what answers in words are marked by
 
     @property
     def notebook(self) -> Notebook | Unreadable:
@@ -120,3 +123,16 @@ def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
         for content in (problem.path.read_bytes(), solutions.source(problem)):
             digest.update(len(content).to_bytes(8, "big") + content)
     return digest.hexdigest()
+
+
+def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, bytes]:
+    """What `state_of` is a digest of, thing by thing, under the names that people read. Raises NotDerivable."""
+    found = {
+        "what the set gives for a verdict": repr(problem_set.scheme).encode(),
+        "the weights of the problems": repr(problem_set.weights).encode(),
+        "the version of the program": __version__.encode(),
+    }
+    for problem in problem_set.problems:
+        found[f"the problem {problem.code}"] = problem.path.read_bytes()
+        found[f"the solution of {problem.code}"] = solutions.source(problem)
+    return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from functools import lru_cache
 from pathlib import Path
@@ -11,10 +11,11 @@ from pathlib import Path
 from nbformat import NotebookNode
 
 from corollary.grading.solutions import Solutions
-from corollary.grading.submission import GradingContext, Submission, state_of
+from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import Bank
 from corollary.records.assigned import is_assigned, read_assigned
+from corollary.records.causes import dependencies
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
 from corollary.records.origin import read_origin
@@ -71,6 +72,9 @@ def assignment_of(about: Mapping[str, str]) -> Assignment | None:
     terms = read_deadlines(course, problem_set).terms(student, datetime.now(UTC))
     digest = fingerprint(course, name, student, path, assigned[student], state, terms)
     submission = read_submission(course, problem_set, who, path, assigned[student], digest, terms)
+    by_name = state_by_name(problem_set, Solutions(bank))
+    depends = dependencies(course, name, student, path, assigned[student], terms, by_name)
+    submission = replace(submission, depends=depends)
     context = GradingContext(problem_set, _solutions(bank, state), course.key, Runner)
     return Assignment(course, submission, context)
 

@@ -42,7 +42,7 @@ class GradedSubmission:
     @property
     def record(self) -> Record:
         """What is recorded of it: the program's own marks."""
-        return record_of(self.marked, self.submission.fingerprint, self.answers)
+        return record_of(self.marked, self.submission.fingerprint, self.answers, self.submission.depends)
 
     def page_with(self, manual: OfStudent) -> str:
         """The feedback page with what a person gave."""
@@ -72,7 +72,13 @@ def not_graded(context: GradingContext, submission: Submission, why: str) -> Gra
 def graded(problem_set: ProblemSet, submission: Submission, found: MarkedSubmission) -> GradedSubmission:
     """All that is to be written of marked work."""
     marked = found.marked
-    facts = page_facts(marked, problem_set, solutions=found.worked_solutions, due=submission.due)
+    facts = page_facts(
+        marked,
+        problem_set,
+        solutions=found.worked_solutions,
+        due=submission.due,
+        rubric=submission.rubric,
+    )
     node = marked_notebook(marked, problem_set, found.notebook)
     return GradedSubmission(
         replace(submission, content=b""),

@@ -58,7 +58,7 @@ def synchronize(course: Course, book: Gradebook) -> ManualMarks:
     newer = _newer(course, book, journal)
     if _is_older(book, journal):
         given = {name: journal.by_student(name) for name in {place.set_name for place in journal.by_place}}
-        for notebook, (name, student) in _notebooks(book, set(given)):
+        for notebook, (name, student) in submitted_notebooks(book, set(given)):
             if not is_blank(notebook) and student in given[name]:
                 fill(notebook, given[name][student], stored_record(course, name, student))
     _weigh_lateness(course, book)
@@ -139,7 +139,9 @@ def _newer(course: Course, book: Gradebook, journal: ManualMarks) -> dict[Place,
     gone = {place for place, mark in journal.by_place.items() if mark.is_given and place not in there}
     if gone:
         written = {
-            key for notebook, key in _notebooks(book, {p.set_name for p in gone}) if not is_blank(notebook)
+            key
+            for notebook, key in submitted_notebooks(book, {p.set_name for p in gone})
+            if not is_blank(notebook)
         }
         found |= {place: NOTHING for place in gone if (place.set_name, place.student) in written}
     return found
@@ -202,7 +204,9 @@ def _part_of(cell: str, parts: set[str]) -> str:
     return next((each for each in candidates if each in parts), cell)
 
 
-def _notebooks(book: Gradebook, sets: set[str]) -> Iterator[tuple[SubmittedNotebook, tuple[str, str]]]:
+def submitted_notebooks(
+    book: Gradebook, sets: set[str]
+) -> Iterator[tuple[SubmittedNotebook, tuple[str, str]]]:
     """The submissions to these sets, with the names of set and student."""
     for assignment in book.assignments:
         for submission in assignment.submissions if assignment.name in sets else ():

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
+from corollary.answers.verdict import Unmarked
 from corollary.grading.grade import Marked, PartGrade
 from corollary.messages import catalogue
 from corollary.nbgrader.safe import safe_attachments, safe_markdown, safe_outputs
@@ -19,27 +20,45 @@ from corollary.notebook.locate import cells_by_id
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
 from corollary.render.wording import look
 from corollary.sandbox.result import CellRun
 
 _ = catalogue(__name__)
+NOBODY = Student("")
 FOLDED_AWAY = "# The code of check() is left out of the marked notebook."
 
 
 def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: NotebookNode | None) -> NotebookNode:
-    """What formgrader shows and feedback is made from: the student's sheet with their answers, and what is said of them."""
-    sheet = worksheet(problem_set, marked.student, (grade.variant for grade in marked.grades))
+    """What formgrader and `corollary mark` show: the student's sheet with their answers, what is said of them, and what a
+    person is to mark them by. Nothing of ours in it says whose it is: marking is anonymous."""
+    sheet = worksheet(problem_set, NOBODY, (grade.variant for grade in marked.grades))
     nb = restored(sheet, submitted, marked.runs)
     verdicts = dict(part_grades(marked))
     for cell in nb.cells:
         mark = cell.metadata.get("nbgrader")
         if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
             cell.outputs = [_verdict(verdicts[cell.id])]
-    remarks = [f"> **{safe_markdown(text)}**" for text in (marked.trouble, *marked.notes) if text]
+    _add_rubrics(nb, verdicts)
+    noticed = _("Something was noticed in this notebook; the report says what.") if marked.notes else ""
+    remarks = [f"> **{safe_markdown(text)}**" for text in (marked.trouble, noticed) if text]
     nb.cells[1:1] = [
         new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)
     ]
     return nb
+
+
+def _add_rubrics(nb: NotebookNode, verdicts: Mapping[str, PartGrade]) -> None:
+    """Below the cell that carries the points of a part which waits for a person: what a good answer says."""
+    cells: list[NotebookNode] = []
+    for cell in nb.cells:
+        cells.append(cell)
+        grade = verdicts.get(cell.id)
+        if grade is not None and isinstance(grade.verdict, Unmarked) and grade.verdict.rubric:
+            items = "\n".join(f"> - {item}" for item in grade.verdict.rubric)
+            heading = _("To mark it by ({points} points)", points=f"{grade.out_of:g}")
+            cells.append(new_markdown_cell(f"> **{heading}**\n>\n{items}", id=f"{cell.id}_rubric"))
+    nb.cells = cells
 
 
 def restored(sheet: Worksheet, submitted: NotebookNode | None, runs: Iterable[CellRun] = ()) -> NotebookNode:

@@ -42,6 +42,7 @@ class ProblemSet:
     scheme: Scheme
     reveal: Reveal
     opens: datetime | None = None
+    rubric: bool = False
 
     def weight(self, problem: Problem) -> float:
         """1 for a problem that is no longer in the set."""
@@ -97,6 +98,11 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
             f"reveal: {reveal}: say yes or after due (feedback shows the worked solution once the set is due), "
             "after extensions, by hand, or no",
         )
+    rubric, rubric_line = front.line_of("rubric", "no")
+    if rubric not in {"yes", "no"}:
+        front.complain(
+            rubric_line, f"rubric: {rubric}: say yes (feedback shows it once the set is due) or no"
+        )
     scheme = _scheme(path, front.table_of("credit"), complaints)
     chosen = _problems(bank, front)
     front.finish()
@@ -107,7 +113,9 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
     if complaints:
         raise Malformed(complaints)
     problems, weights = zip(*chosen, strict=True)
-    return ProblemSet(path.stem, title, body.strip(), problems, weights, due, scheme, REVEAL[reveal], opens)
+    return ProblemSet(
+        path.stem, title, body.strip(), problems, weights, due, scheme, REVEAL[reveal], opens, rubric == "yes"
+    )
 
 
 def _date(front: Reader, name: str, usual: Usual) -> datetime | None:

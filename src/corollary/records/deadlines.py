@@ -24,11 +24,13 @@ class Extension(msgspec.Struct, frozen=True):
 
 @dataclass(frozen=True, slots=True)
 class Terms:
-    """What holds for one student in one set: `due` is the own deadline, `reveal` whether right values may be seen by now."""
+    """What holds for one student in one set: `due` is the own deadline, `reveal` whether right values may be seen by now, and
+    `rubric` whether by what answers in words are marked may."""
 
     due: datetime | None = None
     excused: bool = False
     reveal: bool = False
+    rubric: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,7 @@ class Deadlines:
     reveal: Reveal
     extensions: Mapping[str, Extension]
     by_hand: bool = False
+    rubric: bool = False
 
     def of(self, student: str) -> datetime | None:
         """A student's own deadline: an extension never shortens what everybody has."""
@@ -60,7 +63,9 @@ class Deadlines:
         due, excused = self.of(student), self.excused(student)
         until = {"no": None, "by hand": None, "after due": due, "after extensions": self.last}[self.reveal]
         revealed = self.reveal in {"after due", "after extensions"} and (until is None or now > until)
-        return Terms(due, excused, revealed or (self.reveal == "by hand" and self.by_hand))
+        over = self.last if self.reveal == "after extensions" else due
+        rubric = self.rubric and (over is None or now > over)
+        return Terms(due, excused, revealed or (self.reveal == "by hand" and self.by_hand), rubric)
 
     def excused(self, student: str) -> bool:
         return self.extensions.get(student, Extension()).excused
@@ -75,7 +80,9 @@ def read_deadlines(course: Course, problem_set: ProblemSet) -> Deadlines:
     """The dates of a set as they are now. Raises NotACourse when the record of an extension is damaged."""
     name = problem_set.name
     own = read_extensions(course, name)
-    return Deadlines(problem_set.due, problem_set.reveal, own, _revealed(course, name).exists())
+    return Deadlines(
+        problem_set.due, problem_set.reveal, own, _revealed(course, name).exists(), problem_set.rubric
+    )
 
 
 def read_extensions(course: Course, set_name: str) -> dict[str, Extension]:

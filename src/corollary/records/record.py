@@ -30,6 +30,7 @@ class Row(msgspec.Struct, frozen=True):
     error: str = msgspec.field(default="", name="said")  # in the files of courses by its older name
     why: str = ""
     by_hand: bool = False
+    rubric: tuple[str, ...] = ()
     again: bool = False  # the answer is another than the one a person marked
 
     @property
@@ -70,7 +71,7 @@ class PartRecord(msgspec.Struct, frozen=True):
 class Record(msgspec.Struct, frozen=True):
     """How a student's marks in one set came about: answers, verdicts, variants, isolation, and the fingerprint of all that
     they depend on. Parts go by their name in the notebook (X12_5_a); `late` in seconds; `answers` holds a digest of what the
-    student wrote for each."""
+    student wrote for each, `depends` one of everything else that the marks depend on, by name."""
 
     points: float
     out_of: float
@@ -86,6 +87,7 @@ class Record(msgspec.Struct, frozen=True):
     notes: tuple[str, ...] = ()
     version: str = ""
     answers: dict[str, str] = {}
+    depends: dict[str, str] = {}
 
     def is_other_answer(self, part: str, mark: ManualMark) -> bool:
         """Whether a person's mark was given for another answer than the one that lies there now."""
@@ -93,13 +95,19 @@ class Record(msgspec.Struct, frozen=True):
         return bool(mark.answer and now) and mark.answer != now
 
 
-def record_of(marked: Marked, fingerprint: str, answers: Mapping[str, str] = MappingProxyType({})) -> Record:
-    """What is recorded of a submission's marks; `answers` is a digest of what was written for each part."""
+def record_of(
+    marked: Marked,
+    fingerprint: str,
+    answers: Mapping[str, str] = MappingProxyType({}),
+    depends: Mapping[str, str] = MappingProxyType({}),
+) -> Record:
+    """What is recorded of a submission's marks; `answers` is a digest of what was written for each part, `depends` of all else."""
     about = {
         "fingerprint": fingerprint,
         "handed_in": handed_in(marked),
         "rows": rows(marked),
         "answers": dict(answers),
+        "depends": dict(depends),
     }
     return msgspec.convert(marked_record(marked) | about | {"version": __version__}, Record)
 
@@ -130,6 +138,7 @@ def rows(marked: Marked) -> tuple[Row, ...]:
             part.points,
             part.out_of,
             *_reasons(part.verdict),
+            rubric=part.verdict.rubric if isinstance(part.verdict, Unmarked) else (),
         )
         for grade in marked.grades
         for part in grade.parts

@@ -1,9 +1,9 @@
-"""What a corrected solution changes: whose points, by how much, and in which parts; known before anything is written."""
+"""What a corrected solution changes: whose points, by how much, in which parts, and why; known before anything is written."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.grading.grade import Marked
 from corollary.records.record import PartRecord, Record, record_of
@@ -25,29 +25,47 @@ class PartChange:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One student whose marks change: points after lateness, before and after, and every part that differs."""
+    """One student whose marks change: points after lateness, before and after, every part that differs, and why."""
 
     student: str
     before: float
     after: float
     parts: tuple[PartChange, ...]
+    why: str = ""
 
     @property
     def by(self) -> float:
         return self.after - self.before
 
+    @property
+    def moves_points(self) -> bool:
+        """Whether any points move; else a part is only called otherwise."""
+        return abs(self.by) >= CENT or any(abs(part.after - part.before) >= CENT for part in self.parts)
+
+    def because(self, why: str) -> Change:
+        return replace(self, why=why)
+
+
+def change(student: str, old: Record, new: Record) -> Change | None:
+    """What is otherwise in the new marks of one student; None when nothing is."""
+    parts = tuple(_parts(old.parts, new.parts))
+    if not parts and abs(new.points - old.points) < CENT:
+        return None
+    return Change(student, old.points, new.points, parts)
+
 
 def changes(records: Mapping[str, Record], new_marked: Iterable[Marked]) -> tuple[Change, ...]:
     """Who had marks and gets others, the largest change first; who is marked for the first time changes nothing."""
-    found: list[Change] = []
-    for marked in new_marked:
-        old = records.get(marked.student.id)
-        if old is None:
-            continue
-        new = record_of(marked, "")
-        parts = tuple(_parts(old.parts, new.parts))
-        if parts or abs(new.points - old.points) >= CENT:
-            found.append(Change(marked.student.id, old.points, new.points, parts))
+    found = (
+        change(marked.student.id, records[marked.student.id], record_of(marked, ""))
+        for marked in new_marked
+        if marked.student.id in records
+    )
+    return largest_first(each for each in found if each is not None)
+
+
+def largest_first(found: Iterable[Change]) -> tuple[Change, ...]:
+    """The order in which people read them."""
     return tuple(sorted(found, key=lambda one: (-abs(one.by), one.student)))
 
 

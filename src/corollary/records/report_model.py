@@ -50,10 +50,13 @@ class Met:
 
 @dataclass(frozen=True, slots=True)
 class Waiting:
+    """One answer that waits for a person, and the rubric to mark it by."""
+
     student: str
     problem: str
     part: str
     why: str
+    rubric: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,7 +164,7 @@ def report(
         tuple(rows),
         tuple(_tally(problem, part, its) for (problem, part), its in by_part.items()),
         tuple(sorted(found, key=lambda one: (-len(one.students), one.verdict, one.problem, one.part))),
-        tuple(Waiting(row.student, row.problem, row.part, row.why) for row in rows if row.waits),
+        tuple(Waiting(row.student, row.problem, row.part, row.why, row.rubric) for row in rows if row.waits),
         tuple(student for student in roster if student not in came and student not in (unusable or {})),
         tuple(shared),
         tuple((unusable or {}).items()),

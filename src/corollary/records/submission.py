@@ -99,6 +99,7 @@ def read_submission(
         terms.reveal,
         terms.due,
         retained(course, problem_set, student.id, assigned),
+        rubric=terms.rubric,
     )
 
 
@@ -118,7 +119,8 @@ def fingerprint(
         content if isinstance(content, bytes) else content.why.encode(),
         str(handed_in(course, set_name, student)).encode(),
         assigned.identity.encode(),
-        repr((terms.due and terms.due.isoformat(), terms.excused, terms.reveal)).encode(),
+        repr((terms.due and terms.due.isoformat(), terms.excused, terms.reveal)).encode()
+        + (b" rubric" if terms.rubric else b""),
         state.encode(),
     ):
         digest.update(len(each).to_bytes(8, "big") + each)

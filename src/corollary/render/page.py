@@ -20,10 +20,13 @@ from corollary.render.wording import percent, points, points_earned
 _ = catalogue(__name__)
 
 
-def page(template: str, *, title: str, lang: str = "en", script: str = "", **facts: object) -> str:
+def page(
+    template: str, *, title: str, lang: str = "en", script: str = "", sends: bool = False, **facts: object
+) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
 
-    `script` names a file of `templates/`. Nothing else runs, and nothing is fetched: the page's own policy forbids both.
+    `script` names a file of `templates/`. Nothing else runs, and nothing is fetched: the page's own policy forbids both,
+    but that a page which `sends` may answer the server that it came from.
     """
     body = environment().get_template(template).render(**facts)
     style = _style("<math" in body)
@@ -35,7 +38,7 @@ def page(template: str, *, title: str, lang: str = "en", script: str = "", **fac
             title=title,
             lang=lang,
             body=Markup(body),
-            policy=_policy(style, program),
+            policy=_policy(style, program) + ("; connect-src 'self'" if sends else ""),
             style=Markup(style),
             script=Markup(program),
         )

@@ -95,6 +95,7 @@ def report_page(report: Report, problem_set: ProblemSet, *, formgrader: str = ""
         intervals=intervals([one.points for one in report.handed_in], report.out_of),
         bars={(part.problem, part.part): tuple(_bar(part)) for part in report.parts},
         waiting=_waiting(report),
+        rubrics={(one.problem, one.part): one.rubric for one in report.waiting if one.rubric},
         students=_lines(report),
         places=Places(problem_set.name, (formgrader or FORMGRADER).rstrip("/"), course),
     )

@@ -1,0 +1,161 @@
+"""`corollary mark`: marking by hand, all answers to one part together; on a local page, in the terminal, or by a script."""
+
+from __future__ import annotations
+
+import csv
+import getpass
+import webbrowser
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.mark_terminal import mark_in_terminal
+from corollary.course.one_page_server import OnePageServer
+from corollary.course.up_to_date import up_to_date
+from corollary.nbgrader.marking import NotMarkable, give_marks, part_named, to_mark
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.answers_to_mark import PartToMark
+from corollary.records.files import Course, open_course
+from corollary.records.manual import ManualMark
+from corollary.records.origin import set_of
+from corollary.render.marking_page import marking_page
+
+Marks = dict[tuple[str, str], ManualMark]
+
+
+def run(
+    name: str,
+    course: Path,
+    bank: Path | None,
+    as_json: bool,
+    everything: bool,
+    names: bool,
+    terminal: bool,
+    given: list[str],
+    file: Path | None,
+    no_browser: bool,
+    port: int = 0,
+) -> int:
+    opened = open_course(course)
+    _, problem_set = set_of(opened, name, bank)
+    marks = _from_words(problem_set, given) | (_from_file(problem_set, file) if file else {})
+    if marks:
+        give_marks(opened, problem_set, marks)
+    elif terminal:
+        parts = to_mark(opened, problem_set, everything=everything)
+        mark_in_terminal(parts, lambda part, students, mark: _give(opened, problem_set, part, students, mark))
+    elif not as_json:
+        _serve(opened, problem_set, everything, names, no_browser, port)
+    if marks or terminal or not as_json:
+        up_to_date(opened, problem_set)  # the report's page, once for all marks
+    if as_json:
+        left = to_mark(opened, problem_set, everything=everything)
+        answer({"set": problem_set.name, "given": len(marks), "parts": [_record(each) for each in left]})
+    elif marks:
+        print(f"{len(marks)} {'mark' if len(marks) == 1 else 'marks'} given in {problem_set.name}")
+    return HOLDS
+
+
+def _serve(
+    course: Course, problem_set: ProblemSet, everything: bool, names: bool, no_browser: bool, port: int
+) -> None:
+    whose: dict[str, tuple[str, tuple[str, ...]]] = {}
+
+    def page() -> str:
+        parts = to_mark(course, problem_set, everything=everything)
+        ids: dict[tuple[str, int], str] = {}
+        for part in parts:
+            for place, group in enumerate(part.groups):
+                ids[part.key, place] = f"a{len(whose)}"
+                whose[f"a{len(whose)}"] = part.key, group.students
+        return marking_page(problem_set, parts, ids, names=names)
+
+    def receive(posted: dict[str, Any]) -> None:
+        try:
+            part, students = whose[str(posted["group"])]
+            score, comment = posted["points"], str(posted.get("comment") or "").strip()
+            score = None if score is None else float(score)
+        except (KeyError, TypeError):
+            raise NotMarkable("this page is of an earlier run; reload it") from None
+        _give(course, problem_set, part, students, ManualMark(score, None, comment or None, by=_who()))
+
+    page()  # what is wrong with the course is said before anything is opened
+    with OnePageServer(page, receive, port) as server:
+        print(server.address, flush=True)
+        say("this address is for you alone; ctrl-C ends it, and what you gave is saved")
+        if not no_browser:
+            webbrowser.open(server.address)
+        with suppress(KeyboardInterrupt):
+            server.serve_forever()
+
+
+def _give(
+    course: Course, problem_set: ProblemSet, part: str, students: Sequence[str], mark: ManualMark
+) -> None:
+    give_marks(course, problem_set, {(student, part): mark for student in students})
+
+
+def _from_words(problem_set: ProblemSet, given: list[str]) -> Marks:
+    """`ada/X12.5 d=1.5`, as often as you like."""
+    found: Marks = {}
+    for words in given:
+        place, equals, number = words.rpartition("=")
+        student, slash, part = place.rpartition("/")
+        if not equals or not slash:
+            refuse(f"--set {words}: write it as STUDENT/PART=POINTS, for instance ada/X12.5d=1.5")
+        found[student, part_named(problem_set, part)] = ManualMark(_points(number, words), by=_who())
+    return found
+
+
+def _from_file(problem_set: ProblemSet, file: Path) -> Marks:
+    found: Marks = {}
+    with file.open(encoding="utf-8-sig", newline="") as lines:
+        table = csv.DictReader(lines)
+        if missing := {"student", "part", "points"} - set(table.fieldnames or ()):
+            refuse(
+                f"{file}: the columns {', '.join(sorted(missing))} are missing; it needs student, part, points, and may have comment"
+            )
+        for row in table:
+            where = f"{file}:{table.line_num}"
+            part = part_named(problem_set, row["part"])
+            comment = (row.get("comment") or "").strip() or None
+            found[row["student"], part] = ManualMark(_points(row["points"], where), None, comment, by=_who())
+    return found
+
+
+def _points(text: str, where: str) -> float | None:
+    """A number with a point or a comma; nothing takes the mark back."""
+    if not text.strip():
+        return None
+    try:
+        return float(text.strip().replace(",", "."))
+    except ValueError:
+        refuse(f"{where}: {text} is no number of points")
+
+
+def _who() -> str:
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError, ImportError):
+        return ""
+
+
+def _record(part: PartToMark) -> dict[str, Any]:
+    groups = [
+        {
+            "students": list(group.students),
+            "answer": [cell.source for cell in group.cells],
+            "late": group.late,
+            "why": group.why,
+            "given": None if group.given is None else msgspec.to_builtins(group.given),
+            "again": group.again,
+        }
+        for group in part.groups
+    ]
+    about = {name: value for name, value in asdict(part).items() if name != "groups"}
+    return about | {"rubric": list(part.rubric), "groups": groups}

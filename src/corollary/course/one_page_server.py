@@ -1,0 +1,96 @@
+"""A server for one page on this machine: for who knows its address, and for no other site."""
+
+from __future__ import annotations
+
+import json
+import secrets
+from collections.abc import Callable
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from threading import Lock
+from typing import Any
+
+MOST_BYTES = 1 << 20
+
+
+class OnePageServer(ThreadingHTTPServer):
+    """Serves `page` below a secret path on 127.0.0.1, and hands what is posted to `PATH/give` to `receive`, one at a time.
+
+    `receive` takes the posted JSON and raises ValueError with a sentence for what it does not take.
+    """
+
+    daemon_threads = True
+
+    def __init__(
+        self, page: Callable[[], str], receive: Callable[[dict[str, Any]], None], port: int = 0
+    ) -> None:
+        super().__init__(("127.0.0.1", port), _Handler)
+        self.page, self.receive = page, receive
+        self.token = secrets.token_urlsafe(24)
+        self.one_at_a_time = Lock()
+
+    @property
+    def address(self) -> str:
+        """What to open."""
+        return f"http://127.0.0.1:{self.server_port}/{self.token}/"
+
+
+class _Handler(BaseHTTPRequestHandler):
+    server: OnePageServer  # pyright: ignore[reportIncompatibleVariableOverride]
+
+    def do_GET(self) -> None:
+        if self._is_meant() and self.path == f"/{self.server.token}/":
+            with self.server.one_at_a_time:
+                text = self.server.page()
+            self._answer(HTTPStatus.OK, text, "text/html")
+        else:
+            self._answer(HTTPStatus.NOT_FOUND, "not found")
+
+    def do_POST(self) -> None:
+        size = self.headers.get("Content-Length", "")
+        if not self._is_meant() or self.path != f"/{self.server.token}/give":
+            return self._answer(HTTPStatus.NOT_FOUND, "not found")
+        # A form of another site cannot send JSON, and its script would have to say where it is from.
+        if self.headers.get("Content-Type") != "application/json" or not self._is_own_origin():
+            return self._answer(HTTPStatus.FORBIDDEN, "only this page may give marks")
+        if not size.isdigit() or int(size) > MOST_BYTES:
+            return self._answer(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, "too long")
+        try:
+            posted = json.loads(self.rfile.read(int(size)))
+            if not isinstance(posted, dict):
+                raise ValueError("a mark is an object")
+            with self.server.one_at_a_time:
+                self.server.receive(posted)
+        except (ValueError, RecursionError) as error:
+            return self._answer(HTTPStatus.BAD_REQUEST, str(error))
+        except (
+            Exception
+        ) as error:  # the gradebook is locked, the disk is full: the page says so, and the rest goes on
+            return self._answer(HTTPStatus.INTERNAL_SERVER_ERROR, str(error))
+        return self._answer(HTTPStatus.OK, "saved")
+
+    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
+        """Nothing: the address of each request holds the token."""
+
+    def _is_meant(self) -> bool:
+        """Whether the browser was told this very address: a name that somebody lets point here is another host."""
+        port = self.server.server_port
+        return self.headers.get("Host") in {f"127.0.0.1:{port}", f"localhost:{port}"}
+
+    def _is_own_origin(self) -> bool:
+        return self.headers.get("Origin") in {None, f"http://{self.headers.get('Host')}"}
+
+    def _answer(self, status: HTTPStatus, text: str, kind: str = "text/plain") -> None:
+        content = text.encode("utf-8", "replace")
+        self.send_response(status)
+        for name, value in {
+            "Content-Type": f"{kind}; charset=utf-8",
+            "Content-Length": str(len(content)),
+            "Cache-Control": "no-store",
+            "X-Content-Type-Options": "nosniff",
+            "X-Frame-Options": "DENY",
+            "Referrer-Policy": "no-referrer",
+        }.items():
+            self.send_header(name, value)
+        self.end_headers()
+        self.wfile.write(content)

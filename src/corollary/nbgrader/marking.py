@@ -1,0 +1,143 @@
+"""Answers laid out for a person to mark: part by part, those that are equal as one; and what is given, written at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import nbformat
+from msgspec import UNSET
+from nbformat import NotebookNode
+from nbformat.v4 import new_notebook
+
+from corollary.nbgrader.given import give
+from corollary.nbgrader.marked_notebook import answer_cells
+from corollary.nbgrader.marks import stale_pages, synchronized
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.answers_to_mark import AnswerGroup, PartToMark, WrittenCell
+from corollary.records.files import Course, one_writer, students
+from corollary.records.manual import ManualMark, Place
+from corollary.records.marks import read_marks, write_page
+from corollary.records.record import Record
+from corollary.render.wording import points
+
+
+class NotMarkable(ValueError):
+    """A mark that cannot be given; one sentence says why, and what to do."""
+
+
+def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False) -> list[PartToMark]:
+    """The parts with answers that wait for a person, or `everything`, in the order of the set. Raises NotACourse."""
+    with one_writer(course):
+        manual = synchronized(course)
+    roster = [student.id for student in students(course)]
+    records = read_marks(course, problem_set, roster, manual)
+    notebooks = {student: _notebook(course, problem_set, student) for student in records}
+    found: list[PartToMark] = []
+    for problem in problem_set.problems:
+        for part in problem.parts:
+            key = problem.answer_name(part)
+            whose = [
+                student
+                for student, record in records.items()
+                if key in record.parts and (everything or _waits(record, key))
+            ]
+            if whose:
+                groups = tuple(_groups(key, whose, records, notebooks))
+                entry = records[whose[0]].parts[key]
+                rubric = next((r for s in whose if (r := records[s].parts[key].rubric) is not UNSET), ())
+                found.append(
+                    PartToMark(key, problem.code, part.id, part.title, entry.out_of, tuple(rubric), groups)
+                )
+    return found
+
+
+def give_marks(course: Course, problem_set: ProblemSet, marks: Mapping[tuple[str, str], ManualMark]) -> None:
+    """Gives marks by student and part: into the gradebook, the journal and the feedback pages, before it returns.
+
+    Raises NotMarkable for a part or a student that is not marked yet, and for points that cannot be.
+    """
+    with one_writer(course):
+        manual = synchronized(course)
+        whose = sorted({student for student, _ in marks})
+        records = read_marks(course, problem_set, whose, manual)
+        given = {
+            Place(problem_set.name, student, part): _checked(records.get(student), student, part, mark)
+            for (student, part), mark in marks.items()
+        }
+        now = give(course, given)
+        for student, page in stale_pages(course, problem_set.name, now, whose).items():
+            write_page(course, problem_set.name, student, page)
+
+
+def part_named(problem_set: ProblemSet, name: str) -> str:
+    """The part's name in the notebook, from that or from `X12.5 d`. Raises NotMarkable."""
+    keys = {
+        problem.answer_name(part): (problem.code, part.id)
+        for problem in problem_set.problems
+        for part in problem.parts
+    }
+    wanted = "".join(name.split()).lower()
+    for key, (code, part) in keys.items():
+        if wanted in {key.lower(), f"{code}{part}".lower(), f"{code}.{part}".lower()}:
+            return key
+    raise NotMarkable(f"{problem_set.name} has no part {name}; it has {', '.join(keys)}")
+
+
+def _checked(record: Record | None, student: str, part: str, mark: ManualMark) -> ManualMark:
+    if record is None:
+        raise NotMarkable(f"nothing of {student} is graded; grade first, or correct the name")
+    if part not in record.parts:
+        raise NotMarkable(f"{student} was not asked {part}; it is one of {', '.join(record.parts)}")
+    most = record.parts[part].out_of
+    if mark.score is not None and not 0 <= mark.score <= most:
+        raise NotMarkable(f"{part} earns from 0 to {points(most)} points, not {mark.score:g}")
+    before = record.parts[part].manual
+    extra = None if before is UNSET else before.extra_credit
+    return ManualMark(mark.score, extra, mark.comment, record.answers.get(part, ""), mark.by)
+
+
+def _waits(record: Record, key: str) -> bool:
+    rows = zip(record.parts, record.rows, strict=True)
+    return any(row.waits for name, row in rows if name == key)
+
+
+def _groups(
+    key: str, whose: Sequence[str], records: Mapping[str, Record], notebooks: Mapping[str, NotebookNode]
+) -> Iterator[AnswerGroup]:
+    """Equal but for blanks and capitals. Answers with pictures are nobody else's, nor are those already marked otherwise."""
+    by_answer: dict[object, list[tuple[str, tuple[WrittenCell, ...]]]] = {}
+    for student in whose:
+        cells = tuple(_cells(notebooks[student], key))
+        manual = records[student].parts[key].manual
+        marked = None if manual is UNSET else (manual.score, manual.comment)
+        same = tuple(" ".join(cell.source.split()).lower() for cell in cells)
+        alone = student if any(cell.pictures for cell in cells) or not cells else ""
+        by_answer.setdefault((same, marked, alone), []).append((student, cells))
+    for equal in sorted(by_answer.values(), key=len, reverse=True):
+        first, cells = equal[0]
+        record, names = records[first], tuple(student for student, _ in equal)
+        manual = record.parts[key].manual
+        row = dict(zip(record.parts, record.rows, strict=True))[key]
+        late = sum(records[student].late > 0 for student in names)
+        yield AnswerGroup(names, cells, late, row.why, None if manual is UNSET else manual, row.again)
+
+
+def _cells(nb: NotebookNode, key: str) -> Iterable[WrittenCell]:
+    for cell in answer_cells(nb, key):
+        drawn = list((cell.get("attachments") or {}).values())
+        drawn += [output.get("data", {}) for output in cell.get("outputs", ())]
+        pictures = [
+            f"data:{mime};base64,{''.join(str(content).split())}"
+            for kinds in drawn
+            for mime, content in kinds.items()
+            if mime in {"image/png", "image/jpeg"}
+        ]
+        yield WrittenCell(str(cell.source), cell.cell_type == "code", tuple(pictures))
+
+
+def _notebook(course: Course, problem_set: ProblemSet, student: str) -> NotebookNode:
+    """The marked notebook, made harmless when it was written; an empty one where it is missing or broken."""
+    try:
+        return nbformat.read(course.notebook("autograded", student, problem_set.name), as_version=4)
+    except (OSError, ValueError, AttributeError, KeyError):
+        return new_notebook()

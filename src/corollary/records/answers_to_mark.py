@@ -1,0 +1,42 @@
+"""Answers laid out for a person to mark, part by part; those that are equal are one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from corollary.records.manual import ManualMark
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenCell:
+    """What a student wrote in one cell, and the pictures in it or below it as data URIs."""
+
+    source: str
+    is_code: bool
+    pictures: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerGroup:
+    """Equal answers to one part, marked together: `late` counts those that came late. `given` is what a person gave all of
+    them, `again` says that it was for another answer."""
+
+    students: tuple[str, ...]
+    cells: tuple[WrittenCell, ...]
+    late: int
+    why: str
+    given: ManualMark | None
+    again: bool
+
+
+@dataclass(frozen=True, slots=True)
+class PartToMark:
+    """One part with its answers; `key` is its name in the notebook."""
+
+    key: str
+    problem: str
+    part: str
+    title: str
+    out_of: float
+    rubric: tuple[str, ...]
+    groups: tuple[AnswerGroup, ...]

@@ -1,0 +1,138 @@
+"""`corollary mark`: equal answers marked once, by a script, in the terminal and by the page's server, which obeys nobody else."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from corollary.course.one_page_server import OnePageServer
+from corollary.records.files import Course
+
+from .conftest import STUDENTS, Done, grade, hand_in, run
+
+pytestmark = pytest.mark.whole
+PART = "X12_11_c"
+
+
+def mark(course: Course, *words: object) -> Done:
+    return run(course, "corollary", "mark", "words", "--course", ".", *words)
+
+
+def points(course: Course) -> dict[str, float | None]:
+    parts = grade(course).document["students"]
+    return {student: one["parts"][PART].get("manual", {}).get("score") for student, one in parts.items()}
+
+
+def test_a_script_lists_what_waits_and_gives_marks(marked_course: Course, tmp_path: Path) -> None:
+    found = mark(marked_course, "--json").document
+    (part,) = found["parts"]
+    assert (part["key"], part["out_of"], len(part["rubric"])) == (PART, 2.0, 3)
+    assert {name for group in part["groups"] for name in group["students"]} == {"ada", "ben"}
+    assert [group["late"] for group in part["groups"] if group["students"] == ["ben"]] == [1]
+    done = mark(marked_course, "--set", "ada/X12.11c=1,5", "--json")
+    assert (done.status, done.document["given"]) == (0, 1), done.errors
+    table = tmp_path / "marks.csv"
+    table.write_text("student,part,points,comment\nben,X12.11 c,2,Very well.\n")
+    assert mark(marked_course, "--from", table).status == 0
+    assert mark(marked_course, "--json").document["parts"] == []
+    assert points(marked_course) == {"ada": 1.5, "ben": 2.0, "cyd": None}
+    page = (marked_course.place("feedback", "ben", "words") / "words.html").read_text(encoding="utf-8")
+    assert "Very well." in page
+    assert mark(marked_course, "--set", "ada/X12.11c=").status == 0
+    assert points(marked_course)["ada"] is None
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        ("ada/X12.11c=3", "from 0 to 2 points"),
+        ("zoe/X12.11c=1", "nothing of zoe is graded"),
+        ("ada/X99=1", "has no part X99"),
+        ("ada=1", "write it as STUDENT/PART=POINTS"),
+        ("ada/X12.11c=two", "no number of points"),
+    ],
+)
+def test_what_cannot_be_given_is_said(marked_course: Course, words: str, why: str) -> None:
+    done = mark(marked_course, "--set", words)
+    assert done.status == 2
+    assert why in done.errors
+
+
+def test_equal_answers_are_marked_once_in_the_terminal(
+    marked_course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for student in STUDENTS[:2]:
+        hand_in(
+            marked_course,
+            student,
+            **{PART: "It  moves.\x1b[2J" if student.id == "ada" else "it moves.\x1b[2J"},
+        )
+    assert grade(marked_course).status == 0
+    lines = iter(["nine", "9", "r13 Nearly."])
+    monkeypatch.setattr("builtins.input", lambda prompt: next(lines))
+    done = mark(marked_course, "--terminal")
+    assert done.status == 0, done.errors
+    assert "given by 2 students, 1 late" in done.out
+    assert "\x1b" not in done.out
+    assert points(marked_course) == {"ada": 1.33, "ben": 1.33, "cyd": None}
+
+
+@pytest.fixture
+def received() -> list[dict]:
+    return []
+
+
+@pytest.fixture
+def server(received: list[dict]) -> Iterator[OnePageServer]:
+    def receive(posted: dict) -> None:
+        if "group" not in posted:
+            raise ValueError("which answer?")
+        received.append(posted)
+
+    with OnePageServer(lambda: "<p>the page</p>", receive) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        yield server
+        server.shutdown()
+        thread.join()
+
+
+Ask = Callable[..., tuple[int, str]]
+
+
+@pytest.fixture
+def ask(server: OnePageServer) -> Ask:
+    def asked(method: str, path: str, body: str = "", **headers: str) -> tuple[int, str]:
+        connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=20)
+        named = {name.replace("_", "-"): value for name, value in headers.items()}
+        connection.request(method, path, body or None, named)
+        response = connection.getresponse()
+        found = response.status, response.read().decode()
+        connection.close()
+        return found
+
+    return asked
+
+
+def test_only_the_page_itself_gives_marks(server: OnePageServer, ask: Ask, received: list[dict]) -> None:
+    home, mark = f"/{server.token}/", json.dumps({"group": "a0", "points": 1})
+    assert ask("GET", home) == (200, "<p>the page</p>")
+    assert ask("GET", "/")[0] == 404
+    assert ask("GET", home, Host="evil.example")[0] == 404, "a name that is made to point here"
+    assert ask("POST", home + "give", mark, Content_Type="text/plain")[0] == 403, "a form of another site"
+    assert (
+        ask("POST", home + "give", mark, Content_Type="application/json", Origin="http://evil.example")[0]
+        == 403
+    )
+    assert ask("POST", "/guess/give", mark, Content_Type="application/json")[0] == 404
+    assert received == []
+    assert ask("POST", home + "give", "[1]", Content_Type="application/json")[0] == 400
+    assert ask("POST", home + "give", "{}", Content_Type="application/json") == (400, "which answer?")
+    own = f"http://127.0.0.1:{server.server_port}"
+    assert ask("POST", home + "give", mark, Content_Type="application/json", Origin=own) == (200, "saved")
+    assert received == [{"group": "a0", "points": 1}]
