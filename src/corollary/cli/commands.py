@@ -18,7 +18,9 @@ from corollary.cli.parameters import (
     COURSE,
     GENERATED_BANK,
     JSON,
+    MARKING,
     PATH,
+    RUNNING,
     SET,
     SOLUTION,
     WAY_OUT,
@@ -198,19 +200,7 @@ _command(
         "--strict", "Status 1, too, where students' files could not be opened, run, or matched to a student."
     ),
     flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
-    click.Option(
-        ["--require-isolation", "require"],
-        type=click.IntRange(0, 3),
-        help="Refuse to run notebooks below this isolation level; 1 when left out.",
-    ),
-    click.Option(
-        ["--jobs"],
-        type=AT_LEAST_1,
-        help="How many to mark side by side; as many as there are cores when left out.",
-    ),
-    click.Option(
-        ["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead."
-    ),
+    *RUNNING,
 )
 _command(
     "extend",
@@ -234,17 +224,7 @@ _command(
     SET,
     COURSE,
     GENERATED_BANK,
-    click.Option(["--all", "everything"], is_flag=True, help="Also what the program marked."),
-    flag("--names", "Show whose the answers are."),
-    flag("--terminal", "Mark in the terminal instead."),
-    several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
-    click.Option(
-        ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."
-    ),
-    flag("--no-browser", "Print the page's address, and open nothing."),
-    click.Option(
-        ["--port"], type=click.IntRange(0, 65535), default=0, help="The page's port; any when left out."
-    ),
+    *MARKING,
     JSON,
 )
 _command(

@@ -80,3 +80,35 @@ WHAT_CAME = click.Argument(
     ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="What the LMS gave."
 )
 SOLUTION = flag("--solution", "Add the worked solution.")
+
+
+# What a notebook is run with, and where.
+RUNNING = (
+    click.Option(
+        ["--require-isolation", "require"],
+        type=click.IntRange(0, 3),
+        help="Refuse to run notebooks below this isolation level; 1 when left out.",
+    ),
+    click.Option(
+        ["--jobs"],
+        type=AT_LEAST_1,
+        help="How many to mark side by side; as many as there are cores when left out.",
+    ),
+    click.Option(
+        ["--executor"], default="", metavar="tcp://HOST:PORT", help="Mark on this Dask cluster instead."
+    ),
+)
+# How a person marks.
+MARKING = (
+    click.Option(["--all", "everything"], is_flag=True, help="Also what the program marked."),
+    flag("--names", "Show whose the answers are."),
+    flag("--terminal", "Mark in the terminal instead."),
+    several("--set", "given", "Give a mark: ada/X12.11c=1.5"),
+    click.Option(
+        ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."
+    ),
+    flag("--no-browser", "Print the page's address, and open nothing."),
+    click.Option(
+        ["--port"], type=click.IntRange(0, 65535), default=0, help="The page's port; any when left out."
+    ),
+)
