@@ -32,6 +32,9 @@ from corollary.grading.programs.orbit import (
     start_of,
     stepped,
 )
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 
 def catch_inputs(given: Given, draw: Draw) -> list[Inputs]:
@@ -79,16 +82,16 @@ def ended(
 def _wrong(called: Called) -> Fault:
     inputs, dt = called.inputs, called.inputs["dt"]
     usual = {
-        "the velocity is not changed by the collision. B was at rest: momentum is shared by both.": ended(
+        _("the velocity is not changed by the collision. B was at rest: momentum is shared by both."): ended(
             inputs, dt, keeps=1.0
         ),
-        "you kept the kinetic energy. The atoms stick: momentum is kept, kinetic energy is not.": ended(
+        _("you kept the kinetic energy. The atoms stick: momentum is kept, kinetic energy is not."): ended(
             inputs, dt, keeps=0.5**0.5
         ),
-        "the mass has doubled, but not the force. The molecule pulls on A and on B.": ended(
+        _("the mass has doubled, but not the force. The molecule pulls on A and on B."): ended(
             inputs, dt, stiffer=0.5
         ),
-        "the force has doubled, but not the mass. The pair has the mass of two atoms.": ended(
+        _("the force has doubled, but not the mass. The pair has the mass of two atoms."): ended(
             inputs, dt, stiffer=2.0
         ),
         FORWARD_EULER: ended(inputs, dt, walk=forward_euler),

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from corollary.derive.statements import Fault, Remark
+from corollary.messages import N_, catalogue
+
+_ = catalogue(__name__)
 
 Given = Mapping[str, float]
 Draw = Callable[[float, float], float]
@@ -50,10 +53,10 @@ def pairs(called: Sequence[Called]) -> list[tuple[Called, Called]]:
 def miscounted(called: Called, count: int, what: str) -> str:
     """What to say when not so many numbers came back; "" when they did."""
     many = len(called.returned)
-    return (
-        ""
-        if many == count
-        else f"It returns {'one number' if many == 1 else f'{many} numbers'}; return {what}."
+    if many == count:
+        return ""
+    return _.plural(
+        "It returns one number; return {what}.", "It returns {count} numbers; return {what}.", many, what=what
     )
 
 
@@ -111,12 +114,12 @@ class Family:
     wrong: Callable[[Called], Fault]
 
 
-GROWN = (
+GROWN = N_(
     "What comes back has grown beyond all numbers. A force with the wrong sign drives everything on ever faster: check it; "
     "or the step is far too large."
 )
-OWN = "Halving `dt` changes nothing, so your function has steps of its own, and they may be too large."
-LATER = (
+OWN = N_("Halving `dt` changes nothing, so your function has steps of its own, and they may be too large.")
+LATER = N_(
     "With the longer step your function is right, with half of that step it is not: the error does not shrink as it should. "
     "Does it stop after a fixed number of steps, or at a fixed time?"
 )
@@ -130,14 +133,14 @@ def judged(family: Family, called: Sequence[Called]) -> Fault | Remark | None:
             if sentence := family.misfit(call):
                 return Fault(sentence)
             if not all(map(math.isfinite, call.returned)):
-                return Fault(GROWN, known=True)
+                return Fault(_(GROWN), known=True)
         own, standard = same(*pair), family.standard(pair[0].inputs)
         for later, call in enumerate(pair):
             if standard.far(call, own):
                 fault = family.wrong(call)
                 if fault.known or not (own or later):
                     return fault
-                return Fault(f"{OWN if own else LATER} {fault.sentence}")
+                return Fault(f"{_(OWN if own else LATER)} {fault.sentence}")
         standards.append(standard)
     return remark(both, standards)
 
@@ -150,21 +153,23 @@ def same(coarse: Called, fine: Called) -> bool:
 def remark(both: Sequence[tuple[Called, Called]], standards: Sequence[Standard]) -> Remark | None:
     """What the errors of all pairs together say of a right program; nothing of one that converges as well as the book's."""
     if all(same(*pair) for pair in both):
-        return Remark(FORMULA)
+        return Remark(_(FORMULA))
     # With a bound of first order, where in a step the contact ends decides the error: halving the step says nothing there.
     places = [i for i, standard in enumerate(standards) if standard.bounds[0].order == 2]
     coarse, fine = _sums([both[i] for i in places], [standards[i] for i in places])
     if fine <= SMALL * len(places) or coarse > FIRST * fine:
         return None
-    return Remark(FIRST_ORDER if coarse > STALLED * fine else STAYS)
+    return Remark(_(FIRST_ORDER if coarse > STALLED * fine else STAYS))
 
 
-FORMULA = "Right. Halving `dt` changes nothing: your function does not step with it (it is a formula, or a solver with steps of its own)."
-STAYS = (
+FORMULA = N_(
+    "Right. Halving `dt` changes nothing: your function does not step with it (it is a formula, or a solver with steps of its own)."
+)
+STAYS = N_(
     "Right, within the tolerance; but halving `dt` does not bring the result nearer, as it should. Is it read before the contact "
     "has ended, or stepped a fixed number of times?"
 )
-FIRST_ORDER = (
+FIRST_ORDER = N_(
     "Right. Halving `dt` halves the error: a method of first order. Euler–Cromer's error falls to a quarter where no energy is lost; "
     "is the velocity read half a step late, or the position stepped with the old one?"
 )

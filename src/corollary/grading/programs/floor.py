@@ -24,17 +24,26 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.messages import N_, catalogue
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import EULER_CROMER, march
+
+_ = catalogue(__name__)
 
 Scheme = Literal["euler", "weightless", "linear", "floor"]
 
 USUAL: dict[Scheme, str] = {
-    "euler": "This is forward Euler: the position is stepped with the old velocity, and energy grows. "
-    "Step the velocity first, then the position with the new velocity.",
-    "weightless": "Gravity is missing: the net force is N - m g, also while the ball is above the floor.",
-    "linear": "The floor pushes here like a spring, in proportion to R - y. Its force goes with the power 3/2.",
-    "floor": "Velocity and time are right, but the force is that of the floor; the net force is smaller by the weight.",
+    "euler": N_(
+        "This is forward Euler: the position is stepped with the old velocity, and energy grows. "
+        "Step the velocity first, then the position with the new velocity."
+    ),
+    "weightless": N_("Gravity is missing: the net force is N - m g, also while the ball is above the floor."),
+    "linear": N_(
+        "The floor pushes here like a spring, in proportion to R - y. Its force goes with the power 3/2."
+    ),
+    "floor": N_(
+        "Velocity and time are right, but the force is that of the floor; the net force is smaller by the weight."
+    ),
 }
 ARGUMENTS = ("m", "k", "R", "y0", "v0", "g")
 COUNTED = 2.5  # steps: a contact counted in steps may be one longer or shorter at each end
@@ -95,7 +104,9 @@ def judge_bounce(given: Given, called: Sequence[Called]) -> Fault | Remark | Non
 
 
 def _misfit(called: Called) -> str:
-    return miscounted(called, 3, "three: the velocity v, the largest net force F, and the time of contact T")
+    return miscounted(
+        called, 3, _("three: the velocity v, the largest net force F, and the time of contact T")
+    )
 
 
 def _numbers(inputs: Inputs) -> tuple[float, ...]:
@@ -133,26 +144,30 @@ def _wrong(called: Called) -> Fault:
     truth = reference(*numbers)
     nearest, sentence = min((_distance(called, scheme), sentence) for scheme, sentence in USUAL.items())
     if nearest <= 1:
-        return Fault(sentence, known=True)
+        return Fault(_(sentence), known=True)
     v = returned[0]
     if math.isclose(v, numbers[4], rel_tol=1e-9):
         return Fault(
-            "The velocity is still the one at the start: step until the ball has touched the floor and left it again."
+            _(
+                "The velocity is still the one at the start: step until the ball has touched the floor and left it again."
+            )
         )
     if v < 0 and abs(v + truth.velocity) <= NAMED * truth.velocity:
         return Fault(
-            "The velocity is negative, as on the way down: step until the ball has left the floor again.",
+            _("The velocity is negative, as on the way down: step until the ball has left the floor again."),
             known=True,
         )
     allowed = _standard(called.inputs).allowed(called)
     off = [error / most for error, most in zip(truth.errors(returned), allowed, strict=True)]
-    return Fault(OFF[off.index(max(off))])
+    return Fault(_(OFF[off.index(max(off))]))
 
 
 OFF = (
-    "The ball leaves the floor with a wrong velocity. No energy is lost here: check force and order of steps.",
-    "The largest net force is wrong: it is the largest value of N - m g in the contact.",
-    "The time of contact is wrong: count only the time in which the ball is below y = R.",
+    N_(
+        "The ball leaves the floor with a wrong velocity. No energy is lost here: check force and order of steps."
+    ),
+    N_("The largest net force is wrong: it is the largest value of N - m g in the contact."),
+    N_("The time of contact is wrong: count only the time in which the ball is below y = R."),
 )
 
 
@@ -203,27 +218,38 @@ def judge_bounce_plot(given: Given, figures: Sequence[Any]) -> Fault | None:
     force = _curve(figures, lambda y: abs(max(y) - truth.force) <= off and abs(min(y) + weight) <= off)
     if force is None:
         return Fault(
-            "There is no curve of the net force for your numbers: from -m g to the largest net force, and back."
+            _(
+                "There is no curve of the net force for your numbers: from -m g to the largest net force, and back."
+            )
         )
     if abs(force[1][-1] + weight) > off or abs(force[1][0] + weight) > off:
         return Fault(
-            "The curve of the net force must begin before the ball touches the floor and end after it has left it."
+            _(
+                "The curve of the net force must begin before the ball touches the floor and end after it has left it."
+            )
         )
     if abs(force[1][0] + weight) > 0.2 * weight:
         return Fault(
-            "At the start only gravity acts, and the net force is -m g; you drew the force of the floor.",
+            _("At the start only gravity acts, and the net force is -m g; you drew the force of the floor."),
             known=True,
         )
     path = _curve(figures, lambda y: abs(min(y) + momentum) <= odd and abs(max(y) - momentum) <= odd)
     if path is None:
         return Fault(
-            "There is no curve of the momentum p(t) for your numbers: from m v at the first touch to the opposite value."
+            _(
+                "There is no curve of the momentum p(t) for your numbers: from m v at the first touch to the opposite value."
+            )
         )
-    for (axes, _), name, words in ((force, "F [N]", "f force kraft"), (path, "p [kg m/s]", "p momentum")):
+    for (axes, *_rest), name, words in (
+        (force, "F [N]", "f force kraft"),
+        (path, "p [kg m/s]", "p momentum"),
+    ):
         if not _named(axes.xlabel, "t time zeit tid s"):
-            return Fault("The x axis needs a label that names the quantity and its unit: t [s].")
+            return Fault(_("The x axis needs a label that names the quantity and its unit: t [s]."))
         if not _named(axes.ylabel, words):
-            return Fault(f"The y axis needs a label that names the quantity and its unit: {name}.")
+            return Fault(
+                _("The y axis needs a label that names the quantity and its unit: {name}.", name=name)
+            )
     return None
 
 

@@ -20,6 +20,9 @@ from corollary.grading.programs.convergence import (
     judged,
 )
 from corollary.grading.programs.two_bodies import Force, converged
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 
 def ion_force(C: float, *, sign: float = -1.0, power: float = 3.0) -> Force:
@@ -80,14 +83,14 @@ def _turning(inputs: Inputs) -> float:
 def _wrong(called: Called) -> Fault:
     C = called.inputs["C"]
     usual = {
-        "the ions attract. $\\Delta\\vec r$ leads from A to B, so the force on A needs a minus.": ion_force(
-            C, sign=1.0
-        ),
-        "the force falls off as $1/\\Delta r$: a unit vector takes one more division.": ion_force(
+        _(
+            "the ions attract. $\\Delta\\vec r$ leads from A to B, so the force on A needs a minus."
+        ): ion_force(C, sign=1.0),
+        _("the force falls off as $1/\\Delta r$: a unit vector takes one more division."): ion_force(
             C, power=2.0
         ),
     }
-    return two_bodies.wrong(called, usual, ion_force(C), f"With C = {C:g} N m²")
+    return two_bodies.wrong(called, usual, ion_force(C), _("With C = {value} N m²", value=f"{C:g}"))
 
 
 IONS = Family(two_bodies.misfit, _standard, _wrong)

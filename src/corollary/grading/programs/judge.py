@@ -14,11 +14,14 @@ from corollary.derive.statements import Code, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.convergence import Called
+from corollary.messages import catalogue
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
 from corollary.sandbox.job import Argument, FunctionCall
 from corollary.units.unit import unit
+
+_ = catalogue(__name__)
 
 
 def code_of(solution: Solution, part: Part) -> Code | None:
@@ -87,14 +90,22 @@ def judge_code(
     for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
         answered = run.calls.get(f"{variant.problem.answer_name(part)}/{place}")
         if answered is None:
-            return Unread(f"There is no function {part.signature} to call.")
+            return Unread(_("There is no function {signature} to call.", signature=part.signature))
         if answered.trouble:
-            return Unread(f"Calling {part.function}: {answered.trouble}")
+            return Unread(
+                _("Calling {function}: {trouble}", function=part.function, trouble=answered.trouble)
+            )
         if isinstance(answered.value, Nothing):
-            return Unread(f"{part.function} returns nothing yet.", blank=True)
+            return Unread(_("{function} returns nothing yet.", function=part.function), blank=True)
         returned = _numbers(answered.value)
         if isinstance(returned, str):
-            return Unread(f"{part.function} returns something that is no list of numbers: {returned}.")
+            return Unread(
+                _(
+                    "{function} returns something that is no list of numbers: {returned}.",
+                    function=part.function,
+                    returned=returned,
+                )
+            )
         called.append(Called(inputs, returned))
     return _verdict(code.judge(variant.si, called))
 
@@ -105,7 +116,7 @@ def judge_plot(solution: Solution, variant: Variant, part: Part, run: ProgramRun
     assert plot is not None
     axes = [each for figure in run.figures for each in figure.axes]
     if not axes:
-        return Unread("No figure was drawn.", blank=True)
+        return Unread(_("No figure was drawn."), blank=True)
     return _verdict(plot.judge(variant.si, axes))
 
 

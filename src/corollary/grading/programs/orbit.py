@@ -26,8 +26,11 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.messages import catalogue
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, RK4, Path, march
+
+_ = catalogue(__name__)
 
 State = tuple[float, float, float, float]
 FORWARD_EULER = "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first."
@@ -168,16 +171,16 @@ def _wrong(called: Called) -> Fault:
     steps = round(inputs["T"] / inputs["dt"])
     stiffness, b, edge = pull.stiffness, pull.b, pull.edge
     wrong = {
-        "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign.": Pull(
-            -stiffness, b, edge
-        ),
-        "the atom is still pulled back beyond b + d. There the potential energy is constant: no force.": Pull(
-            stiffness, b, math.inf
-        ),
-        "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b.": Pull(
-            stiffness, 0.0, edge
-        ),
-        "the mass is missing: the acceleration is the force divided by m.": Pull(
+        _(
+            "the force pushes away from the distance b. Outside b it must pull inwards: there is a minus sign."
+        ): Pull(-stiffness, b, edge),
+        _(
+            "the atom is still pulled back beyond b + d. There the potential energy is constant: no force."
+        ): Pull(stiffness, b, math.inf),
+        _(
+            "the force pulls to the molecule itself, as if b were 0. The spring is relaxed at the distance b."
+        ): Pull(stiffness, 0.0, edge),
+        _("the mass is missing: the acceleration is the force divided by m."): Pull(
             stiffness * inputs["m"], b, edge
         ),
     }
@@ -187,16 +190,18 @@ def _wrong(called: Called) -> Fault:
 
 
 def misfit(called: Called) -> str:
-    return miscounted(called, 2, "the pair (x, y)")
+    return miscounted(called, 2, _("the pair (x, y)"))
 
 
 def named(called: Called, usual: Mapping[str, State]) -> Fault:
     """The usual wrong program that ends nearest, when it ends near."""
     sentence, end = min(usual.items(), key=lambda item: math.dist(called.returned, item[1][:2]))
     if math.dist(called.returned, end[:2]) <= NAMED * max(called.inputs["b"], math.hypot(*end[:2])):
-        return Fault(f"At the time T {sentence}", known=True)
+        return Fault(_("At the time T {sentence}", sentence=sentence), known=True)
     return Fault(
-        "The atom is not where it should be at the time T. Check the force on both sides of r = b, beyond b + d, and that you reach T."
+        _(
+            "The atom is not where it should be at the time T. Check the force on both sides of r = b, beyond b + d, and that you reach T."
+        )
     )
 
 
@@ -209,27 +214,30 @@ def judge_potential_plot(given: Mapping[str, float], figures: Sequence[Any]) -> 
     axes = next((each for each in figures if each.lines), None)
     if axes is None:
         return Fault(
-            "No axes with a curve were found; plot the potential energy against the place of the atom."
+            _("No axes with a curve were found; plot the potential energy against the place of the atom.")
         )
     named = {axes.xlabel.lower(): ("x", "r", "m]"), axes.ylabel.lower(): ("u", "energy", "j]")}
     if not all(any(word in label for word in words) for label, words in named.items()):
-        return Fault("The axes need labels that name quantity and unit: x [m] and U [J].")
+        return Fault(_("The axes need labels that name quantity and unit: x [m] and U [J]."))
     curves = [line for line in axes.lines if line.kind == "line" and len(line.x) > 20]
     if not curves:
-        return Fault("The potential must be drawn as a curve of more than 20 points.")
+        return Fault(_("The potential must be drawn as a curve of more than 20 points."))
     if not any(
         _reads(line, {b: 0.0, b - d / 2: depth / 4, b + d / 2: depth / 4, b + 1.2 * d: depth}, depth)
         for line in curves
     ):
         return Fault(
-            "No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right "
-            "and on the left too, and stay at U0 beyond b + d."
+            _(
+                "No curve is this potential: it must have its bottom at x = b, rise to U0 at b + d on the right and on the left too, and stay at U0 beyond b + d."
+            )
         )
     for name, level in (("below", given["eps"] * depth), ("above", given["epsx"] * depth)):
         if not any(_level(line, level, NEAR * level) for line in axes.lines):
             return Fault(
-                f"The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the "
-                f"energy asked for."
+                _(
+                    "The level line of the total energy {name} U0 is missing; draw E as a horizontal line at the energy asked for.",
+                    name=name,
+                )
             )
     return None
 
@@ -245,22 +253,24 @@ def judge_orbit_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Faul
             if len(line.x) < 50:
                 continue
             if [label.strip(" $").lower()[:1] for label in (axes.xlabel, axes.ylabel)] != ["x", "y"]:
-                return Fault("The axes need labels that name quantity and unit: x [m] and y [m].")
+                return Fault(_("The axes need labels that name quantity and unit: x [m] and y [m]."))
             r = np.hypot(line.x, line.y)
             if math.dist((line.x[0], line.y[0]), (b, 0.0)) > 0.02 * b:
-                return Fault("The trajectory must start at (b, 0).")
+                return Fault(_("The trajectory must start at (b, 0)."))
             if r.min() < 0.98 * b:
                 return Fault(
-                    "The atom comes closer than b. It starts across the radius, and the force at r > b is not "
-                    "strong enough to pull it in further: check force and step."
+                    _(
+                        "The atom comes closer than b. It starts across the radius, and the force at r > b is not strong enough to pull it in further: check force and step."
+                    )
                 )
             if abs(r.max() - far[-1]) > 0.02 * b:
                 return Fault(
-                    "The greatest distance of your trajectory is not that of (h1). Let it run for some "
-                    "swings, and check v0, force and step."
+                    _(
+                        "The greatest distance of your trajectory is not that of (h1). Let it run for some swings, and check v0, force and step."
+                    )
                 )
             return None
-    return Fault("No trajectory was found; plot y against x, as a curve of many points.")
+    return Fault(_("No trajectory was found; plot y against x, as a curve of many points."))
 
 
 def _reads(line: Any, wanted: Mapping[float, float], scale: float) -> bool:

@@ -24,16 +24,23 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.messages import N_, catalogue
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, march, states
 from corollary.scenes.models.bounce import contact_time
+
+_ = catalogue(__name__)
 
 Scheme = Literal["euler", "one-sided"]
 MOST_STEPS = 20_000  # two hundred contacts: the balls have parted, or the program lets them fly
 
 USUAL: dict[Scheme, str] = {
-    "euler": "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first, then the position with the new velocity.",
-    "one-sided": "each ball feels only one of its neighbours. What a ball does to its neighbour, the neighbour does to it: half of the pair forces is missing.",
+    "euler": N_(
+        "this is forward Euler: the position is stepped with the old velocity, and energy grows. Step the velocity first, then the position with the new velocity."
+    ),
+    "one-sided": N_(
+        "each ball feels only one of its neighbours. What a ball does to its neighbour, the neighbour does to it: half of the pair forces is missing."
+    ),
 }
 
 
@@ -56,7 +63,7 @@ def judge_cradle(given: Given, called: Sequence[Called]) -> Fault | Remark | Non
 
 def _misfit(called: Called) -> str:
     balls = called.inputs["N"]
-    return miscounted(called, balls, f"the {balls} velocities of {balls} balls")
+    return miscounted(called, balls, _("the {balls} velocities of {balls} balls", balls=balls))
 
 
 def _standard(inputs: Inputs) -> Standard:
@@ -111,31 +118,43 @@ def _pushed(
 def _wrong(called: Called) -> Fault:
     one, returned = called.inputs, called.returned
     balls, v0 = one["N"], one["v0"]
-    case = f"For N = {balls} and q = {one['q']:g}"
+    case = _("For N = {balls} and q = {power}", balls=balls, power=f"{one['q']:g}")
 
     def near(others: Sequence[float] | None) -> bool:
         return others is not None and math.dist(returned, others) <= NAMED * v0
 
     for scheme, sentence in USUAL.items():
         if near(wrong_cradle(scheme, balls, one["k"] / one["m"], one["q"], v0, one["dt"])):
-            return Fault(f"{case}: {sentence}", known=True)
+            return Fault(f"{case}: {_(sentence)}", known=True)
     if near([v0] + [0.0] * (balls - 1)):
         return Fault(
-            f"{case} nothing has happened: the first ball still has v0 and the others are at rest. Step until no two balls touch any more."
+            _(
+                "{case} nothing has happened: the first ball still has v0 and the others are at rest. Step until no two balls touch any more.",
+                case=case,
+            )
         )
     if not math.isclose(sum(returned), v0, rel_tol=1e-6):
         return Fault(
-            f"{case} the total momentum is not kept. What one ball does to its neighbour, the neighbour does to it, the other way.",
+            _(
+                "{case} the total momentum is not kept. What one ball does to its neighbour, the neighbour does to it, the other way.",
+                case=case,
+            ),
             known=True,
         )
     if sum(v * v for v in returned) > v0 * v0 * (1 + NAMED):
         return Fault(
-            f"{case} the kinetic energy has grown. Check the sign of the force (it must push the balls apart), that the position is "
-            f"stepped with the new velocity, and that the step is small enough.",
+            _(
+                "{case} the kinetic energy has grown. Check the sign of the force (it must push the balls apart), that the "
+                "position is stepped with the new velocity, and that the step is small enough.",
+                case=case,
+            ),
             known=True,
         )
     return Fault(
-        f"{case} momentum is kept, but the velocities are not those of this contact. Check the force law, and that all contacts have ended."
+        _(
+            "{case} momentum is kept, but the velocities are not those of this contact. Check the force law, and that all contacts have ended.",
+            case=case,
+        )
     )
 
 
@@ -145,11 +164,11 @@ CRADLE = Family(_misfit, _standard, _wrong)
 def judge_contact(given: Given, called: Sequence[Called]) -> Fault | None:
     """Whether the pair (k, q) a student found leaves the middle of three touching balls nearly at rest."""
     (one,) = called
-    if sentence := miscounted(one, 2, "the pair (k, q)"):
+    if sentence := miscounted(one, 2, _("the pair (k, q)")):
         return Fault(sentence)
     k, q = one.returned
     if not (k > 0 and 1 <= q <= 10):
-        return Fault("k must be positive, and q between 1 and 10.")
+        return Fault(_("k must be positive, and q between 1 and 10."))
     velocities = run(
         "cradle", {"N": 3, "m": given["m"], "k": k, "q": q, "v0": given["v0"]}, tolerance=1e-6
     ).observed["velocities"]
@@ -158,7 +177,10 @@ def judge_contact(given: Given, called: Sequence[Called]) -> Fault | None:
     if left < 0.02:
         return None
     return Fault(
-        f"With your k and q the middle ball keeps {left:.0%} of v0; the goal is less than 2 %. Which of the two matters?"
+        _(
+            "With your k and q the middle ball keeps {left} of v0; the goal is less than 2 %. Which of the two matters?",
+            left=f"{left:.0%}",
+        )
     )
 
 
@@ -200,20 +222,31 @@ def judge_velocity_plot(given: Given, figures: Sequence[Any], balls: int) -> Fau
             if not any(word in label.lower() for word in words.split())
         ]:
             return Fault(
-                f"The {' and '.join(missing)} axis needs a label that names the quantity and its unit: t [s], v [m/s]."
+                _(
+                    "The axes need labels that name quantity and unit: t [s] and v [m/s]; look at {names}.",
+                    names=", ".join(missing),
+                )
             )
         starts, ends = sorted(line.y[0] for line in curves[:balls]), [line.y[-1] for line in curves[:balls]]
         if not _near(starts, [0.0] * (balls - 1) + [v0], v0, 0.03):
             return Fault(
-                f"The curves must start with one ball at v0 = {v0:g} m/s and the other{'s' if balls > 2 else ''} at rest."
+                _.plural(
+                    "The curves must start with one ball at v0 = {v0} m/s and the other at rest.",
+                    "The curves must start with one ball at v0 = {v0} m/s and the others at rest.",
+                    balls - 1,
+                    v0=f"{v0:g}",
+                )
             )
         if not _near(sorted(ends), [0.0] * (balls - 1) + [v0], v0, 0.06):
             return Fault(
-                "The curves must run until the balls have parted; then only the last ball moves with v0."
+                _("The curves must run until the balls have parted; then only the last ball moves with v0.")
             )
         return None
     return Fault(
-        f"No axes with a curve for each of the {balls} balls were found; plot every velocity against time."
+        _(
+            "No axes with a curve for each of the {balls} balls were found; plot every velocity against time.",
+            balls=balls,
+        )
     )
 
 

@@ -21,10 +21,13 @@ from corollary.grading.programs.convergence import (
     judged,
 )
 from corollary.grading.programs.two_bodies import Force
+from corollary.messages import catalogue
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import EULER_CROMER
 from corollary.scenes.models.bounce import contact_time
 from corollary.scenes.run import Run
+
+_ = catalogue(__name__)
 
 TIME, STEP = 0.10, 1e-4
 START: Inputs = {
@@ -96,14 +99,20 @@ def _standard(inputs: Inputs) -> Standard:
 def _wrong(called: Called) -> Fault:
     R, k, eta = (called.inputs[name] for name in ("R", "k", "eta"))
     usual = {
-        "the spheres pull each other together while they overlap. The spring pushes A away from B, against "
-        "$\\Delta\\vec r$.": sphere_force(R, k, eta, spring=1.0),
-        "the damping drives the spheres instead of braking them. The force on A must pull its velocity towards that "
-        "of B: $+\\eta\\,\\Delta\\vec v$.": sphere_force(R, k, eta, drag=-1.0),
-        "the spring force grows linearly with the overlap. Its power is 3/2.": sphere_force(R, k, eta, q=1.0),
-        "there is no damping. Add the term with $\\eta$.": sphere_force(R, k, 0.0),
+        _(
+            "the spheres pull each other together while they overlap. The spring pushes A away from B, against $\\Delta\\vec r$."
+        ): sphere_force(R, k, eta, spring=1.0),
+        _(
+            "the damping drives the spheres instead of braking them. The force on A must pull its velocity towards that of B: $+\\eta\\,\\Delta\\vec v$."
+        ): sphere_force(R, k, eta, drag=-1.0),
+        _("the spring force grows linearly with the overlap. Its power is 3/2."): sphere_force(
+            R, k, eta, q=1.0
+        ),
+        _("there is no damping. Add the term with $\\eta$."): sphere_force(R, k, 0.0),
     }
-    return two_bodies.wrong(called, usual, sphere_force(R, k, eta), f"With eta = {eta:g} kg/s")
+    return two_bodies.wrong(
+        called, usual, sphere_force(R, k, eta), _("With eta = {value} kg/s", value=f"{eta:g}")
+    )
 
 
 SPHERES = Family(two_bodies.misfit, _standard, _wrong)
@@ -130,12 +139,14 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
         axes = next((each for each in figures if _labelled(each, labels)), None)
         if axes is None:
             return Fault(
-                f"No axes for {what} were found. Label them with quantity and unit: x [m] and y [m], t [s] "
-                f"and p_x [kg m/s], t [s] and p_y [kg m/s]."
+                _(
+                    "No axes for {what} were found. Label them with quantity and unit: x [m] and y [m], t [s] and p_x [kg m/s], t [s] and p_y [kg m/s].",
+                    what=what,
+                )
             )
         curves = [line for line in axes.lines if line.kind != "bars" and len(line.x) > 20]
         if len(curves) < 2:
-            return Fault(f"In the axes for {what} there must be a curve for A and one for B.")
+            return Fault(_("In the axes for {what} there must be a curve for A and one for B.", what=what))
         match what:
             case "the trajectories":
                 wanted = {START["rA"], START["rB"]}
@@ -144,7 +155,9 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
                     for place in wanted
                 )
                 if not met:
-                    return Fault("The trajectories must start at (0, 0) for A and at (0.08, 0.018) m for B.")
+                    return Fault(
+                        _("The trajectories must start at (0, 0) for A and at (0.08, 0.018) m for B.")
+                    )
             case _:
                 ends = (
                     (given["mA"] * au, given["mB"] * bu)
@@ -153,16 +166,22 @@ def judge_spheres_plot(given: Mapping[str, float], figures: Sequence[Any]) -> Fa
                 )
                 begins = (start, 0.0) if what == "p_x" else (0.0, 0.0)
                 if max(line.x[-1] for line in curves) < 0.9 * TIME:
-                    return Fault(f"The curves of {what} must run until {TIME:g} s.")
+                    return Fault(
+                        _("The curves of {what} must run until {time} s.", what=what, time=f"{TIME:g}")
+                    )
                 if not _pairs(curves, 0, begins, start):
                     return Fault(
-                        f"The curves of {what} must start with A's momentum (A moves along x at 1.0 m/s) and "
-                        f"with B at rest. Mind that it is momenta that are asked for."
+                        _(
+                            "The curves of {what} must start with A's momentum (A moves along x at 1.0 m/s) and with B at rest. Mind that it is momenta that are asked for.",
+                            what=what,
+                        )
                     )
                 if not _pairs(curves, -1, ends, start):
                     return Fault(
-                        f"The curves of {what} do not end where this model leads. Check the force law, its "
-                        f"signs and the numbers."
+                        _(
+                            "The curves of {what} do not end where this model leads. Check the force law, its signs and the numbers.",
+                            what=what,
+                        )
                     )
     return None
 

@@ -15,7 +15,10 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
+from corollary.messages import N_, catalogue
 from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, RK4, Method, march
+
+_ = catalogue(__name__)
 
 FINEST = 1 << 15  # steps: beyond, a reference that has not converged will not
 LOST = (math.inf,) * 4
@@ -24,10 +27,10 @@ FORWARD_EULER = (
     "with the new one."
 )
 ONE_SIDED = "only A feels a force. What B does to A, A does to B, the other way."
-NOT_CONSERVED = (
+NOT_CONSERVED = N_(
     "the total momentum is not kept. The force on B is that on A, the other way, and each has its own mass."
 )
-CONSERVED = (
+CONSERVED = N_(
     "the total momentum is kept, but the velocities after the time T are not right. Check the force law, and that you "
     "reach T."
 )
@@ -35,7 +38,7 @@ Force = Callable[[float, float, float, float], tuple[float, float]]  # on A, fro
 
 
 def misfit(called: Called) -> str:
-    return miscounted(called, 4, "the four velocities v_Ax, v_Ay, v_Bx, v_By")
+    return miscounted(called, 4, _("the four velocities v_Ax, v_Ay, v_Bx, v_By"))
 
 
 def speed(inputs: Inputs) -> float:
@@ -112,9 +115,11 @@ def wrong(called: Called, usual: Mapping[str, Force], right: Force, case: str) -
     if math.dist(returned, end) <= NAMED * speed(inputs):
         return Fault(sentence, known=True)
     if math.dist(returned, (*inputs["vA"], *inputs["vB"])) <= NAMED * speed(inputs):
-        return Fault(f"{case} nothing has happened to the velocities. Step forward until the time T.")
+        return Fault(
+            _("{case} nothing has happened to the velocities. Step forward until the time T.", case=case)
+        )
     mA, mB = inputs["mA"], inputs["mB"]
     lost = [mA * (returned[i] - inputs["vA"][i]) + mB * (returned[i + 2] - inputs["vB"][i]) for i in (0, 1)]
     if math.hypot(*lost) > 0.01 * mA * speed(inputs):
-        return Fault(f"{case} {NOT_CONSERVED}", known=True)
-    return Fault(f"{case} {CONSERVED}")
+        return Fault(f"{case} {_(NOT_CONSERVED)}", known=True)
+    return Fault(f"{case} {_(CONSERVED)}")
