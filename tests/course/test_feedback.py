@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import subprocess
 import zipfile
 from pathlib import Path
 
 import pytest
+from nbgrader.api import Gradebook
 
 from corollary.course.feedback import feedback_files
 from corollary.course.lms_places import NoPlaces
@@ -62,3 +64,44 @@ def test_the_command(course: Path, tmp_path: Path) -> None:
     with zipfile.ZipFile(path) as archive:
         assert archive.namelist() == ["lovelaceada_2001_5001_one-feedback.html"]
     assert "ben, cyd: Canvas has no number of theirs that is known" in done.stderr
+
+
+WORKSHEET = (
+    '\ufeffIdentifier,"Full name","Email address",Grade\n'
+    '"Participant 171","Lovelace Ada",ada@example.org,\n'
+    '"Participant 172","Ben Bool",,\n'
+    '"Participant 173","Ben Bool",,\n'
+    '"Participant 174","Cyd Charisse",,\n'
+)
+
+
+def test_a_person_of_whom_moodle_has_two_gets_nothing_that_may_be_anothers(
+    course: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "worksheet.csv").write_text(WORKSHEET, encoding="utf-8")
+    done = exported(course, "--to", "feedback-zip", "--template", tmp_path / "worksheet.csv")
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(tmp_path / "out" / "one-feedback-moodle.zip") as archive:
+        assert archive.namelist() == [
+            "Ada Lovelace_171_assignsubmission_file_/one-feedback.html",
+            "Cyd Charisse_174_assignsubmission_file_/one-feedback.html",
+        ]
+    assert "ben: Moodle has no number of theirs that is known" in done.stderr
+
+
+def test_what_a_person_gave_since_is_in_the_page_that_goes_back(course: Path, tmp_path: Path) -> None:
+    (tmp_path / "worksheet.csv").write_text(WORKSHEET, encoding="utf-8")
+    with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
+        grade = book.find_grade("X12_5_a", "one", "one", "ada")
+        grade.manual_score = 0.25
+        book.find_comment("X12_5_a_answer", "one", "one", "ada").manual_comment = "Mind the sign, says Emmy."
+        book.db.commit()
+    done = exported(course, "--to", "feedback-zip", "--template", tmp_path / "worksheet.csv")
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(tmp_path / "out" / "one-feedback-moodle.zip") as archive:
+        pages = {name.split("_")[0]: archive.read(name).decode() for name in archive.namelist()}
+    assert "Mind the sign, says Emmy." in pages["Ada Lovelace"]
+    assert "Mind the sign, says Emmy." not in pages["Cyd Charisse"]
+    assert exported(course, "--to", "moodle-grades").returncode == 0
+    rows = list(csv.DictReader((tmp_path / "out" / "one-moodle-grades.csv").open(encoding="utf-8")))
+    assert [row["One exercise"] for row in rows] == ["4.25", "5", "5"]

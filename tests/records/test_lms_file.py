@@ -116,9 +116,7 @@ def test_ids_that_contradict_each_other_get_nothing(tmp_path: Path) -> None:
     text = "ID number,Email address,Points\n007,ben@uio.no,\n0100,ben@uio.no,\n"
     made = filled(tmp_path / "mixed.csv", text, "3")
     assert made.content.decode() == text.replace("0100,ben@uio.no,", "0100,ben@uio.no,0")
-    assert made.notes == (
-        "ids contradict each other, or several have the name; nothing is written for 007 ben@uio.no",
-    )
+    assert made.notes == ("ids contradict each other; nothing is written for 007 ben@uio.no",)
 
 
 REFUSED = [

@@ -71,14 +71,16 @@ def run(
         word = "" if to == "csv" else f"-{to}"
         files = {f"{'-'.join(names)}{word}.{chosen.ending}": made.content}
         about |= {"strangers": made.strangers, "absent": made.absent, "waiting": table.waiting}
-    elif given := _of_marks(columns, decimals, out_of, blank, template, headings):
+    elif given := _of_marks(
+        columns, decimals, out_of, blank, headings, template if chosen.feedback is None else None
+    ):
         refuse(f"{given} is for marks, and {to} holds none; leave it out")
     elif len(sets) > 1:
         refuse(f"{to} is of one set; export each by itself")
     elif chosen.feedback is not None:
         if opened is None:
             refuse(f"{to} holds feedback; say of which course with --course")
-        pages = feedback_files(opened, problem_sets[0], ids)
+        pages = feedback_files(opened, problem_sets[0], ids or template)
         if pages.without:
             say(
                 f"{few(pages.without)}: {pages.lms.capitalize()} has no number of theirs that is known, so nothing goes back"
@@ -104,7 +106,7 @@ def run(
 
 def _of_marks(*values: object) -> str:
     """The first option given of those that only marks have; "" for none."""
-    options = ("--columns", "--round", "--out-of", "--blank", "--template", "--column")
+    options = ("--columns", "--round", "--out-of", "--blank", "--column", "--template")
     given = (option for option, value in zip(options, values, strict=True) if value not in (None, [], ()))
     return next(given, "")
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from corollary.course.lms_places import NoPlaces, packed, places
+from corollary.course.up_to_date import up_to_date
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, students
 from corollary.records.marks import feedback_place
@@ -22,7 +23,11 @@ class FeedbackFiles:
 
 
 def feedback_files(course: Course, problem_set: ProblemSet, ids: Path | None = None) -> FeedbackFiles:
-    """For the LMS that `ids`, or else what was collected, comes from. Raises NoPlaces and Malformed."""
+    """The pages with what persons gave up to now, for the LMS that `ids`, or else what was collected, comes from.
+
+    Raises NoPlaces, NotACourse and Malformed.
+    """
+    up_to_date(course, problem_set)
     name, roster = problem_set.name, students(course)
     pages: dict[str, tuple[str, bytes]] = {}
     for student in roster:

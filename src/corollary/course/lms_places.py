@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
 import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from corollary.problem.roster import Student
+from corollary.problem.roster_columns import HEADINGS
 from corollary.problem.table import read_table
 from corollary.records.collected import read_arrivals
 from corollary.records.files import Course
 from corollary.records.lms_names import Directory, LmsName, canvas_file, lms_name, moodle_folder
+from corollary.records.row_owners import row_owners
 
+IDENTIFIER = "identifier"
+PARTICIPANT = re.compile(r"\D+?(\d+)$")
 MOODLES = "Moodle's grading worksheet or its archive of all submissions"
 CANVAS = "Canvas's archive of all submissions"
 
@@ -24,7 +29,7 @@ def places(
     course: Course, set_name: str, roster: Sequence[Student], lms: str, file: Path | None
 ) -> dict[str, LmsName]:
     """By student, what `lms` ("moodle" or "canvas") knows the submission by: from a file that the LMS gave, else from what was
-    collected. Raises NoPlaces and Malformed."""
+    collected; nobody of whom it has several numbers. Raises NoPlaces and Malformed."""
     directory = Directory(roster)
     if file is None:
         found = [
@@ -36,9 +41,14 @@ def places(
         found = list(_of_worksheet(file, directory))
     else:
         found = [(student, name) for name in _names(file) if (student := directory.of_lms(name)) is not None]
-    by_student = {
-        student: name for student, name in found if name.lms == lms and (lms == "moodle" or name.attachment)
-    }
+    by_student: dict[str, LmsName] = {}
+    numbers: dict[str, set[str]] = {}
+    for student, name in found:
+        if name.lms == lms and (lms == "moodle" or name.attachment):
+            by_student[student] = name
+            numbers.setdefault(student, set()).add(name.number)
+    # Two people of the LMS for one of ours, such as two of the same name: whose feedback it is must not be guessed.
+    by_student = {student: name for student, name in by_student.items() if len(numbers[student]) == 1}
     if not by_student:
         wanted = MOODLES if lms == "moodle" else CANVAS
         hint = (
@@ -72,18 +82,14 @@ def packed(
 
 
 def _of_worksheet(file: Path, directory: Directory) -> Iterable[tuple[str, LmsName]]:
-    table = read_table(file, ("identifier", "full name", "email address"))
-    head = [cell.lower() for cell in table.first]
-    if "identifier" not in head:
-        return
-    for _, row in table.rows[1:]:
-        cells = dict(zip(head, row, strict=False))
-        number = "".join(filter(str.isdigit, cells["identifier"]))
-        named = [cells.get(heading, "") for heading in ("id number", "username", "email address")]
-        student = next(filter(None, (directory.by_id(each) for each in named if each)), None)
-        student = student or directory.by_name(cells.get("full name", ""))
-        if student and number:
-            yield student, LmsName("moodle", cells.get("full name", ""), number, "")
+    """Moodle's numbers: in the column Identifier, or in another language the first one, as a word and a number."""
+    table = read_table(file, HEADINGS)
+    lower = [cell.lower() for cell in table.first]
+    at = lower.index(IDENTIFIER) if IDENTIFIER in lower else 0
+    rows = list(enumerate(row for _, row in table.rows[1:]))
+    for number, student in row_owners(directory, table.first, rows).students.items():
+        if found := PARTICIPANT.match(rows[number][1][at]):
+            yield student, LmsName("moodle", "", found[1], "")
 
 
 def _names(file: Path) -> Iterable[LmsName]:

@@ -10,9 +10,10 @@ from pathlib import Path
 from corollary.messages import few, visible
 from corollary.problem.cells import Cells, read_cells
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.recognition import Recognition, RowOwners, folded, recognized
 from corollary.problem.roster_columns import HEADINGS
+from corollary.records.lms_names import Directory
 from corollary.records.marks_table import Column, MarksTable, Notation
+from corollary.records.row_owners import RowOwners, row_owners
 
 # The column of Moodle's grading worksheet, in a few languages; the next one says what it is out of.
 WORKSHEET = frozenset({"grade", "bewertung", "karakter", "note", "calificación"})
@@ -44,12 +45,12 @@ def fill_in(path: Path, table: MarksTable, headings: Sequence[str] = ()) -> Fill
     first = cells.values(0)
     places = _named(path, first, table, headings) if headings else _by_title(path, first, table)
     rows = [(row, cells.values(row)) for row in range(1, len(cells.rows))]
-    people = recognized(Recognition.of(table.students), first, rows)
+    people = row_owners(Directory(table.students), first, rows)
     if not people.students:
         raise _refused(path, f"names no student of the course; its columns are {', '.join(first)}")
     notation = replace(table.notation, point="," if _with_commas(rows) else ".")
     texts, overlooked = _texts(cells, replace(table, notation=notation), places, people)
-    present = {student.id for student in people.students.values()}
+    present = set(people.students.values())
     notes = [
         *_on_people(rows, people),
         *_on_scale(rows, first, places, notation),
@@ -73,7 +74,9 @@ def _texts(
     """
     texts: dict[tuple[int, int], str] = {}
     overlooked: dict[str, list[str]] = {}
-    for row, student in people.students.items():
+    roster = {student.id: student for student in table.students}
+    for row, owner in people.students.items():
+        student = roster[owner]
         for at, column in places.items():
             there = cells.rows[row][at].text if at < len(cells.rows[row]) else None
             if there is None:
@@ -132,7 +135,7 @@ def _on_people(rows: Sequence[tuple[int, Sequence[str]]], people: RowOwners) -> 
     called = {row: _called(values) for row, values in rows}
     if people.unclear:
         who = [called[row] for row in people.unclear]
-        yield f"ids contradict each other, or several have the name; nothing is written for {few(who)}"
+        yield f"ids contradict each other; nothing is written for {few(who)}"
     if people.by_name:
         who = [called[row] for row in people.by_name]
         yield f"no id is known, and the name alone says who it is: {few(who)}"
@@ -166,6 +169,11 @@ def _with_commas(rows: Sequence[tuple[int, Sequence[str]]]) -> bool:
 def _called(values: Sequence[str]) -> str:
     """What a person of the file is called, by the first cells that are filled."""
     return visible(" ".join([value for value in values if value][:2]))
+
+
+def folded(text: str) -> str:
+    """Equal for headings that differ in capitals and spaces."""
+    return " ".join(text.casefold().split())
 
 
 def _refused(path: Path, sentence: str) -> Malformed:

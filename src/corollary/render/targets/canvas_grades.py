@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from corollary.problem.recognition import folded
 from corollary.problem.roster import Student
 from corollary.records.marks_table import MarksTable
 from corollary.render.exports import Target
@@ -28,10 +27,10 @@ def write_marks(table: MarksTable) -> str:
 
 def _ids(student: Student) -> list[str]:
     """As Canvas's own export has them, if the roster was one; the id of the course is what a student logs in with otherwise."""
-    theirs = {folded(heading): value for heading, value in student.ids}
-    from_canvas = folded(IDS[2]) in theirs
-    numbers = [theirs.get(folded(heading), "") if from_canvas else "" for heading in IDS[:2]]
-    return [*numbers, theirs.get(folded(IDS[2]), student.id)]
+    theirs = {heading.lower(): value for heading, value in student.ids}
+    from_canvas = IDS[2].lower() in theirs
+    numbers = [theirs.get(heading.lower(), "") if from_canvas else "" for heading in IDS[:2]]
+    return [*numbers, theirs.get(IDS[2].lower(), student.id)]
 
 
 def _sortable(student: Student) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from corollary.problem.recognition import folded
 from corollary.problem.roster import Student
 from corollary.problem.roster_columns import EMAILS
 from corollary.records.marks_table import MarksTable
@@ -41,7 +40,7 @@ def _ids(students: Sequence[Student]) -> Iterator[tuple[str, list[str]]]:
     found = {
         heading: [ids[heading] for ids in theirs]
         for heading in headings
-        if folded(heading) not in EMAILS and all(heading in ids for ids in theirs)
+        if heading.lower() not in EMAILS and all(heading in ids for ids in theirs)
     }
     if not found and not all(each.id == each.email for each in students):
         found = {ID_NUMBER: [each.id for each in students]}
