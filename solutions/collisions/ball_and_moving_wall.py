@@ -19,11 +19,13 @@ def derive(vA, vB):
             answers="b",
             mistakes=[
                 mistake(
-                    "The wall's own velocity is taken off, with its sign: who rides towards the ball sees it come faster.",
+                    "The wall's own velocity is taken off, with its sign: who rides towards the ball sees "
+                    "it come faster.",
                     law("Relative motion", "w = v + u", w=w_0, v=vA, u=vB),
                 ),
                 mistake(
-                    "That is the wall's velocity as seen from the ball; asked is the ball's, seen from the wall.",
+                    "That is the wall's velocity as seen from the ball; asked is the ball's, seen from the "
+                    "wall.",
                     law("Relative motion", "w = u - v", w=w_0, v=vA, u=vB),
                 ),
                 mistake(
@@ -35,7 +37,8 @@ def derive(vA, vB):
         ),
         step(
             w_1,
-            "For someone on the wall, a light ball hits a very heavy wall at rest: its velocity is just turned round.",
+            "For someone on the wall, a light ball hits a very heavy wall at rest: its velocity is just "
+            "turned round.",
             in_the_limit(
                 w_1,
                 after_elastic(A=(m, w_0), B=(M, 0))[0],
@@ -51,7 +54,8 @@ def derive(vA, vB):
             answers="a",
             mistakes=[
                 mistake(
-                    "You treated the wall as if it stood still: turn the velocity *relative to the wall* round.",
+                    "You treated the wall as if it stood still: turn the velocity *relative to the wall* "
+                    "round.",
                     law("Relative motion", "v = -v_A", v=v_1, v_A=vA),
                 ),
                 mistake(

@@ -45,12 +45,14 @@ def derive(mA, mB, h, L, g):
         ),
         step(
             v_0,
-            "In the hit no outside force acts along the motion, for the rope hangs straight down: momentum is kept, and both move on together.",
+            "In the hit no outside force acts along the motion, for the rope hangs straight down: momentum "
+            "is kept, and both move on together.",
             sticking(before=[(mA, v_0), (mB, 0)], together=v_1),
             answers="a",
             mistakes=[
                 mistake(
-                    "Kinetic energy is not kept when a bullet gets stuck: most of it is lost. Use momentum in the hit.",
+                    "Kinetic energy is not kept when a bullet gets stuck: most of it is lost. Use momentum "
+                    "in the hit.",
                     law(
                         "Conservation of momentum",
                         "v_0 = v_1*sqrt((m_A + m_B)/m_A)",
@@ -76,11 +78,15 @@ def derive(mA, mB, h, L, g):
                     ),
                 ),
             ],
-            check="A bullet a hundred times as light as the block must be about a hundred times as fast as both are afterwards.",
+            check=(
+                "A bullet a hundred times as light as the block must be about a hundred times as fast as "
+                "both are afterwards."
+            ),
         ),
         step(
             dK,
-            "The change is the kinetic energy of both together just after the hit, less that of the bullet before it.",
+            "The change is the kinetic energy of both together just after the hit, less that of the bullet "
+            "before it.",
             change_of_kinetic_energy(dK, before=[(mA, v_0), (mB, 0)], after=[(mA, v_1), (mB, v_1)]),
             answers="b",
             routes=[
@@ -111,7 +117,8 @@ def derive(mA, mB, h, L, g):
                     ),
                 ),
                 mistake(
-                    "That is the energy that is left after the hit, and lifts the block; asked is the change in the hit.",
+                    "That is the energy that is left after the hit, and lifts the block; asked is the "
+                    "change in the hit.",
                     law(
                         "Change of kinetic energy", "dK = (m_A + m_B)*v_1^2/2", dK=dK, m_A=mA, m_B=mB, v_1=v_1
                     ),
@@ -172,7 +179,8 @@ def derive(mA, mB, h, L, g):
             "a",
             "the swing while the bullet is stopped",
             u,
-            "By then block and bullet have moved by at most x, and the rope, which carries their weight on a circle, pulls them back with at most F. "
+            "By then block and bullet have moved by at most x, and the rope, which carries their weight on "
+            "a circle, pulls them back with at most F. "
             "The momentum J that it takes from them was the bullet's too.",
             law("Way", "x = v_1*tau", x=x, v_1=v_1, tau=tau),
             law(

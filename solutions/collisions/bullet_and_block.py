@@ -26,7 +26,8 @@ def derive(m, M, mu, d, g):
         ),
         step(
             v,
-            "In the hit momentum is kept: no outside force acts along the smooth table. Bullet and block move on as one.",
+            "In the hit momentum is kept: no outside force acts along the smooth table. Bullet and block "
+            "move on as one.",
             sticking(before=[(m, v), (M, 0)], together=u),
             answers="a",
             where=v >= 0,
@@ -36,7 +37,8 @@ def derive(m, M, mu, d, g):
                     law("Conservation of momentum", "m*v^2/2 = (m + M)*u^2/2", m=m, v=v, M=M, u=u),
                 ),
                 mistake(
-                    "That is the speed of block and bullet just after the hit. One step is left: momentum in the collision.",
+                    "That is the speed of block and bullet just after the hit. One step is left: momentum "
+                    "in the collision.",
                     law("Conservation of momentum", "v = u", v=v, u=u),
                 ),
                 mistake(
@@ -44,11 +46,15 @@ def derive(m, M, mu, d, g):
                     law("Conservation of momentum", "m*v = M*u", m=m, v=v, M=M, u=u),
                 ),
             ],
-            check="A heavy block that slides far needs a fast bullet; with M → 0 the bullet would simply slide on at u.",
+            check=(
+                "A heavy block that slides far needs a fast bullet; with M → 0 the bullet would simply "
+                "slide on at u."
+            ),
         ),
         step(
             dK,
-            "The change is the kinetic energy of both together just after the hit, less that of the bullet before it.",
+            "The change is the kinetic energy of both together just after the hit, less that of the bullet "
+            "before it.",
             change_of_kinetic_energy(dK, before=[(m, v), (M, 0)], after=[(m, u), (M, u)]),
             answers="b",
             routes=[
@@ -65,7 +71,8 @@ def derive(m, M, mu, d, g):
                     ),
                 ),
                 route(
-                    "The same from the work of friction: what is left after the hit is m u²/2 of both, and u follows from the sliding.",
+                    "The same from the work of friction: what is left after the hit is m u²/2 of both, and "
+                    "u follows from the sliding.",
                     law(
                         "Loss in a perfectly inelastic collision",
                         "dK = mu*g*(m + M)*d - m*v^2/2",
@@ -81,7 +88,8 @@ def derive(m, M, mu, d, g):
             ],
             mistakes=[
                 mistake(
-                    "That is the work of friction on the rough table; asked is the change in the collision itself.",
+                    "That is the work of friction on the rough table; asked is the change in the collision "
+                    "itself.",
                     law("Change of kinetic energy", "dK = -mu*N*d", dK=dK, mu=mu, N=N, d=d),
                 ),
                 mistake(
@@ -89,7 +97,8 @@ def derive(m, M, mu, d, g):
                     law("Change of kinetic energy", "dK = (m + M)*u^2 - m*v^2", dK=dK, m=m, M=M, u=u, v=v),
                 ),
                 mistake(
-                    "You squared the difference of the velocities; take the difference of the kinetic energies.",
+                    "You squared the difference of the velocities; take the difference of the kinetic "
+                    "energies.",
                     law("Change of kinetic energy", "dK = m*(u - v)^2/2", dK=dK, m=m, u=u, v=v),
                 ),
             ],

@@ -52,17 +52,20 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
         ),
         step(
             F,
-            "The spring pushes A away from B, against $\\Delta\\vec r$. The brake pulls the velocity of A towards that of B, along $\\Delta\\vec v$.",
+            "The spring pushes A away from B, against $\\Delta\\vec r$. The brake pulls the velocity of A "
+            "towards that of B, along $\\Delta\\vec v$.",
             contact(),
             answers="a",
             scale=k * R ** sympy.Rational(3, 2),
             mistakes=[
                 mistake(
-                    "Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed the other way.",
+                    "Your spring pulls A towards B. $\\Delta\\vec r$ points from A to B; A must be pushed "
+                    "the other way.",
                     contact(k=-k),
                 ),
                 mistake(
-                    "Your viscous part drives the spheres. To brake the relative motion it must pull the velocity of A towards that of B: along $+\\Delta\\vec v$.",
+                    "Your viscous part drives the spheres. To brake the relative motion it must pull the "
+                    "velocity of A towards that of B: along $+\\Delta\\vec v$.",
                     contact(eta=-eta),
                 ),
                 mistake(
@@ -71,7 +74,8 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
                 ),
                 mistake("You left out the viscous part.", contact(eta=0)),
                 mistake(
-                    "The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left out the division by $\\Delta r$.",
+                    "The spring part is its size times the unit vector $\\Delta\\vec r/\\Delta r$; you left "
+                    "out the division by $\\Delta r$.",
                     contact(k=k * r),
                 ),
                 mistake(
@@ -83,18 +87,26 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
         ),
         choice(
             "b",
-            "While the spheres overlap they push each other apart: the spring force on A points from B to A, which is along $-\\Delta\\vec r$.",
+            "While the spheres overlap they push each other apart: the spring force on A points from B to "
+            "A, which is along $-\\Delta\\vec r$.",
             a=False,
             b=True,
             c=False,
             mistakes={
-                "a": "With plus the spring on A points along $\\Delta\\vec r$, from A to B: the spheres would pull each other in.",
-                "c": "A spring pushes the same way while the overlap grows and while it shrinks; only so does it give the energy back.",
+                "a": (
+                    "With plus the spring on A points along $\\Delta\\vec r$, from A to B: the spheres "
+                    "would pull each other in."
+                ),
+                "c": (
+                    "A spring pushes the same way while the overlap grows and while it shrinks; only so "
+                    "does it give the energy back."
+                ),
             },
         ),
         code(
             "c",
-            "Newton's second law for each sphere, with the force on B opposite to that on A; velocities first, then positions with the new velocities.",
+            "Newton's second law for each sphere, with the force on B opposite to that on A; velocities "
+            "first, then positions with the new velocities.",
             inputs=sphere_inputs,
             judge=judge_spheres,
             example=file("colliding_spheres/spheres.py"),
@@ -108,12 +120,20 @@ def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
         explain(
             "d",
             "Says that the total momentum stays the same, in x and in y.",
-            "Gives the reason: the viscous force too acts on B opposite to how it acts on A; all forces are internal.",
-            "Says that mechanical energy is lost (for as long as the spheres overlap and move against each other).",
-            "Gives the reason: the power of the viscous forces is $-\\eta\\,\\lvert\\Delta\\vec v\\rvert^2$, never positive; the spring gives back what it took.",
-            answer="The total momentum does not change: whatever B does to A, A does to B the other way, and this holds for the viscous part as well as for the spring. No force comes from outside. "
-            "The mechanical energy falls. The viscous forces do work at the rate $\\eta\\Delta\\vec v\\cdot\\vec v_A - \\eta\\Delta\\vec v\\cdot\\vec v_B = -\\eta\\lvert\\Delta\\vec v\\rvert^2$, which is "
-            "negative while the spheres touch and move against each other. The spring only stores energy and gives it back. The larger η, the more is lost.",
+            "Gives the reason: the viscous force too acts on B opposite to how it acts on A; all forces are "
+            "internal.",
+            "Says that mechanical energy is lost (for as long as the spheres overlap and move against each "
+            "other).",
+            "Gives the reason: the power of the viscous forces is $-\\eta\\,\\lvert\\Delta\\vec "
+            "v\\rvert^2$, never positive; the spring gives back what it took.",
+            answer="The total momentum does not change: whatever B does to A, A does to B the other way, "
+            "and this holds for the viscous part as well as for the spring. No force comes from "
+            "outside. "
+            "The mechanical energy falls. The viscous forces do work at the rate $\\eta\\Delta\\vec "
+            "v\\cdot\\vec v_A - \\eta\\Delta\\vec v\\cdot\\vec v_B = -\\eta\\lvert\\Delta\\vec v\\rvert^2$, "
+            "which is "
+            "negative while the spheres touch and move against each other. The spring only stores energy "
+            "and gives it back. The larger η, the more is lost.",
         ),
     )
 

@@ -12,7 +12,8 @@ def derive(m, v0, u, m2, w):
     return derivation(
         step(
             dK,
-            "Momentum is kept: equal masses with opposite velocities stop. The change is the kinetic energy after less that before.",
+            "Momentum is kept: equal masses with opposite velocities stop. The change is the kinetic energy "
+            "after less that before.",
             sticking(before=[(m, v0), (m, -v0)], together=V),
             change_of_kinetic_energy(dK, before=[(m, v0), (m, -v0)], after=[(m, V), (m, V)]),
             also=[V],
@@ -69,7 +70,8 @@ def derive(m, v0, u, m2, w):
             answers="d",
             routes=[
                 route(
-                    "Seen from the road the wreck is at rest; an observer who moves at v₀ sees it move at v₀.",
+                    "Seen from the road the wreck is at rest; an observer who moves at v₀ sees it move at "
+                    "v₀.",
                     law("Kinetic energy", "K = 2*m*v_0^2/2", K=K_1, m=m, v_0=v0),
                 )
             ],
@@ -102,7 +104,8 @@ def derive(m, v0, u, m2, w):
             ],
             mistakes=[
                 mistake(
-                    "That is the argument of the riddle: it forgets that the wreck still moves in this frame.",
+                    "That is the argument of the riddle: it forgets that the wreck still moves in this "
+                    "frame.",
                     law("Change of kinetic energy", "dK = -K_0", dK=dK_c, K_0=K_0),
                 ),
                 mistake(
@@ -114,24 +117,39 @@ def derive(m, v0, u, m2, w):
         ),
         choice(
             "a",
-            "In the frame of one car the wreck still moves after the collision. Half of the larger kinetic energy is left, and the loss is the same as seen from the road.",
+            "In the frame of one car the wreck still moves after the collision. Half of the larger kinetic "
+            "energy is left, and the loss is the same as seen from the road.",
             a=sympy.Ne(dK, dK_c),
             b=sympy.Eq(dK, dK_c),
             c=False,
             d=False,
             mistakes={
-                "a": "The kinetic energy depends on the observer. But work out what is left after the collision in the frame of the car.",
-                "c": "In the frame of the car the other one comes at twice the speed: the kinetic energy before is larger.",
-                "d": "An observer who moves at a steady velocity may use the same laws; the argument fails elsewhere.",
+                "a": (
+                    "The kinetic energy depends on the observer. But work out what is left after the "
+                    "collision in the frame of the car."
+                ),
+                "c": (
+                    "In the frame of the car the other one comes at twice the speed: the kinetic energy "
+                    "before is larger."
+                ),
+                "d": (
+                    "An observer who moves at a steady velocity may use the same laws; the argument fails "
+                    "elsewhere."
+                ),
             },
         ),
         explain(
             "f",
             "Says that kinetic energy before depends on the observer, and that this is no contradiction.",
-            "Says that in the frame of one car the wreck is not at rest after the collision: it moves at v₀ and has the kinetic energy m v₀².",
+            "Says that in the frame of one car the wreck is not at rest after the collision: it moves at v₀ "
+            "and has the kinetic energy m v₀².",
             "Concludes that the change is the same, -m v₀², in both frames.",
-            answer="The kinetic energy before is indeed twice as large in the frame of one car. But the argument takes for granted that nothing is left of it. In that frame the total momentum is not zero, so the wreck "
-            "moves on, at v₀, and has the kinetic energy ½(2m)v₀² = mv₀². The change is mv₀² - 2mv₀² = -mv₀², just as seen from the road. It must be: the heat and the dents do not depend on who looks at them.",
+            answer="The kinetic energy before is indeed twice as large in the frame of one car. But the "
+            "argument takes for granted that nothing is left of it. In that frame the total momentum "
+            "is not zero, so the wreck "
+            "moves on, at v₀, and has the kinetic energy ½(2m)v₀² = mv₀². The change is mv₀² - 2mv₀² = "
+            "-mv₀², just as seen from the road. It must be: the heat and the dents do not depend on who "
+            "looks at them.",
         ),
         step(
             (x_1, x_2),
@@ -139,7 +157,8 @@ def derive(m, v0, u, m2, w):
             law("Relative motion", "v = u + w", source="(12.74)", v=(v0, -v0), u=u, w=(x_1, x_2)),
             mistakes=[
                 mistake(
-                    "Take the observer's velocity off both cars' velocities, with its sign and theirs: one car seems faster, the other slower.",
+                    "Take the observer's velocity off both cars' velocities, with its sign and theirs: one "
+                    "car seems faster, the other slower.",
                     law("Relative motion", "w = c", w=(x_1, x_2), c=(v0 - u, -(v0 - u))),
                 )
             ],

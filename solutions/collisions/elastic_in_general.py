@@ -53,7 +53,10 @@ def derive(mA, mB, vA, vB):
                     instead="Conservation of mechanical energy",
                 ),
             ],
-            check="With B at rest this is the simpler formula; with equal masses it is B's velocity from before.",
+            check=(
+                "With B at rest this is the simpler formula; with equal masses it is B's velocity from "
+                "before."
+            ),
         ),
         step(
             v_B1,
@@ -62,7 +65,8 @@ def derive(mA, mB, vA, vB):
             answers="b",
             routes=[
                 route(
-                    "In an elastic collision the relative velocity is only turned round (r = 1): B leaves A as fast as A came towards B.",
+                    "In an elastic collision the relative velocity is only turned round (r = 1): B leaves A "
+                    "as fast as A came towards B.",
                     restitution(1, A=(vA, v_A1), B=(vB, v_B1)),
                 )
             ],

@@ -68,7 +68,8 @@ def derive(mA, mB, vA):
             ],
             mistakes=[
                 mistake(
-                    "A keeps some momentum, or takes more than it had: it is not all given to B. Put A's velocity in, with its sign.",
+                    "A keeps some momentum, or takes more than it had: it is not all given to B. Put A's "
+                    "velocity in, with its sign.",
                     law("Conservation of momentum", "m_A*v_A = m_B*v_B1", m_A=mA, v_A=vA, m_B=mB, v_B1=v_B1),
                 ),
                 mistake(
@@ -101,7 +102,8 @@ def derive(mA, mB, vA):
             answers="c",
             mistakes=[
                 mistake(
-                    "That is a fraction of the momentum; the kinetic energy goes with the square of the speed.",
+                    "That is a fraction of the momentum; the kinetic energy goes with the square of the "
+                    "speed.",
                     law(
                         "Fraction of the momentum",
                         "q = m_B*v_B1/(m_A*v_A)",
@@ -171,7 +173,9 @@ def derive(mA, mB, vA):
         ),
         step(
             f,
-            r"Divide numerator and denominator of the general result by $m_B$: $v_{A,1} = \frac{m_A/m_B - 1}{m_A/m_B + 1}v_A$ and $v_{B,1} = \frac{2m_A/m_B}{m_A/m_B + 1}v_A$, and let $m_A/m_B$ go to 0.",
+            r"Divide numerator and denominator of the general result by $m_B$: $v_{A,1} = \frac{m_A/m_B - "
+            r"1}{m_A/m_B + 1}v_A$ and $v_{B,1} = \frac{2m_A/m_B}{m_A/m_B + 1}v_A$, and let $m_A/m_B$ go to "
+            r"0.",
             in_the_limit(f, formulas, mB, sympy.oo, "m_A/m_B is negligible"),
             answers="f",
             mistakes=[
@@ -196,7 +200,8 @@ def derive(mA, mB, vA):
         ),
         step(
             g,
-            r"Divide by $m_A$ instead: $v_{A,1} = \frac{1 - m_B/m_A}{1 + m_B/m_A}v_A$ and $v_{B,1} = \frac{2}{1 + m_B/m_A}v_A$, and let $m_B/m_A$ go to 0.",
+            r"Divide by $m_A$ instead: $v_{A,1} = \frac{1 - m_B/m_A}{1 + m_B/m_A}v_A$ and $v_{B,1} = "
+            r"\frac{2}{1 + m_B/m_A}v_A$, and let $m_B/m_A$ go to 0.",
             in_the_limit(g, formulas, mB, 0, "m_B/m_A is negligible"),
             answers="g",
             mistakes=[
@@ -209,7 +214,8 @@ def derive(mA, mB, vA):
                     law("Limit", "v = v_limit", v=g, v_limit=(vA, vA)),
                 ),
                 mistake(
-                    "They exchange their velocities only if the masses are equal; a heavy A is not stopped by a light B.",
+                    "They exchange their velocities only if the masses are equal; a heavy A is not stopped "
+                    "by a light B.",
                     law("Limit", "v = v_limit", v=g, v_limit=(0, vA)),
                 ),
             ],

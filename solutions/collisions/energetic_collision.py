@@ -13,19 +13,27 @@ def derive(m1, v1, m2):
     return derivation(
         step(
             P,
-            "Without kinetic energy nothing moves after the collision; then the total momentum is zero, and it must have been so before.",
+            "Without kinetic energy nothing moves after the collision; then the total momentum is zero, and "
+            "it must have been so before.",
             momentum(P, m1 + m2, 0),
         ),
         choice(
             "a",
-            "No kinetic energy after means that nothing moves, so the total momentum is zero after, and therefore before. If then the two stick together they are at rest: all kinetic energy is gone.",
+            "No kinetic energy after means that nothing moves, so the total momentum is zero after, and "
+            "therefore before. If then the two stick together they are at rest: all kinetic energy is gone.",
             a=False,
             b=sympy.Eq(P, 0),
             c=sympy.Ne(P, 0),
             d=False,
             mistakes={
-                "a": "Total energy is conserved, kinetic energy is not: it may become heat and lasting deformation.",
-                "c": "If they bring momentum along, they still have it after the collision, and so they move on.",
+                "a": (
+                    "Total energy is conserved, kinetic energy is not: it may become heat and lasting "
+                    "deformation."
+                ),
+                "c": (
+                    "If they bring momentum along, they still have it after the collision, and so they "
+                    "move on."
+                ),
                 "d": "Then the moving one brings momentum along, which does not vanish.",
             },
         ),
@@ -73,11 +81,18 @@ def derive(m1, v1, m2):
         ),
         explain(
             "d",
-            "Says that momentum is a vector: two momenta that are not zero can cancel, kinetic energies cannot.",
-            "Says that the objects must then be at rest after the collision, so the collision is perfectly inelastic.",
-            "Says that the kinetic energy becomes internal energy: heat, sound, lasting deformation. The total energy is conserved.",
-            answer="Momentum has a direction, so two objects that move towards each other may have a total momentum of zero although both move. Kinetic energy has no direction and cannot cancel: before the "
-            "collision it is not zero. If the two stick together they must be at rest, for the total momentum is still zero. All of the kinetic energy has then become heat and lasting deformation of the "
+            "Says that momentum is a vector: two momenta that are not zero can cancel, kinetic energies "
+            "cannot.",
+            "Says that the objects must then be at rest after the collision, so the collision is perfectly "
+            "inelastic.",
+            "Says that the kinetic energy becomes internal energy: heat, sound, lasting deformation. The "
+            "total energy is conserved.",
+            answer="Momentum has a direction, so two objects that move towards each other may have a total "
+            "momentum of zero although both move. Kinetic energy has no direction and cannot cancel: "
+            "before the "
+            "collision it is not zero. If the two stick together they must be at rest, for the total "
+            "momentum is still zero. All of the kinetic energy has then become heat and lasting deformation "
+            "of the "
             "objects; the total energy is conserved, only the kinetic energy is not.",
         ),
     )

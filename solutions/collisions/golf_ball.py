@@ -15,7 +15,8 @@ def derive(v, M, m, r):
     return derivation(
         step(
             u_a,
-            r"An elastic collision gives the ball at rest $u = \frac{2M}{M + m}v = \frac{2}{1 + m/M}v$; let $m/M$ go to 0.",
+            r"An elastic collision gives the ball at rest $u = \frac{2M}{M + m}v = \frac{2}{1 + m/M}v$; let "
+            r"$m/M$ go to 0.",
             in_the_limit(
                 u_a,
                 after_elastic(A=(M, v), B=(m, 0))[1],
@@ -34,7 +35,8 @@ def derive(v, M, m, r):
                     law("Limit", "u = M*v/m", u=u_a, M=M, v=v, m=m),
                 ),
                 mistake(
-                    "You gave all of the club's kinetic energy to the ball; a heavy club keeps nearly all of it.",
+                    "You gave all of the club's kinetic energy to the ball; a heavy club keeps nearly all "
+                    "of it.",
                     law("Limit", "u = v*sqrt(M/m)", u=u_a, M=M, v=v, m=m),
                 ),
                 mistake(
@@ -86,11 +88,13 @@ def derive(v, M, m, r):
             answers="c",
             mistakes=[
                 mistake(
-                    "r compares *relative* velocities: that of ball and club after, with that of club and ball before.",
+                    "r compares *relative* velocities: that of ball and club after, with that of club and "
+                    "ball before.",
                     law("Coefficient of restitution", "u = r*v", u=u_c, r=r, v=v),
                 ),
                 mistake(
-                    "Not the whole velocity of the elastic ball shrinks by r: only the part with which it runs ahead of the club.",
+                    "Not the whole velocity of the elastic ball shrinks by r: only the part with which it "
+                    "runs ahead of the club.",
                     law("Coefficient of restitution", "u = 2*M/(M + m)*r*v", u=u_c, M=M, m=m, r=r, v=v),
                 ),
                 mistake(
@@ -114,8 +118,11 @@ def derive(v, M, m, r):
             "Changes to an observer who moves with the club (or argues with the relative velocity).",
             "Says that there the ball comes at v and is turned round as by a wall: it leaves the club at v.",
             "Comes back to the ground: the club goes on at v, and the ball is faster than the club by v.",
-            answer="Ride along with the club. Seen from there the club is at rest, and the ball comes towards it at the speed v. The club is so heavy that it is a wall for the ball: an elastic ball is "
-            "thrown back at the same speed v. Seen from the ground the club still moves at v, and the ball runs ahead of it at another v: together 2v.",
+            answer="Ride along with the club. Seen from there the club is at rest, and the ball comes "
+            "towards it at the speed v. The club is so heavy that it is a wall for the ball: an "
+            "elastic ball is "
+            "thrown back at the same speed v. Seen from the ground the club still moves at v, and the ball "
+            "runs ahead of it at another v: together 2v.",
         ),
     )
 

@@ -44,7 +44,8 @@ def derive(v0, theta, s, D, mA, mB):
     return derivation(
         step(
             (w, *b),
-            "Momentum is kept along x and along y, kinetic energy too; A moves off with a speed w at the angle θ. The masses are equal: call both m_A.",
+            "Momentum is kept along x and along y, kinetic energy too; A moves off with a speed w at the "
+            "angle θ. The masses are equal: call both m_A.",
             momentum_ab,
             energy_ab,
             reject=[
@@ -60,7 +61,8 @@ def derive(v0, theta, s, D, mA, mB):
             answers="a",
             mistakes=[
                 mistake(
-                    "Sine and cosine have changed places: a slightly deflected A keeps nearly all of its speed.",
+                    "Sine and cosine have changed places: a slightly deflected A keeps nearly all of its "
+                    "speed.",
                     law("Magnitude", "v = c", v=speeds, c=(v0 * sympy.sin(theta), v0 * sympy.cos(theta))),
                 ),
                 mistake(
@@ -78,7 +80,10 @@ def derive(v0, theta, s, D, mA, mB):
                     law("Magnitude", "v = c", v=speeds, c=(v0 / sympy.sqrt(2), v0 / sympy.sqrt(2))),
                 ),
             ],
-            check="Their squares add up to v₀²: the kinetic energy is kept. θ → 0: A misses, and B stays at rest.",
+            check=(
+                "Their squares add up to v₀²: the kinetic energy is kept. θ → 0: A misses, and B stays at "
+                "rest."
+            ),
         ),
         step(
             psi,
@@ -92,7 +97,8 @@ def derive(v0, theta, s, D, mA, mB):
                     law("Scalar product", "psi = 2*theta", psi=psi, theta=theta),
                 ),
                 mistake(
-                    "That is the angle of B's velocity with +x; asked is the angle between the velocities of A and B.",
+                    "That is the angle of B's velocity with +x; asked is the angle between the velocities "
+                    "of A and B.",
                     law("Scalar product", "psi = pi/2 - theta", psi=psi, theta=theta),
                 ),
             ],
@@ -100,7 +106,8 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         step(
             n,
-            "When they touch, the centres are D apart, and s of it across the motion: this fixes the unit vector n from A's centre to B's.",
+            "When they touch, the centres are D apart, and s of it across the motion: this fixes the unit "
+            "vector n from A's centre to B's.",
             *line_of_centres(n, s=s, D=D),
             mistakes=[
                 mistake(
@@ -111,14 +118,16 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         step(
             w_B,
-            "Smooth spheres push each other along n only. Along n it is a collision on a line: A comes with the component v₀ n_x of its velocity, B is at rest.",
+            "Smooth spheres push each other along n only. Along n it is a collision on a line: A comes with "
+            "the component v₀ n_x of its velocity, B is at rest.",
             conservation_of_momentum(before=along, after=along_after),
             elastic(before=along, after=along_after),
             also=[w_A],
             reject=[reject(not_met, w_A=v0 * n[0], w_B=0)],
             mistakes=[
                 mistake(
-                    "Only the component of A's velocity along the line of centres takes part in the collision.",
+                    "Only the component of A's velocity along the line of centres takes part in the "
+                    "collision.",
                     law("Whole velocity", "w_B = v_0", w_B=w_B, v_0=v0),
                     instead="Conservation of mechanical energy",
                 ),
@@ -131,7 +140,8 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         step(
             (*B, *A),
-            "B was at rest and is pushed along n only, so it moves along n; what is left of the momentum is A's.",
+            "B was at rest and is pushed along n only, so it moves along n; what is left of the momentum is "
+            "A's.",
             law("Velocity along n", "v = w*n", v=B, w=w_B, n=n),
             momentum_AB,
             answers="c",
@@ -145,7 +155,10 @@ def derive(v0, theta, s, D, mA, mB):
                     law("Velocity along n", "v = w*n", v=B, w=w_B, n=(n[0], -n[1])),
                 ),
             ],
-            check="s = 0: A stops and B goes on at v₀. s = D: they only touch, and nothing changes. The two velocities are at right angles.",
+            check=(
+                "s = 0: A stops and B goes on at v₀. s = D: they only touch, and nothing changes. The two "
+                "velocities are at right angles."
+            ),
         ),
         step(
             u_B,
@@ -161,7 +174,8 @@ def derive(v0, theta, s, D, mA, mB):
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
-                    "Only the component of A's velocity along the line of centres takes part in the collision.",
+                    "Only the component of A's velocity along the line of centres takes part in the "
+                    "collision.",
                     law("Whole velocity", "u_B = 2*m_A/(m_A + m_B)*v_0", u_B=u_B, m_A=mA, m_B=mB, v_0=v0),
                     instead="Conservation of mechanical energy",
                 ),
@@ -191,7 +205,8 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         step(
             (many, equations),
-            "Two velocities with two components each are unknown. Momentum is a vector law, an equation for each component; energy is one more.",
+            "Two velocities with two components each are unknown. Momentum is a vector law, an equation for "
+            "each component; energy is one more.",
             law("Count", "N_u = b*d", N_u=many, b=2, d=2),
             law(
                 "Count of equations",
@@ -222,7 +237,8 @@ def derive(v0, theta, s, D, mA, mB):
         ),
         proof(
             "f",
-            "Squaring the conservation of momentum gives the conservation of energy, but for twice the scalar product; so this must vanish.",
+            "Squaring the conservation of momentum gives the conservation of energy, but for twice the "
+            "scalar product; so this must vanish.",
             momentum_AB,
             plane_energy(mA, v0, A, B),
             target=law("Orthogonal", "A_x*B_x + A_y*B_y = 0", A_x=A[0], A_y=A[1], B_x=B[0], B_y=B[1]),

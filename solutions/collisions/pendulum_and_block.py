@@ -30,7 +30,8 @@ def derive(m, M, L, g):
     return derivation(
         step(
             v_0,
-            "The rope pulls at right angles to the motion; only gravity does work. The sphere comes down by the length of the rope.",
+            "The rope pulls at right angles to the motion; only gravity does work. The sphere comes down by "
+            "the length of the rope.",
             falling(v_0, g, L),
             answers="a0",
             where=v_0 >= 0,
@@ -52,7 +53,8 @@ def derive(m, M, L, g):
         ),
         step(
             u,
-            "In the short collision momentum is kept (the rope is vertical and does not push along the table), and so is the kinetic energy.",
+            "In the short collision momentum is kept (the rope is vertical and does not push along the "
+            "table), and so is the kinetic energy.",
             conservation_of_momentum(before=before, after=after),
             elastic(before=before, after=after),
             answers="a",
@@ -80,7 +82,10 @@ def derive(m, M, L, g):
                     instead="Conservation of mechanical energy",
                 ),
             ],
-            check="A sphere lighter than the block comes back (negative); they part as fast as they came together.",
+            check=(
+                "A sphere lighter than the block comes back (negative); they part as fast as they came "
+                "together."
+            ),
         ),
         step(
             h_1,
@@ -110,8 +115,10 @@ def derive(m, M, L, g):
             "a",
             "the swing of the rope during the hit",
             w,
-            "The sphere moves by at most x while they touch, and the rope, which carries its weight on a circle, pulls it back with at most F. "
-            "The momentum J that it takes changes the sphere's velocity by at most J/m and the block's by at most 2J/m.",
+            "The sphere moves by at most x while they touch, and the rope, which carries its weight on a "
+            "circle, pulls it back with at most F. "
+            "The momentum J that it takes changes the sphere's velocity by at most J/m and the block's by "
+            "at most 2J/m.",
             *swing,
             law("Change of both velocities", "w = sqrt(1 + 2^2)*J/m", w=w, J=J, m=m),
             also=[x, F, J],

@@ -9,7 +9,8 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
     return derivation(
         step(
             r_v,
-            "The coefficient compares the relative velocity after with that before; the minus sign stands for its being turned round.",
+            "The coefficient compares the relative velocity after with that before; the minus sign stands "
+            "for its being turned round.",
             restitution(r_v, A=(vA0, vA1), B=(vB0, vB1)),
             answers="a",
             mistakes=[
@@ -26,11 +27,13 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
                     ),
                 ),
                 mistake(
-                    "That compares the speed of B after with that of A before; what counts are the velocities of A and B *relative to each other*.",
+                    "That compares the speed of B after with that of A before; what counts are the "
+                    "velocities of A and B *relative to each other*.",
                     law("Coefficient of restitution", "r = v_B1/v_A0", r=r_v, v_A0=vA0, v_B1=vB1),
                 ),
                 mistake(
-                    "Mind the signs: a relative velocity is the difference of the two velocities, not their sum.",
+                    "Mind the signs: a relative velocity is the difference of the two velocities, not their "
+                    "sum.",
                     law(
                         "Coefficient of restitution",
                         "r = (v_B1 + v_A1)/(v_A0 + v_B0)",
@@ -60,7 +63,8 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
             where=r_h >= 0,
             mistakes=[
                 mistake(
-                    "The heights tell the energies; r compares the *speeds*, which go with the root of the height.",
+                    "The heights tell the energies; r compares the *speeds*, which go with the root of the "
+                    "height.",
                     law("Height of a bounce", "r = h_1/h_0", r=r_h, h_0=h0, h_1=h1),
                 ),
                 mistake(
@@ -76,17 +80,20 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
         ),
         step(
             beta,
-            r"While it touches, Newton's second law reads $m\ddot x = -kx - c\dot x$: a damped oscillation, which starts at $x = 0$.",
+            r"While it touches, Newton's second law reads $m\ddot x = -kx - c\dot x$: a damped oscillation, "
+            r"which starts at $x = 0$.",
             damping_rate(beta, m, c),
         ),
         step(
             omega,
-            "The damping makes the swing slower. If β² reached k/m there would be no swing at all, and no rebound.",
+            "The damping makes the swing slower. If β² reached k/m there would be no swing at all, and no "
+            "rebound.",
             damped_frequency(omega, m, k, beta),
         ),
         step(
             T,
-            "The bumper is back at $x = 0$ after half a swing, for $x = (v/\\omega)\\,e^{-\\beta t}\\sin\\omega t$.",
+            "The bumper is back at $x = 0$ after half a swing, for $x = (v/\\omega)\\,e^{-\\beta "
+            "t}\\sin\\omega t$.",
             law("Half a swing", "omega*T = pi", omega=omega, T=T),
             mistakes=[
                 mistake(
@@ -94,19 +101,22 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
                     law("Half a swing", "omega*T = 2*pi", omega=omega, T=T),
                 ),
                 mistake(
-                    "That is a quarter of a swing, up to the deepest point; the ball still has to come out again.",
+                    "That is a quarter of a swing, up to the deepest point; the ball still has to come out "
+                    "again.",
                     law("Half a swing", "omega*T = pi/2", omega=omega, T=T),
                 ),
             ],
         ),
         step(
             r_c,
-            "There the velocity has the opposite direction, and is smaller by the factor by which the swing has died away.",
+            "There the velocity has the opposite direction, and is smaller by the factor by which the swing "
+            "has died away.",
             damped_rebound(r_c, beta, T),
             answers="c",
             mistakes=[
                 mistake(
-                    "That is the share of the kinetic energy that is left, r²; the coefficient compares velocities.",
+                    "That is the share of the kinetic energy that is left, r²; the coefficient compares "
+                    "velocities.",
                     law("Damped oscillation", "r = exp(-2*beta*T)", r=r_c, beta=beta, T=T),
                 ),
                 mistake(
@@ -118,7 +128,9 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
                     law("Damped oscillation", "r = 1 - exp(-beta*T)", r=r_c, beta=beta, T=T),
                 ),
             ],
-            check="No damping (c = 0): r = 1. Much damping: r goes to 0. The speed of the ball does not matter.",
+            check=(
+                "No damping (c = 0): r = 1. Much damping: r goes to 0. The speed of the ball does not matter."
+            ),
         ),
     )
 

@@ -57,7 +57,8 @@ def derive(m, v0, r, h0, n, g):
                     law("Change of kinetic energy", "dK = m*(v_1 - v_0)^2/2", dK=dK, m=m, v_1=v_1, v_0=v0),
                 ),
                 mistake(
-                    "r is the share of the speed that is kept; the kinetic energy goes with the square of the speed.",
+                    "r is the share of the speed that is kept; the kinetic energy goes with the square of "
+                    "the speed.",
                     law("Change of kinetic energy", "dK = (r - 1)*m*v_0^2/2", dK=dK, m=m, r=r, v_0=v0),
                 ),
                 mistake(
@@ -75,7 +76,8 @@ def derive(m, v0, r, h0, n, g):
         ),
         step(
             u,
-            "The floor turns the velocity from -w into +u (up is positive) and keeps the fraction r of the speed.",
+            "The floor turns the velocity from -w into +u (up is positive) and keeps the fraction r of the "
+            "speed.",
             restitution(r, A=(-w, u), B=(0, 0)),
         ),
         step(
@@ -111,7 +113,8 @@ def derive(m, v0, r, h0, n, g):
             answers="d",
             routes=[
                 route(
-                    "The same from the height of the first bounce: every bounce leaves the same fraction of the height.",
+                    "The same from the height of the first bounce: every bounce leaves the same fraction of "
+                    "the height.",
                     law("Bounce after bounce", "h_n = h_0*q^n", h_n=h_n, h_0=h0, q=q, n=n),
                 )
             ],
@@ -142,15 +145,22 @@ def derive(m, v0, r, h0, n, g):
         ),
         choice(
             "f",
-            "With r = 1 all of the kinetic energy is kept: elastic. With less than 1 some is lost: inelastic. With r = 0 the objects do not part again: perfectly inelastic.",
+            "With r = 1 all of the kinetic energy is kept: elastic. With less than 1 some is lost: "
+            "inelastic. With r = 0 the objects do not part again: perfectly inelastic.",
             a=sympy.Eq(kept[0], 1) & sympy.Eq(kept[1], 0),
             b=sympy.Eq(kept[1], 1) & sympy.Eq(kept[0], 0),
             c=False,
             d=False,
             mistakes={
                 "b": "Put r = 1 into the change of kinetic energy, $(r^2 - 1)K_0$: is anything lost?",
-                "c": "Perfectly inelastic means that the objects do not part again: what does that say about their relative velocity?",
-                "d": "Only one value of r keeps all of the energy, and only one leaves the objects together; nothing happens at 1/2.",
+                "c": (
+                    "Perfectly inelastic means that the objects do not part again: what does that say "
+                    "about their relative velocity?"
+                ),
+                "d": (
+                    "Only one value of r keeps all of the energy, and only one leaves the objects "
+                    "together; nothing happens at 1/2."
+                ),
             },
         ),
         neglected(

@@ -22,7 +22,9 @@ def derive(v0):
     return derivation(
         step(
             V,
-            "The collision is elastic: the velocity of the ball relative to the floor is only turned round (r = 1). The floor is so heavy that its velocity stays V; the ball's is -v₀ before and shall be 0 after.",
+            "The collision is elastic: the velocity of the ball relative to the floor is only turned round "
+            "(r = 1). The floor is so heavy that its velocity stays V; the ball's is -v₀ before and shall "
+            "be 0 after.",
             restitution(1, A=(-v0, 0), B=(V, V)),
             answers="b",
             mistakes=[
@@ -31,7 +33,8 @@ def derive(v0):
                     law("Coefficient of restitution", "V = -v_0", V=V, v_0=v0),
                 ),
                 mistake(
-                    "A floor that comes up to meet the ball sends it back faster: upward velocities are positive.",
+                    "A floor that comes up to meet the ball sends it back faster: upward velocities are "
+                    "positive.",
                     law("Coefficient of restitution", "V = v_0/2", V=V, v_0=v0),
                 ),
                 mistake(
@@ -39,11 +42,15 @@ def derive(v0):
                     law("Coefficient of restitution", "V = 0*v_0", V=V, v_0=v0),
                 ),
                 mistake(
-                    "Seen from the floor the ball is turned round; a floor this fast would not leave it at rest.",
+                    "Seen from the floor the ball is turned round; a floor this fast would not leave it at "
+                    "rest.",
                     law("Coefficient of restitution", "V = -2*v_0", V=V, v_0=v0),
                 ),
             ],
-            check="Seen from this floor the ball comes at -v₀/2 and leaves at +v₀/2; seen from the ground it then has -v₀/2 + v₀/2 = 0.",
+            check=(
+                "Seen from this floor the ball comes at -v₀/2 and leaves at +v₀/2; seen from the ground "
+                "it then has -v₀/2 + v₀/2 = 0."
+            ),
         ),
         neglected(
             "b",
@@ -58,24 +65,36 @@ def derive(v0):
         ),
         choice(
             "a",
-            "The floor must give way, downward, and more slowly than the ball comes: then the ball, turned round relative to the floor, is at rest relative to the ground.",
+            "The floor must give way, downward, and more slowly than the ball comes: then the ball, turned "
+            "round relative to the floor, is at rest relative to the ground.",
             a=False,
             b=V > 0,
             c=V < 0,
             d=sympy.Eq(V, 0),
             mistakes={
-                "a": "The kinetic energy of floor and ball together is kept; the ball may give its own to a floor that moves.",
-                "b": "A floor that comes to meet the ball sends it back faster than it came, as a racket does.",
+                "a": (
+                    "The kinetic energy of floor and ball together is kept; the ball may give its own to "
+                    "a floor that moves."
+                ),
+                "b": (
+                    "A floor that comes to meet the ball sends it back faster than it came, as a racket does."
+                ),
                 "d": "From a floor at rest an elastic ball comes back at its own speed.",
             },
         ),
         explain(
             "c",
-            "Says that in an elastic collision the total kinetic energy (of ball and floor) is kept, not that of the ball alone.",
-            "Says that a floor that moves away takes energy from the ball: the ball's force on it does positive work (or argues in the frame of the floor).",
+            "Says that in an elastic collision the total kinetic energy (of ball and floor) is kept, not "
+            "that of the ball alone.",
+            "Says that a floor that moves away takes energy from the ball: the ball's force on it does "
+            "positive work (or argues in the frame of the floor).",
             "Says that seen from the floor the ball is only turned round, and keeps its speed there.",
-            answer="Seen from the moving floor the ball comes at half its speed and goes back at half its speed: there it keeps its kinetic energy, and the collision is elastic. Seen from the ground the ball is at rest "
-            "afterwards. Its kinetic energy is not lost: while they touch, the ball pushes the floor down, and the floor moves down, so the ball does work on the floor (and on the machine that moves it). The total is kept.",
+            answer="Seen from the moving floor the ball comes at half its speed and goes back at half its "
+            "speed: there it keeps its kinetic energy, and the collision is elastic. Seen from the "
+            "ground the ball is at rest "
+            "afterwards. Its kinetic energy is not lost: while they touch, the ball pushes the floor down, "
+            "and the floor moves down, so the ball does work on the floor (and on the machine that moves "
+            "it). The total is kept.",
         ),
     )
 

@@ -55,14 +55,16 @@ def derive(mA, mB, h0, g):
         ),
         step(
             v_B1,
-            "The floor has turned A round: A moves up at +v₀, B still down at -v₀. The contact is so short that gravity has no say in it: momentum is kept, and energy too.",
+            "The floor has turned A round: A moves up at +v₀, B still down at -v₀. The contact is so short "
+            "that gravity has no say in it: momentum is kept, and energy too.",
             conservation_of_momentum(before=before, after=after),
             elastic(before=before, after=after),
             also=[v_A1],
             answers="b",
             reject=[
                 reject(
-                    "the velocities would be those from before: the balls would have passed through each other",
+                    "the velocities would be those from before: the balls would have passed through each "
+                    "other",
                     v_A1=v_0,
                     v_B1=-v_0,
                 )
@@ -105,7 +107,8 @@ def derive(mA, mB, h0, g):
             answers="c",
             routes=[
                 route(
-                    "In an elastic collision the relative velocity is only turned round (r = 1): they part at 2v₀.",
+                    "In an elastic collision the relative velocity is only turned round (r = 1): they part "
+                    "at 2v₀.",
                     restitution(1, A=(v_0, v_A1), B=(-v_0, v_B1)),
                 )
             ],
@@ -152,7 +155,8 @@ def derive(mA, mB, h0, g):
         ),
         step(
             v_most,
-            r"Divide numerator and denominator by $m_A$, $v_{B,1} = \frac{3 - m_B/m_A}{1 + m_B/m_A}v_0$, and let $m_B/m_A$ go to 0.",
+            r"Divide numerator and denominator by $m_A$, $v_{B,1} = \frac{3 - m_B/m_A}{1 + m_B/m_A}v_0$, "
+            r"and let $m_B/m_A$ go to 0.",
             in_the_limit(
                 v_most,
                 after_elastic(A=(mA, v_0), B=(mB, -v_0))[1],
@@ -174,7 +178,8 @@ def derive(mA, mB, h0, g):
             answers="e",
             mistakes=[
                 mistake(
-                    "The height goes with the square of the speed: three times the speed is more than three times the height.",
+                    "The height goes with the square of the speed: three times the speed is more than three "
+                    "times the height.",
                     law(
                         "Conservation of mechanical energy",
                         "h = h_0*v/v_0",
@@ -193,7 +198,8 @@ def derive(mA, mB, h0, g):
         ),
         step(
             f,
-            "In units of v₀, and with q = m_B/m_A: A comes with 1, B with -1. The relative velocity 2 is turned round, and the momentum 1 - q is kept; q is 3, 1, 1/3 and 0.",
+            "In units of v₀, and with q = m_B/m_A: A comes with 1, B with -1. The relative velocity 2 is "
+            "turned round, and the momentum 1 - q is kept; q is 3, 1, 1/3 and 0.",
             law("Conservation of momentum", "1 - q = x_A + q*x_B", q=lightness, x_A=other, x_B=f),
             law("Coefficient of restitution", "x_B - x_A = 2", source="(12.108)", x_A=other, x_B=f),
             also=other,
@@ -219,7 +225,9 @@ def derive(mA, mB, h0, g):
             "b",
             "gravity during both contacts",
             u,
-            "While A touches the floor, B falls on for the time τ, which makes it a little faster after the hit; while the balls touch, both fall, which makes it slower. Each is at most gτ, and they work against each other.",
+            "While A touches the floor, B falls on for the time τ, which makes it a little faster after the "
+            "hit; while the balls touch, both fall, which makes it slower. Each is at most gτ, and they "
+            "work against each other.",
             law("Free fall", "u = g*tau", u=u, g=g, tau=tau),
             supposing=[touch],
         ),
@@ -227,7 +235,8 @@ def derive(mA, mB, h0, g):
             "d",
             "gravity during both contacts",
             eps,
-            "It changes B's velocity by at most gτ, as in (b), and the height with it: $v^2/2g$ by $v\\,u/g$.",
+            "It changes B's velocity by at most gτ, as in (b), and the height with it: $v^2/2g$ by "
+            "$v\\,u/g$.",
             law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=v_B1, u=g * tau, g=g),
             supposing=[touch],
         ),

@@ -90,30 +90,47 @@ def derive(m, M, v, h, I):
                     law("Ratio", "q = 2*m*v/J_s", q=rho, m=m, v=v, J_s=J_s),
                 ),
             ],
-            check="It does not depend on the masses: the relative velocity changes from v to -v instead of from v to 0.",
+            check=(
+                "It does not depend on the masses: the relative velocity changes from v to -v instead of "
+                "from v to 0."
+            ),
         ),
         choice(
             "a",
-            "The elastic ball comes back: its momentum changes more, and so does that of the book. The book gets the larger impulse.",
+            "The elastic ball comes back: its momentum changes more, and so does that of the book. The book "
+            "gets the larger impulse.",
             a=rho > 1,
             b=rho < 1,
             c=False,
             mistakes={
-                "b": "A ball that stays hands over its momentum, but one that comes back hands over still more.",
-                "c": "Both bring the same momentum. But what the book gets is what the ball's momentum *changes* by.",
+                "b": (
+                    "A ball that stays hands over its momentum, but one that comes back hands over still "
+                    "more."
+                ),
+                "c": (
+                    "Both bring the same momentum. But what the book gets is what the ball's momentum "
+                    "*changes* by."
+                ),
             },
         ),
         explain(
             "b",
-            "Says that what topples the book is the impulse on it (or its torque about the lower edge), and that this is the opposite of the change of the ball's momentum.",
-            "Says that the elastic ball is turned round, so that its momentum changes more than that of the ball that stays.",
+            "Says that what topples the book is the impulse on it (or its torque about the lower edge), and "
+            "that this is the opposite of the change of the ball's momentum.",
+            "Says that the elastic ball is turned round, so that its momentum changes more than that of the "
+            "ball that stays.",
             "Concludes that the elastic ball gives the book the larger impulse, so it is the better choice.",
-            answer="The book topples if it gets enough of a push, that is, enough impulse at the height where it is hit. By Newton's third law this impulse is opposite to the change of the ball's momentum. A sticky ball "
-            "is only slowed down to the book's speed. An elastic ball is first slowed down just as much and then pushed back, so its momentum changes by twice as much, and the book gets twice the impulse. Choose the elastic ball.",
+            answer="The book topples if it gets enough of a push, that is, enough impulse at the height "
+            "where it is hit. By Newton's third law this impulse is opposite to the change of the "
+            "ball's momentum. A sticky ball "
+            "is only slowed down to the book's speed. An elastic ball is first slowed down just as much and "
+            "then pushed back, so its momentum changes by twice as much, and the book gets twice the "
+            "impulse. Choose the elastic ball.",
         ),
         step(
             omega,
-            "The edge may push as it likes: its force has no torque about itself, so the angular momentum about the edge is kept. The hit is elastic, so the kinetic energy is kept too.",
+            "The edge may push as it likes: its force has no torque about itself, so the angular momentum "
+            "about the edge is kept. The hit is elastic, so the kinetic energy is kept too.",
             hit_on_hinge(m=m, h=h, before=v, after=u_h, I=I, omega=omega),
             elastic_on_hinge(m=m, before=v, after=u_h, I=I, omega=omega),
             also=[u_h],
@@ -126,17 +143,21 @@ def derive(m, M, v, h, I):
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
-                    "The ball does not stop: it comes back (or goes on), and keeps angular momentum of its own.",
+                    "The ball does not stop: it comes back (or goes on), and keeps angular momentum of its "
+                    "own.",
                     law("Stops", "I*omega = m*v*h", I=I, omega=omega, m=m, v=v, h=h),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
-                    "You turned the ball round as at a wall; the book gives way and the ball comes back more slowly.",
+                    "You turned the ball round as at a wall; the book gives way and the ball comes back "
+                    "more slowly.",
                     law("As at a wall", "I*omega = 2*m*v*h", I=I, omega=omega, m=m, v=v, h=h),
                     instead="Conservation of mechanical energy",
                 ),
             ],
-            check="For a book very hard to turn (large I) it is 2mvh/I: the ball is turned round as at a wall.",
+            check=(
+                "For a book very hard to turn (large I) it is 2mvh/I: the ball is turned round as at a wall."
+            ),
         ),
         neglected(
             "d",

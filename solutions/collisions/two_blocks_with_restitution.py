@@ -24,7 +24,8 @@ def derive(mA, mB, vA, vB, r):
     return derivation(
         step(
             v_A1,
-            "Momentum is kept, and the relative velocity is turned round and shrinks by r: two equations for the two velocities.",
+            "Momentum is kept, and the relative velocity is turned round and shrinks by r: two equations "
+            "for the two velocities.",
             momentum_kept,
             given_r,
             also=[v_B1],
@@ -50,7 +51,8 @@ def derive(mA, mB, vA, vB, r):
                     conservation_of_momentum(before=[(mA, vA), (mB, -vB)], after=[(mA, v_A1), (mB, v_B1)]),
                 ),
                 mistake(
-                    "After the collision B must be ahead: A cannot run through it. Check the sign in the coefficient of restitution.",
+                    "After the collision B must be ahead: A cannot run through it. Check the sign in the "
+                    "coefficient of restitution.",
                     restitution(-r, A=(vA, v_A1), B=(vB, v_B1)),
                     instead="Coefficient of restitution",
                 ),
@@ -64,7 +66,8 @@ def derive(mA, mB, vA, vB, r):
             answers="b",
             routes=[
                 route(
-                    "Or from the relative velocity: B leaves A at r times the speed at which they came together.",
+                    "Or from the relative velocity: B leaves A at r times the speed at which they came "
+                    "together.",
                     given_r,
                 )
             ],
@@ -78,7 +81,8 @@ def derive(mA, mB, vA, vB, r):
                     conservation_of_momentum(before=[(mA, vA), (mB, 0)], after=[(mA, v_A1), (mB, v_B1)]),
                 ),
                 mistake(
-                    "That is the speed at which they part, the relative velocity; asked is B's velocity on the track.",
+                    "That is the speed at which they part, the relative velocity; asked is B's velocity on "
+                    "the track.",
                     law(
                         "Conservation of momentum", "v_B1 = r*(v_A0 - v_B0)", v_B1=v_B1, r=r, v_A0=vA, v_B0=vB
                     ),
@@ -94,7 +98,8 @@ def derive(mA, mB, vA, vB, r):
             routes=[route("The same from the loss of the relative motion alone.", loss)],
             mistakes=[
                 mistake(
-                    "r² is what is left of the energy of the *relative* motion; the common motion of both keeps all of its energy.",
+                    "r² is what is left of the energy of the *relative* motion; the common motion of both "
+                    "keeps all of its energy.",
                     law(
                         "Change of kinetic energy",
                         "dK = (r^2 - 1)*(m_A*v_A^2/2 + m_B*v_B^2/2)",
@@ -121,7 +126,8 @@ def derive(mA, mB, vA, vB, r):
                     ),
                 ),
                 mistake(
-                    "Kinetic energy has no direction: that of B counts as positive too, whichever way it moves.",
+                    "Kinetic energy has no direction: that of B counts as positive too, whichever way it "
+                    "moves.",
                     law(
                         "Change of kinetic energy",
                         "dK = m_A*(v_A1^2 - v_A^2)/2 - m_B*(v_B1^2 - v_B^2)/2",
@@ -139,7 +145,8 @@ def derive(mA, mB, vA, vB, r):
         ),
         optimum(
             r_most,
-            "Momentum is kept for every r. The change is smallest, the loss largest, where its slope as a function of r vanishes.",
+            "Momentum is kept for every r. The change is smallest, the loss largest, where its slope as a "
+            "function of r vanishes.",
             of=dK,
             over=r,
             between=(0, 1),
@@ -148,7 +155,8 @@ def derive(mA, mB, vA, vB, r):
         ),
         proof(
             "e",
-            "Momentum and the coefficient of restitution fix both velocities; put into the kinetic energy, only the relative velocity before is left.",
+            "Momentum and the coefficient of restitution fix both velocities; put into the kinetic energy, "
+            "only the relative velocity before is left.",
             momentum_kept,
             given_r,
             energy,
@@ -159,7 +167,8 @@ def derive(mA, mB, vA, vB, r):
                 "v_A1 = (mA*vA + mB*vB - mB*r*(vA - vB))/(mA + mB)",
                 "v_B1 = (mA*vA + mB*vB + mA*r*(vA - vB))/(mA + mB)",
                 "dK = mA*v_A1^2/2 + mB*v_B1^2/2 - mA*vA^2/2 - mB*vB^2/2",
-                "dK = (mA*vA + mB*vB)^2/(2*(mA + mB)) + mA*mB/(mA + mB)*r^2*(vA - vB)^2/2 - mA*vA^2/2 - mB*vB^2/2",
+                "dK = (mA*vA + mB*vB)^2/(2*(mA + mB)) + mA*mB/(mA + mB)*r^2*(vA - vB)^2/2 - mA*vA^2/2 - "
+                "mB*vB^2/2",
                 "dK = mA*mB/(mA + mB)*r^2*(vA - vB)^2/2 - mA*mB/(mA + mB)*(vA - vB)^2/2",
                 "dK = -mA*mB/(2*(mA + mB))*(1 - r^2)*(vA - vB)^2",
             ],

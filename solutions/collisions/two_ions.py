@@ -27,7 +27,8 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
             distance(r, (dx, dy)),
             mistakes=[
                 mistake(
-                    "The distance is the length of the vector: the root of the sum of the squares, not the sum.",
+                    "The distance is the length of the vector: the root of the sum of the squares, not the "
+                    "sum.",
                     law("Distance", "r = abs(x) + abs(y)", r=r, x=dx, y=dy),
                 )
             ],
@@ -39,11 +40,13 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
             answers="a",
             mistakes=[
                 mistake(
-                    "That is the force on B. With $\\Delta\\vec r = \\vec r_B - \\vec r_A$ the force on A has a minus sign.",
+                    "That is the force on B. With $\\Delta\\vec r = \\vec r_B - \\vec r_A$ the force on A "
+                    "has a minus sign.",
                     law("Ionic force", "F = C/r^2*Dr/r", F=F, C=C, Dr=(dx, dy), r=r),
                 ),
                 mistake(
-                    "The unit vector is $\\Delta\\vec r/\\Delta r$: together with $1/(\\Delta r)^2$ the vector is divided by the third power of the distance.",
+                    "The unit vector is $\\Delta\\vec r/\\Delta r$: together with $1/(\\Delta r)^2$ the "
+                    "vector is divided by the third power of the distance.",
                     law("Ionic force", "F = -C/r^2*Dr", F=F, C=C, Dr=(dx, dy), r=r),
                 ),
             ],
@@ -51,22 +54,26 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
         ),
         step(
             mu,
-            "Seen from each other, the ions move like one body of the reduced mass, with the force at the distance r.",
+            "Seen from each other, the ions move like one body of the reduced mass, with the force at the "
+            "distance r.",
             reduced_mass(mu, mA, mB),
             mistakes=[
                 mistake(
-                    "You used the mass of one ion. Both move: the reduced mass $m_A m_B/(m_A + m_B)$ belongs to the relative motion.",
+                    "You used the mass of one ion. Both move: the reduced mass $m_A m_B/(m_A + m_B)$ "
+                    "belongs to the relative motion.",
                     law("Reduced mass", "mu = m_A", mu=mu, m_A=mA),
                 ),
                 mistake(
-                    "The masses do not add up in the relative motion; the reduced mass is smaller than each of them.",
+                    "The masses do not add up in the relative motion; the reduced mass is smaller than each "
+                    "of them.",
                     law("Reduced mass", "mu = m_A + m_B", mu=mu, m_A=mA, m_B=mB),
                 ),
             ],
         ),
         step(
             E,
-            "The force $C/r^2$ belongs to the potential energy $C/r$; energy of the relative motion at the start.",
+            "The force $C/r^2$ belongs to the potential energy $C/r$; energy of the relative motion at the "
+            "start.",
             law(
                 "Energy",
                 "E = mu*v^2/2 + C/r_0",
@@ -91,7 +98,8 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
         ),
         step(
             r_b,
-            "Head-on, the ions do not move against each other at the closest approach: all of the energy is potential.",
+            "Head-on, the ions do not move against each other at the closest approach: all of the energy is "
+            "potential.",
             law(
                 "Conservation of mechanical energy",
                 "E = C/r",
@@ -107,7 +115,8 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                     law("Conservation of mechanical energy", "E = C/(2*r)", E=E, C=C, r=r_b),
                 ),
                 mistake(
-                    "You balanced the kinetic energy with the difference the wrong way round: the potential energy at the start helps the ions apart.",
+                    "You balanced the kinetic energy with the difference the wrong way round: the potential "
+                    "energy at the start helps the ions apart.",
                     law("Conservation of mechanical energy", "E + C/r_0 = C/r", E=E, C=C, r_0=r0, r=r_b),
                 ),
             ],
@@ -115,7 +124,8 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
         ),
         step(
             r_c,
-            "At the closest approach the relative velocity is at right angles to the line of the ions; $w$ is its size there. Angular momentum of the relative motion is kept, as the force is central.",
+            "At the closest approach the relative velocity is at right angles to the line of the ions; $w$ "
+            "is its size there. Angular momentum of the relative motion is kept, as the force is central.",
             law(
                 "Conservation of mechanical energy",
                 "E = mu*w^2/2 + C/r",
@@ -141,12 +151,14 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
             where=r_c > 0,
             mistakes=[
                 mistake(
-                    "They do not stop against each other now: at the closest approach they still pass with a velocity across the line between them.",
+                    "They do not stop against each other now: at the closest approach they still pass with "
+                    "a velocity across the line between them.",
                     law("Conservation of mechanical energy", "E = C/r", E=E, C=C, r=r_c),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
-                    "The impact parameter is not the closest distance: the ions push each other further away.",
+                    "The impact parameter is not the closest distance: the ions push each other further "
+                    "away.",
                     law("Conservation of mechanical energy", "r = s", r=r_c, s=s),
                     instead="Conservation of mechanical energy",
                 ),
@@ -155,7 +167,8 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
         ),
         code(
             "d",
-            "Newton's second law for each ion, with the force on B opposite to that on A; velocities first, then positions with the new velocities. "
+            "Newton's second law for each ion, with the force on B opposite to that on A; velocities first, "
+            "then positions with the new velocities. "
             "The total momentum must stay the same, and the energy once the step is small enough.",
             inputs=ion_inputs,
             judge=judge_ions,

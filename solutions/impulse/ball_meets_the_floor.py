@@ -9,28 +9,33 @@ def derive(m, v0, dt, g):
     return derivation(
         step(
             v_1,
-            "Weight and the force of the floor depend on the height alone, so mechanical energy is kept; the height is the same at first and last touch (we call it 0).",
+            "Weight and the force of the floor depend on the height alone, so mechanical energy is kept; "
+            "the height is the same at first and last touch (we call it 0).",
             energy_at_heights(g, before=(v0, 0), after=(v_1, 0)),
             reject=[reject("with the velocity it came with the ball would still be on its way down", v_1=v0)],
             mistakes=[
                 mistake(
-                    "You let the ball stop on the floor. No energy is lost here: it leaves as fast as it came.",
+                    "You let the ball stop on the floor. No energy is lost here: it leaves as fast as it "
+                    "came.",
                     law("At rest", "v = 0", v=v_1),
                 ),
             ],
         ),
         step(
             dp,
-            "The change is the momentum at last touch less that at first touch; the velocity has turned round.",
+            "The change is the momentum at last touch less that at first touch; the velocity has turned "
+            "round.",
             change_of_momentum(dp, m, before=v0, after=v_1),
             answers="a",
             mistakes=[
                 mistake(
-                    "You subtracted the speeds. The velocity has turned round, so momentum, a vector, has changed although the speed has not.",
+                    "You subtracted the speeds. The velocity has turned round, so momentum, a vector, has "
+                    "changed although the speed has not.",
                     change_of_momentum(dp, m, before=v0, after=v0),
                 ),
                 mistake(
-                    "Check the sign: the ball first moves down (negative) and then up. What is after less what was before is positive.",
+                    "Check the sign: the ball first moves down (negative) and then up. What is after less "
+                    "what was before is positive.",
                     change_of_momentum(dp, m, before=v_1, after=v0),
                 ),
                 mistake(
@@ -38,11 +43,15 @@ def derive(m, v0, dt, g):
                     law("Change of momentum", "dp = m*v^2/2", dp=dp, m=m, v=v0),
                 ),
             ],
-            check="It points up: the floor can only push. Its size is twice the momentum with which the ball arrives.",
+            check=(
+                "It points up: the floor can only push. Its size is twice the momentum with which the "
+                "ball arrives."
+            ),
         ),
         step(
             F,
-            "The impulse of the net force is the change of momentum; divided by the time it is the mean net force.",
+            "The impulse of the net force is the change of momentum; divided by the time it is the mean net "
+            "force.",
             mean_force(F, dp, dt),
             answers="b",
             mistakes=[
@@ -51,7 +60,8 @@ def derive(m, v0, dt, g):
                     law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
                 ),
                 mistake(
-                    "You took half of it, as for a mean velocity; the mean force is the whole change of momentum divided by the time.",
+                    "You took half of it, as for a mean velocity; the mean force is the whole change of "
+                    "momentum divided by the time.",
                     law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
                 ),
             ],
@@ -64,16 +74,21 @@ def derive(m, v0, dt, g):
             answers="c",
             mistakes=[
                 mistake(
-                    "That is the weight. A ball at rest would be carried by it; this one is also thrown back.",
+                    "That is the weight. A ball at rest would be carried by it; this one is also thrown "
+                    "back.",
                     law("Weight", "N = m*g", N=N, m=m, g=g),
                 ),
                 mistake("That is the impulse; asked is a force.", law("Impulse", "N = J", N=N, J=dp)),
                 mistake(
-                    "You took half of the force: the floor must stop the ball and throw it back, all within this time.",
+                    "You took half of the force: the floor must stop the ball and throw it back, all within "
+                    "this time.",
                     law("Net force", "F/2 = N - m*g", F=F, N=N, m=m, g=g),
                 ),
             ],
-            check="A little more than the mean net force: the floor also has to carry the weight, which matters the less the shorter the contact.",
+            check=(
+                "A little more than the mean net force: the floor also has to carry the weight, which "
+                "matters the less the shorter the contact."
+            ),
         ),
     )
 

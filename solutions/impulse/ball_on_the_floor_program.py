@@ -27,7 +27,8 @@ def derive(g, R, m, y0, v0, k):
     return derivation(
         step(
             v,
-            "Until the ball touches the floor, at y = R, only gravity does work on it. It moves down, so the velocity is negative.",
+            "Until the ball touches the floor, at y = R, only gravity does work on it. It moves down, so "
+            "the velocity is negative.",
             energy_at_heights(g, before=(v0, y0), after=(v, R)),
             answers="a",
             where=v <= 0,
@@ -41,7 +42,8 @@ def derive(g, R, m, y0, v0, k):
                     law("Speed", "v = sqrt(v_0^2 + 2*g*(y_0 - R))", v=v, v_0=v0, g=g, y_0=y0, R=R),
                 ),
                 mistake(
-                    "y is the height of the centre: at first touch it is R, and the ball has fallen by y₀ - R only.",
+                    "y is the height of the centre: at first touch it is R, and the ball has fallen by y₀ - "
+                    "R only.",
                     law("Speed", "v = -sqrt(v_0^2 + 2*g*y_0)", v=v, v_0=v0, g=g, y_0=y0),
                 ),
                 mistake(
@@ -53,7 +55,8 @@ def derive(g, R, m, y0, v0, k):
         ),
         step(
             v_1,
-            "Weight and contact force depend on the height alone, so mechanical energy is kept; at the end of the contact the ball is again at y = R.",
+            "Weight and contact force depend on the height alone, so mechanical energy is kept; at the end "
+            "of the contact the ball is again at y = R.",
             energy_at_heights(g, before=(v, R), after=(v_1, R)),
             reject=[
                 reject("with the velocity of the first touch the ball would still be on its way down", v_1=v)
@@ -76,7 +79,8 @@ def derive(g, R, m, y0, v0, k):
                     change_of_momentum(dp, m, before=v_1, after=v),
                 ),
                 mistake(
-                    "You subtracted the speeds. The velocity has turned round, so momentum, a vector, has changed although the speed has not.",
+                    "You subtracted the speeds. The velocity has turned round, so momentum, a vector, has "
+                    "changed although the speed has not.",
                     change_of_momentum(dp, m, before=v, after=v),
                 ),
                 mistake(
@@ -88,28 +92,36 @@ def derive(g, R, m, y0, v0, k):
         ),
         simulated(
             x,
-            "At the deepest point the ball is at rest, and what it had at first touch has gone into the contact: $\\frac{2}{5}kx^{5/2} = \\frac{1}{2}mv^2 + mgx$. "
+            "At the deepest point the ball is at rest, and what it had at first touch has gone into the "
+            "contact: $\\frac{2}{5}kx^{5/2} = \\frac{1}{2}mv^2 + mgx$. "
             "With gravity this has no solution in closed form: "
-            "find it numerically, or step the motion. (Without gravity: $x = (5mv^2/4k)^{2/5}$, very nearly the same.)",
+            "find it numerically, or step the motion. (Without gravity: $x = (5mv^2/4k)^{2/5}$, very nearly "
+            "the same.)",
             scene="ball_on_floor",
             settings=contact,
             observe="largest_overlap",
             answers="c",
             mistakes=[
                 mistake(
-                    "That is the energy of a linear spring, $kx^2/2$; here the force goes with the power 3/2.",
+                    "That is the energy of a linear spring, $kx^2/2$; here the force goes with the power "
+                    "3/2.",
                     law("Spring", "x = -v*sqrt(m/k)", x=x, v=v, m=m, k=k),
                 ),
                 mistake(
-                    "You balanced contact force and weight: there the net force is zero, but the ball still moves.",
+                    "You balanced contact force and weight: there the net force is zero, but the ball still "
+                    "moves.",
                     law("Balance", "x = (m*g/k)^(2/3)", x=x, m=m, g=g, k=k),
                 ),
                 mistake(
-                    "The work of the contact is an integral of $k\\,x^{3/2}$ over the way, not the largest force times the way.",
+                    "The work of the contact is an integral of $k\\,x^{3/2}$ over the way, not the largest "
+                    "force times the way.",
                     law("Work", "x = (m*v^2/(2*k))^(2/5)", x=x, m=m, v=v, k=k),
                 ),
             ],
-            check="It must stay well below the radius, else the law of the contact would not make sense any more.",
+            check=(
+                "It must stay well below the radius, else the law of the contact would not make sense any "
+                "more."
+            ),
         ),
         step(
             F,
@@ -125,7 +137,8 @@ def derive(g, R, m, y0, v0, k):
                     instead="Contact force",
                 ),
                 mistake(
-                    "That is the energy stored in the contact divided by the way, a mean over the way; the largest force is $k\\,x^{3/2}$.",
+                    "That is the energy stored in the contact divided by the way, a mean over the way; the "
+                    "largest force is $k\\,x^{3/2}$.",
                     law("Contact force", "N = 2*k*d^(3/2)/5", N=N, k=k, d=x),
                     instead="Contact force",
                 ),
@@ -141,7 +154,8 @@ def derive(g, R, m, y0, v0, k):
             answers="e",
             mistakes=[
                 mistake(
-                    "The ball does not keep its speed while it is squeezed: way over speed of first touch is too short.",
+                    "The ball does not keep its speed while it is squeezed: way over speed of first touch "
+                    "is too short.",
                     law("Uniform", "T = 2*x/(-v)", T=T, x=x, v=v),
                 ),
                 mistake(
@@ -153,7 +167,10 @@ def derive(g, R, m, y0, v0, k):
                     law("Half-way", "T = sqrt(pi)*gamma(7/5)/gamma(9/10)*x/(-v)", T=T, x=x, v=v),
                 ),
             ],
-            check="Without gravity it would be 2.943 times the largest compression over the speed of first touch.",
+            check=(
+                "Without gravity it would be 2.943 times the largest compression over the speed of first "
+                "touch."
+            ),
         ),
         step(
             F_m,
@@ -166,22 +183,28 @@ def derive(g, R, m, y0, v0, k):
                     law("Mean force", "F = J*dt", F=F_m, J=dp, dt=T),
                 ),
                 mistake(
-                    "That is half of the largest force; the force rises and falls steeply and stays above half for longer than that.",
+                    "That is half of the largest force; the force rises and falls steeply and stays above "
+                    "half for longer than that.",
                     law("Mean force", "F = F_max/2", F=F_m, F_max=F),
                 ),
             ],
-            check="A little more than half of the largest net force: the mean is a fair estimate of how strong a collision is.",
+            check=(
+                "A little more than half of the largest net force: the mean is a fair estimate of how "
+                "strong a collision is."
+            ),
         ),
         code(
             "g",
-            "Newton's second law, stepped forward: the net force from the position, the new velocity, then the position with the new velocity.",
+            "Newton's second law, stepped forward: the net force from the position, the new velocity, then "
+            "the position with the new velocity.",
             inputs=bounce_inputs,
             judge=judge_bounce,
             example=file("ball_on_the_floor_program/bounce.py"),
         ),
         plot(
             "g",
-            "The net force is -mg but for the contact, where it rises and falls; the area under it takes the momentum from negative to positive.",
+            "The net force is -mg but for the contact, where it rises and falls; the area under it takes "
+            "the momentum from negative to positive.",
             judge=judge_bounce_plot,
             example=file("ball_on_the_floor_program/force_plot.py"),
         ),

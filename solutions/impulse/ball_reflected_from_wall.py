@@ -18,15 +18,18 @@ def derive(m, v0, theta, dt):
             answers="a",
             mistakes=[
                 mistake(
-                    "Your angle is measured from the normal; here θ lies between the velocity and the surface, so the normal component is $v_0\\sin\\theta$.",
+                    "Your angle is measured from the normal; here θ lies between the velocity and the "
+                    "surface, so the normal component is $v_0\\sin\\theta$.",
                     change_of_momentum(dp, m, before=(across, -along), after=(across, along)),
                 ),
                 mistake(
-                    "You turned the whole velocity round. The wall is smooth: the component along it stays as it is.",
+                    "You turned the whole velocity round. The wall is smooth: the component along it stays "
+                    "as it is.",
                     change_of_momentum(dp, m, before=(along, -across), after=(-along, across)),
                 ),
                 mistake(
-                    "The speed is the same, but momentum is a vector: its normal component is turned round, so it does change.",
+                    "The speed is the same, but momentum is a vector: its normal component is turned round, "
+                    "so it does change.",
                     change_of_momentum(dp, m, before=(along, across), after=(along, across)),
                 ),
                 mistake(
@@ -34,7 +37,10 @@ def derive(m, v0, theta, dt):
                     change_of_momentum(dp, m, before=(along, -across), after=(along, 0)),
                 ),
             ],
-            check="A grazing ball (θ → 0) is hardly turned; a head-on one (θ = 90°) changes its momentum by $2mv_0$.",
+            check=(
+                "A grazing ball (θ → 0) is hardly turned; a head-on one (θ = 90°) changes its momentum by "
+                "$2mv_0$."
+            ),
         ),
         step(
             J,
@@ -72,7 +78,8 @@ def derive(m, v0, theta, dt):
         ),
         optimum(
             steepest,
-            "Only the angle changes; the force is largest where its slope as a function of the angle vanishes, or at an end of the range.",
+            "Only the angle changes; the force is largest where its slope as a function of the angle "
+            "vanishes, or at an end of the range.",
             of=F[1],
             over=theta,
             between=(0, HALF_PI),
@@ -83,7 +90,8 @@ def derive(m, v0, theta, dt):
                     law("Smallest", "x = 0", x=steepest),
                 ),
                 mistake(
-                    "At 45° $\\sin\\theta\\cos\\theta$ would be largest, but the force grows with $\\sin\\theta$ alone.",
+                    "At 45° $\\sin\\theta\\cos\\theta$ would be largest, but the force grows with "
+                    "$\\sin\\theta$ alone.",
                     law("Half-way", "x = pi/4", x=steepest),
                 ),
             ],

@@ -24,14 +24,16 @@ def derive(m, v0, v1, w, alpha, dt, g):
     return derivation(
         step(
             J,
-            "The ball arrives with the velocity -v₀ along x and leaves with +v₁; nothing happens along y. The impulse of the net force is its change of momentum.",
+            "The ball arrives with the velocity -v₀ along x and leaves with +v₁; nothing happens along y. "
+            "The impulse of the net force is its change of momentum.",
             impulse_momentum(J, dp),
             change_of_momentum(dp, m, before=come, after=(v1, 0)),
             also=dp,
             answers="a",
             mistakes=[
                 mistake(
-                    "The ball turns round: it arrives with a negative velocity and leaves with a positive one. Momentum is a vector, and the two speeds add.",
+                    "The ball turns round: it arrives with a negative velocity and leaves with a positive "
+                    "one. Momentum is a vector, and the two speeds add.",
                     change_of_momentum(dp, m, before=(v0, 0), after=(v1, 0)),
                 ),
                 mistake(
@@ -39,7 +41,8 @@ def derive(m, v0, v1, w, alpha, dt, g):
                     change_of_momentum(dp, m, before=(0, 0), after=(v1, 0)),
                 ),
                 mistake(
-                    "Check the sign: the ball is pushed along +x, the way it is returned. The change is after less before.",
+                    "Check the sign: the ball is pushed along +x, the way it is returned. The change is "
+                    "after less before.",
                     change_of_momentum(dp, m, before=(v1, 0), after=come),
                 ),
                 mistake(
@@ -89,7 +92,8 @@ def derive(m, v0, v1, w, alpha, dt, g):
         ),
         step(
             J_l,
-            "The lob leaves with the components w cos α along x and w sin α along y. Again the impulse is the change of momentum, component by component.",
+            "The lob leaves with the components w cos α along x and w sin α along y. Again the impulse is "
+            "the change of momentum, component by component.",
             impulse_momentum(J_l, dp_l),
             change_of_momentum(dp_l, m, before=come, after=lob),
             also=dp_l,
@@ -137,12 +141,14 @@ def derive(m, v0, v1, w, alpha, dt, g):
         ),
         step(
             beta,
-            "The tangent of the angle above the x-axis is the y-component over the x-component; here both are positive.",
+            "The tangent of the angle above the x-axis is the y-component over the x-component; here both "
+            "are positive.",
             direction(beta, F_l),
             answers="c3",
             mistakes=[
                 mistake(
-                    "That is the direction of the ball after the hit. The force has the direction of the *change* of momentum.",
+                    "That is the direction of the ball after the hit. The force has the direction of the "
+                    "*change* of momentum.",
                     law("Direction", "beta = alpha", beta=beta, alpha=alpha),
                 ),
                 mistake(
@@ -154,7 +160,10 @@ def derive(m, v0, v1, w, alpha, dt, g):
                     law("Direction", "beta = F_y/F_x", beta=beta, F_x=F_l[0], F_y=F_l[1]),
                 ),
             ],
-            check="Smaller than α: besides giving the ball its new velocity, the force has to stop it, and that takes a push along x.",
+            check=(
+                "Smaller than α: besides giving the ball its new velocity, the force has to stop it, and "
+                "that takes a push along x."
+            ),
         ),
         step(
             W,
@@ -187,7 +196,8 @@ def derive(m, v0, v1, w, alpha, dt, g):
             "b2",
             "the weight of the ball",
             W_r,
-            "Racket and weight together make the net force, so the force between ball and racket differs from the one found by the weight.",
+            "Racket and weight together make the net force, so the force between ball and racket differs "
+            "from the one found by the weight.",
             law("Weight", "W = m*g", source="(12.33)", W=W_r, m=m, g=g),
         ),
         neglected(
@@ -201,7 +211,8 @@ def derive(m, v0, v1, w, alpha, dt, g):
             "c3",
             "the weight of the ball",
             eps,
-            "A small force taken from a large one turns it most when it stands at right angles to what is left.",
+            "A small force taken from a large one turns it most when it stands at right angles to what is "
+            "left.",
             law(
                 "Angle", "epsilon = asin(W/sqrt(F_x^2 + F_y^2))", epsilon=eps, W=m * g, F_x=F_l[0], F_y=F_l[1]
             ),

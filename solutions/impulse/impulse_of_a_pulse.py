@@ -13,7 +13,8 @@ def derive(F0, T):
     return derivation(
         step(
             J_s,
-            "The impulse is the integral of the force over the time: $J = \\int_0^T F_0\\sin(\\pi t/T)\\,dt = F_0\\left[-\\frac{T}{\\pi}\\cos\\frac{\\pi t}{T}\\right]_0^T$.",
+            "The impulse is the integral of the force over the time: $J = \\int_0^T F_0\\sin(\\pi t/T)\\,dt "
+            "= F_0\\left[-\\frac{T}{\\pi}\\cos\\frac{\\pi t}{T}\\right]_0^T$.",
             impulse_of(J_s, t, (sine, 0, T)),
             answers="a",
             mistakes=[
@@ -30,11 +31,14 @@ def derive(F0, T):
                     impulse_of(J_s, t, (sine, 0, T / 2)),
                 ),
                 mistake(
-                    "The inner derivative: the integral of $\\sin(\\pi t/T)$ is $-\\cos(\\pi t/T)$ times a time.",
+                    "The inner derivative: the integral of $\\sin(\\pi t/T)$ is $-\\cos(\\pi t/T)$ times a "
+                    "time.",
                     law("Impulse", "J = 2*F", J=J_s, F=F0),
                 ),
             ],
-            check="It lies between the area of the triangle in the pulse and that of the rectangle around it.",
+            check=(
+                "It lies between the area of the triangle in the pulse and that of the rectangle around it."
+            ),
         ),
         step(
             F_s,
@@ -47,19 +51,25 @@ def derive(F0, T):
                     law("Mean force", "F = J*t", F=F_s, J=J_s, t=T),
                 ),
                 mistake(
-                    "The root of the mean square is another mean; here the force itself is averaged over the time.",
+                    "The root of the mean square is another mean; here the force itself is averaged over "
+                    "the time.",
                     law("Mean force", "F = F_0/sqrt(2)", F=F_s, F_0=F0),
                 ),
                 mistake(
-                    "You took the middle between nothing and the largest force; the sine stays high for longer than that.",
+                    "You took the middle between nothing and the largest force; the sine stays high for "
+                    "longer than that.",
                     law("Mean force", "F = F_0/2", F=F_s, F_0=F0),
                 ),
             ],
-            check="It does not depend on how long the pulse lasts, and is about two thirds of the largest force.",
+            check=(
+                "It does not depend on how long the pulse lasts, and is about two thirds of the largest "
+                "force."
+            ),
         ),
         step(
             J_t,
-            "The area of a triangle of the base T and the height F₀, or the integral in two pieces: $F = 2F_0t/T$ till $T/2$, then $F = 2F_0(1 - t/T)$.",
+            "The area of a triangle of the base T and the height F₀, or the integral in two pieces: $F = "
+            "2F_0t/T$ till $T/2$, then $F = 2F_0(1 - t/T)$.",
             impulse_of(J_t, t, (rising, 0, T / 2), (falling, T / 2, T)),
             answers="c",
             mistakes=[

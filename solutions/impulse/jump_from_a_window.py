@@ -36,7 +36,8 @@ def derive(h, m, dt, s, g):
             answers="b",
             mistakes=[
                 mistake(
-                    "Up is positive, so you arrive with a negative velocity; after less before is then positive.",
+                    "Up is positive, so you arrive with a negative velocity; after less before is then "
+                    "positive.",
                     change_of_momentum(dp, m, before=v, after=0),
                 ),
                 mistake(
@@ -60,7 +61,8 @@ def derive(h, m, dt, s, g):
                     law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
                 ),
                 mistake(
-                    "You took half of it, as for a mean velocity; the mean force is the whole change of momentum divided by the time.",
+                    "You took half of it, as for a mean velocity; the mean force is the whole change of "
+                    "momentum divided by the time.",
                     law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
                 ),
             ],
@@ -68,7 +70,8 @@ def derive(h, m, dt, s, g):
         ),
         step(
             N,
-            "Two forces act on you in the landing: the ground up and your weight down. Their sum is the net force.",
+            "Two forces act on you in the landing: the ground up and your weight down. Their sum is the net "
+            "force.",
             force_on_standing(F, N, m, g),
             answers="d",
             mistakes=[
@@ -77,7 +80,8 @@ def derive(h, m, dt, s, g):
                     law("Net force", "F = N", F=F, N=N),
                 ),
                 mistake(
-                    "The weight points down: the ground must push with more than the net force, not with less.",
+                    "The weight points down: the ground must push with more than the net force, not with "
+                    "less.",
                     law("Net force", "F = N + m*g", F=F, N=N, m=m, g=g),
                 ),
                 mistake(
@@ -89,7 +93,8 @@ def derive(h, m, dt, s, g):
         ),
         step(
             F_s,
-            "Over the way s (downwards, so the displacement is -s) the net force takes all the kinetic energy.",
+            "Over the way s (downwards, so the displacement is -s) the net force takes all the kinetic "
+            "energy.",
             work_of_net_force(F_s, -s, m, before=-v, after=0),
             mistakes=[
                 mistake(
@@ -97,7 +102,8 @@ def derive(h, m, dt, s, g):
                     law("Work and kinetic energy", "F*s = m*v^2", F=F_s, s=s, m=m, v=v),
                 ),
                 mistake(
-                    "That is how momentum and time go together; over a way it is the kinetic energy that counts.",
+                    "That is how momentum and time go together; over a way it is the kinetic energy that "
+                    "counts.",
                     law("Work and kinetic energy", "F*s = m*v", F=F_s, s=s, m=m, v=v),
                 ),
             ],
@@ -109,17 +115,20 @@ def derive(h, m, dt, s, g):
             answers="e",
             routes=[
                 route(
-                    "From window to rest at once: the ground takes, over s, all the energy that gravity gives over h + s.",
+                    "From window to rest at once: the ground takes, over s, all the energy that gravity "
+                    "gives over h + s.",
                     law("Work and kinetic energy", "N*s = m*g*(h + s)", N=N_s, s=s, m=m, g=g, h=h),
                 )
             ],
             mistakes=[
                 mistake(
-                    "That is the net force; while you sink by s gravity still does work, and the ground must carry your weight besides.",
+                    "That is the net force; while you sink by s gravity still does work, and the ground "
+                    "must carry your weight besides.",
                     law("Net force", "F = N", F=F_s, N=N_s),
                 ),
                 mistake(
-                    "The weight points down: the ground must push with more than the net force, not with less.",
+                    "The weight points down: the ground must push with more than the net force, not with "
+                    "less.",
                     law("Net force", "F = N + m*g", F=F_s, N=N_s, m=m, g=g),
                 ),
             ],
@@ -127,15 +136,22 @@ def derive(h, m, dt, s, g):
         ),
         explain(
             "f",
-            "Says that the change of momentum is $mv$, fixed by mass and height of fall alone, whatever the landing.",
-            "Momentum: the mean force is the change of momentum divided by the time, so a long stopping time (bent knees, rolling) makes it small.",
-            "Energy: the work of the force over the stopping distance takes the kinetic energy, so a long stopping distance makes it small.",
-            "Mentions that the ground must carry the weight besides: the force of the ground is the net force plus $mg$.",
-            answer="The fall gives you the speed $v = \\sqrt{2gh}$, and in the landing it goes to zero: the change of momentum is $mv$ and depends on your mass and "
+            "Says that the change of momentum is $mv$, fixed by mass and height of fall alone, whatever the "
+            "landing.",
+            "Momentum: the mean force is the change of momentum divided by the time, so a long stopping "
+            "time (bent knees, rolling) makes it small.",
+            "Energy: the work of the force over the stopping distance takes the kinetic energy, so a long "
+            "stopping distance makes it small.",
+            "Mentions that the ground must carry the weight besides: the force of the ground is the net "
+            "force plus $mg$.",
+            answer="The fall gives you the speed $v = \\sqrt{2gh}$, and in the landing it goes to zero: "
+            "the change of momentum is $mv$ and depends on your mass and "
             "the height only, not on how you land. Momentum: the mean net "
-            "force is $mv/\\Delta t$, so make the stopping time long. Energy: the mean net force, taken over the way $s$ on which you stop, does the work "
+            "force is $mv/\\Delta t$, so make the stopping time long. Energy: the mean net force, taken "
+            "over the way $s$ on which you stop, does the work "
             "$\\frac{1}{2}mv^2 = mgh$, so it is $mgh/s$, and you should make "
-            "the stopping distance long. Both ask for the same thing: bend your knees, roll off, land on something soft, for a longer way takes a longer time. "
+            "the stopping distance long. Both ask for the same thing: bend your knees, roll off, land on "
+            "something soft, for a longer way takes a longer time. "
             "The force from the ground is larger than "
             "the net force by your weight.",
         ),

@@ -18,7 +18,8 @@ def derive(m, v, w, dt):
                     law("Kinetic energy", "K = m*v^2/2", K=dp, m=m, v=v),
                 ),
                 mistake(
-                    "That is the rate at which the momentum changes, a force; the change itself does not ask how long the kick lasts.",
+                    "That is the rate at which the momentum changes, a force; the change itself does not "
+                    "ask how long the kick lasts.",
                     law("Rate of change", "p = m*v/dt", p=dp, m=m, v=v, dt=dt),
                 ),
             ],
@@ -31,11 +32,13 @@ def derive(m, v, w, dt):
             answers="b",
             mistakes=[
                 mistake(
-                    "You divided the change of momentum by the time: that is the mean force. The impulse is the whole change of momentum.",
+                    "You divided the change of momentum by the time: that is the mean force. The impulse is "
+                    "the whole change of momentum.",
                     law("Mean force", "F = dp/dt", F=J, dp=dp, dt=dt),
                 ),
                 mistake(
-                    "You multiplied the change of momentum by the time; an impulse is a force times a time, and that is the change of momentum already.",
+                    "You multiplied the change of momentum by the time; an impulse is a force times a time, "
+                    "and that is the change of momentum already.",
                     law("Impulse", "J = dp*dt", J=J, dp=dp, dt=dt),
                 ),
             ],
@@ -48,11 +51,13 @@ def derive(m, v, w, dt):
             answers="c",
             mistakes=[
                 mistake(
-                    "You multiplied by the time. A short kick needs a large force: divide the impulse by the time.",
+                    "You multiplied by the time. A short kick needs a large force: divide the impulse by "
+                    "the time.",
                     law("Mean force", "F = J*dt", F=F, J=J, dt=dt),
                 ),
                 mistake(
-                    "You took half of the mean force, as for a mean velocity; the mean force over the contact is the impulse divided by the time.",
+                    "You took half of the mean force, as for a mean velocity; the mean force over the "
+                    "contact is the impulse divided by the time.",
                     law("Mean force", "F = J/(2*dt)", F=F, J=J, dt=dt),
                 ),
             ],
@@ -64,7 +69,8 @@ def derive(m, v, w, dt):
             change_of_momentum(dp_r, m, before=-w, after=v),
             mistakes=[
                 mistake(
-                    "Momentum has a direction. The ball arrives with a negative velocity and leaves with a positive one: the two speeds add.",
+                    "Momentum has a direction. The ball arrives with a negative velocity and leaves with a "
+                    "positive one: the two speeds add.",
                     change_of_momentum(dp_r, m, before=w, after=v),
                 ),
                 mistake(

@@ -13,7 +13,8 @@ def derive(v, M, dt, md, td):
             change_of_momentum(dp, M, before=v, after=0),
             mistakes=[
                 mistake(
-                    "The change is what is after less what is before. The car loses forward momentum: the change, and with it the force, points backward.",
+                    "The change is what is after less what is before. The car loses forward momentum: the "
+                    "change, and with it the force, points backward.",
                     change_of_momentum(dp, M, before=0, after=v),
                 ),
                 mistake(
@@ -37,7 +38,8 @@ def derive(v, M, dt, md, td):
                     law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
                 ),
                 mistake(
-                    "You took half of the mean force, as for a mean velocity; the mean force is the whole change of momentum divided by the time.",
+                    "You took half of the mean force, as for a mean velocity; the mean force is the whole "
+                    "change of momentum divided by the time.",
                     law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
                 ),
             ],
@@ -49,7 +51,8 @@ def derive(v, M, dt, md, td):
             change_of_momentum(dp_d, md, before=v, after=0),
             mistakes=[
                 mistake(
-                    "The change is what is after less what is before. The dummy loses forward momentum: the change, and with it the force, points backward.",
+                    "The change is what is after less what is before. The dummy loses forward momentum: the "
+                    "change, and with it the force, points backward.",
                     change_of_momentum(dp_d, md, before=0, after=v),
                 ),
                 mistake(
@@ -57,7 +60,8 @@ def derive(v, M, dt, md, td):
                     law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp_d, m=md, v=v),
                 ),
                 mistake(
-                    "You put in the mass of the car. Asked is the force on the dummy, which stops the dummy alone.",
+                    "You put in the mass of the car. Asked is the force on the dummy, which stops the dummy "
+                    "alone.",
                     change_of_momentum(dp_d, M, before=v, after=0),
                 ),
             ],
@@ -77,11 +81,15 @@ def derive(v, M, dt, md, td):
                     law("Mean force", "F = J*dt", F=F_d, J=dp_d, dt=td),
                 ),
                 mistake(
-                    "You shared out the force on the car by the masses, as if the dummy stopped as quickly as the car.",
+                    "You shared out the force on the car by the masses, as if the dummy stopped as quickly "
+                    "as the car.",
                     law("Mean force", "F = m*F_c/M", F=F_d, m=md, F_c=F, M=M),
                 ),
             ],
-            check="With the same time the force would be smaller than that on the car by the ratio of the masses; the longer time makes it smaller still.",
+            check=(
+                "With the same time the force would be smaller than that on the car by the ratio of the "
+                "masses; the longer time makes it smaller still."
+            ),
         ),
     )
 

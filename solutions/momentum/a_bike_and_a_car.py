@@ -9,7 +9,8 @@ def derive(mb, M, V):
     return derivation(
         step(
             p,
-            "The momentum of the car is its mass times its velocity; a velocity in km/h is divided by 3.6 to have it in m/s.",
+            "The momentum of the car is its mass times its velocity; a velocity in km/h is divided by 3.6 "
+            "to have it in m/s.",
             momentum(p, M, V),
         ),
         step(
@@ -28,10 +29,14 @@ def derive(mb, M, V):
                     law("Momentum", "p = m_b^2*v/M", p=p, m_b=mb, M=M, v=v),
                 ),
                 mistake(
-                    "You put in the speed of the car as if its number in km/h were one in m/s; divide it by 3.6 first.",
+                    "You put in the speed of the car as if its number in km/h were one in m/s; divide it by "
+                    "3.6 first.",
                     law("Momentum", "3.6*p = m*v", p=p, m=mb, v=v),
                 ),
             ],
-            check="A car of twelve times your mass has twelve times your momentum at the same speed; so your speed must be larger by the ratio of the masses.",
+            check=(
+                "A car of twelve times your mass has twelve times your momentum at the same speed; so "
+                "your speed must be larger by the ratio of the masses."
+            ),
         ),
     )

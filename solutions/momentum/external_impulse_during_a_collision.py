@@ -11,7 +11,8 @@ def derive(mA, mB, vAy, vBy, dt, g):
     return derivation(
         step(
             G,
-            "The external force along y is the weight of both objects; y points up, so it is negative. The forces of A on B and of B on A cancel.",
+            "The external force along y is the weight of both objects; y points up, so it is negative. The "
+            "forces of A on B and of B on A cancel.",
             law("Weight of both", "G = -m_A*g - m_B*g", source="(12.54)", G=G, m_A=mA, m_B=mB, g=g),
             mistakes=[
                 mistake(
@@ -19,7 +20,8 @@ def derive(mA, mB, vAy, vBy, dt, g):
                     law("Weight of both", "G = m_A*g + m_B*g", G=G, m_A=mA, m_B=mB, g=g),
                 ),
                 mistake(
-                    "You left out the acceleration of gravity: an impulse is a force times a time, and the force is the mass times g.",
+                    "You left out the acceleration of gravity: an impulse is a force times a time, and the "
+                    "force is the mass times g.",
                     law("Weight of both", "G = -(m_A + m_B)", G=G, m_A=mA, m_B=mB),
                 ),
                 mistake(
@@ -63,7 +65,8 @@ def derive(mA, mB, vAy, vBy, dt, g):
             answers="b",
             mistakes=[
                 mistake(
-                    "You divided the other way round; asked is how large the impulse is compared with the momentum.",
+                    "You divided the other way round; asked is how large the impulse is compared with the "
+                    "momentum.",
                     law("Ratio", "q = abs(P/J)", q=q, J=J, P=P_0),
                 ),
                 mistake(
@@ -71,7 +74,10 @@ def derive(mA, mB, vAy, vBy, dt, g):
                     law("Ratio", "q = abs(G/P)", q=q, G=G, P=P_0),
                 ),
             ],
-            check="It is g Δt over the speed of the common centre of mass along y: in a short collision there is little time for gravity.",
+            check=(
+                "It is g Δt over the speed of the common centre of mass along y: in a short collision "
+                "there is little time for gravity."
+            ),
         ),
         step(
             P_1,
@@ -88,43 +94,65 @@ def derive(mA, mB, vAy, vBy, dt, g):
                     law("External impulse", "J = P_0 - P_1", J=J, P_0=P_0, P_1=P_1),
                 ),
             ],
-            check="It is a little further down than at the beginning. How the objects push each other does not matter.",
+            check=(
+                "It is a little further down than at the beginning. How the objects push each other does "
+                "not matter."
+            ),
         ),
         choice(
             "d",
-            "Momentum is conserved in each direction in which the net external force is zero: gravity has no component along x, but one along y.",
+            "Momentum is conserved in each direction in which the net external force is zero: gravity has "
+            "no component along x, but one along y.",
             a=False,
             b=True,
             c=False,
             d=False,
             mistakes={
-                "a": "Which external force acts, and along which axis? It changes the momentum along that axis.",
+                "a": (
+                    "Which external force acts, and along which axis? It changes the momentum along that "
+                    "axis."
+                ),
                 "c": "It is along y that the external force acts.",
-                "d": "The law holds in each direction on its own. Is there any external force along the other axis?",
+                "d": (
+                    "The law holds in each direction on its own. Is there any external force along the "
+                    "other axis?"
+                ),
             },
         ),
         choice(
             "e",
-            "What counts is between whom a force acts: A pulls B and B pulls A, the two forces are a pair inside the system, and their impulses cancel.",
+            "What counts is between whom a force acts: A pulls B and B pulls A, the two forces are a pair "
+            "inside the system, and their impulses cancel.",
             a=False,
             b=False,
             c=True,
             d=False,
             mistakes={
-                "a": "The pull of the Earth is external here because the Earth is not part of the system. Who pulls in this case?",
+                "a": (
+                    "The pull of the Earth is external here because the Earth is not part of the system. "
+                    "Who pulls in this case?"
+                ),
                 "b": "A force need not be one of contact to be internal. Between whom does it act?",
-                "d": "By Newton's third law the two forces belong together as a pair. Between whom do they act?",
+                "d": (
+                    "By Newton's third law the two forces belong together as a pair. Between whom do they "
+                    "act?"
+                ),
             },
         ),
         explain(
             "f",
-            "States the condition: the net external force on the system is zero (internal forces may be of any kind).",
+            "States the condition: the net external force on the system is zero (internal forces may be of "
+            "any kind).",
             "Says that it may hold for one direction alone, since momentum is a vector.",
-            "Says that an external force may be neglected when its impulse during the (short) collision is small compared with the momentum.",
-            answer="The total momentum of a system is conserved when the net external force on it is zero; the internal forces may be of any kind, for they come in "
+            "Says that an external force may be neglected when its impulse during the (short) collision is "
+            "small compared with the momentum.",
+            answer="The total momentum of a system is conserved when the net external force on it is zero; "
+            "the internal forces may be of any kind, for they come in "
             "pairs that cancel. It is a vector law: if the net "
-            "external force vanishes in one direction only, the component of the momentum in this direction is conserved. When an external force does act, the momentum changes by its impulse "
-            "$\\int \\vec F^{ext}dt$. If the collision is so short that this impulse is small compared with the momenta in question, momentum is conserved in "
+            "external force vanishes in one direction only, the component of the momentum in this direction "
+            "is conserved. When an external force does act, the momentum changes by its impulse "
+            "$\\int \\vec F^{ext}dt$. If the collision is so short that this impulse is small compared with "
+            "the momenta in question, momentum is conserved in "
             "good approximation from just before to just after the collision.",
         ),
     )

@@ -13,7 +13,8 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
     return derivation(
         step(
             v,
-            "The forces between meteor and planet are a pair: their impulses cancel, and the total momentum is kept in each direction. Afterwards both have one velocity.",
+            "The forces between meteor and planet are a pair: their impulses cancel, and the total momentum "
+            "is kept in each direction. Afterwards both have one velocity.",
             sticking(before=before, together=v),
             answers="a",
             mistakes=[
@@ -42,7 +43,10 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
                     ),
                 ),
             ],
-            check="It lies between the two velocities, much nearer to that of the heavy planet; a meteor without mass would change nothing.",
+            check=(
+                "It lies between the two velocities, much nearer to that of the heavy planet; a meteor "
+                "without mass would change nothing."
+            ),
         ),
         step(
             dv,
@@ -51,7 +55,8 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
             answers="b",
             routes=[
                 route(
-                    "The same at once, since the impulse on both has the same size: the change is the relative velocity, shared by the masses.",
+                    "The same at once, since the impulse on both has the same size: the change is the "
+                    "relative velocity, shared by the masses.",
                     law(
                         "Change of velocity",
                         "dv = m_A/(m_A + m_B)*(v_A - v_B)",
@@ -81,12 +86,14 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
         ),
         step(
             dK,
-            "The kinetic energy of both together after the impact, less that of meteor and planet before it; the square of a speed is the sum of the squares of the components.",
+            "The kinetic energy of both together after the impact, less that of meteor and planet before "
+            "it; the square of a speed is the sum of the squares of the components.",
             change_of_kinetic_energy_in_plane(dK, before=before, after=after),
             answers="c",
             routes=[
                 route(
-                    "The same from the relative velocity and the reduced mass: only the motion against each other is lost.",
+                    "The same from the relative velocity and the reduced mass: only the motion against each "
+                    "other is lost.",
                     law(
                         "Loss in a perfectly inelastic collision",
                         "dK = -m_A*m_B/(m_A + m_B)*((v_Ax - v_Bx)^2 + (v_Ay - v_By)^2)/2",
@@ -134,18 +141,27 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
                     change_of_kinetic_energy_in_plane(dK, before=[(mA, vA)], after=[(mA, v)]),
                 ),
             ],
-            check="Negative: two bodies that stick together always lose kinetic energy, to heat, to melting, to dust.",
+            check=(
+                "Negative: two bodies that stick together always lose kinetic energy, to heat, to "
+                "melting, to dust."
+            ),
         ),
         explain(
             "d",
-            "Says that momentum gives one vector equation (one equation for each direction) for two unknown velocities, so only their sum, weighted with the masses, is known.",
-            "Says that here both move on as one, with the same velocity, which leaves a single unknown velocity.",
-            "Names another possible fact: kinetic energy is conserved, a known loss of energy or coefficient of restitution, or one of the velocities measured.",
-            answer="In each direction there is one equation, but two unknowns: the velocities of the two bodies. Momentum fixes $m_A\\vec v_{A,1} + m_B\\vec v_{B,1}$ "
+            "Says that momentum gives one vector equation (one equation for each direction) for two unknown "
+            "velocities, so only their sum, weighted with the masses, is known.",
+            "Says that here both move on as one, with the same velocity, which leaves a single unknown "
+            "velocity.",
+            "Names another possible fact: kinetic energy is conserved, a known loss of energy or "
+            "coefficient of restitution, or one of the velocities measured.",
+            answer="In each direction there is one equation, but two unknowns: the velocities of the two "
+            "bodies. Momentum fixes $m_A\\vec v_{A,1} + m_B\\vec v_{B,1}$ "
             "and says nothing on how it is shared. In this impact "
-            "we know besides that the meteor stays in the planet: $\\vec v_{A,1} = \\vec v_{B,1} = \\vec v_1$. That is the second vector equation, and the "
+            "we know besides that the meteor stays in the planet: $\\vec v_{A,1} = \\vec v_{B,1} = \\vec "
+            "v_1$. That is the second vector equation, and the "
             "common velocity follows. In other collisions one may know "
-            "that the kinetic energy is kept (elastic), how much of it is lost (a coefficient of restitution), or have measured one of the velocities.",
+            "that the kinetic energy is kept (elastic), how much of it is lost (a coefficient of "
+            "restitution), or have measured one of the velocities.",
         ),
     )
 

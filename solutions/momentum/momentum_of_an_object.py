@@ -14,7 +14,8 @@ def derive(m, vx, vy):
             answers="a",
             mistakes=[
                 mistake(
-                    "You lost a sign: a component of the momentum has the sign of that component of the velocity.",
+                    "You lost a sign: a component of the momentum has the sign of that component of the "
+                    "velocity.",
                     momentum(p, m, (vx, -vy)),
                 ),
                 mistake(
@@ -36,11 +37,13 @@ def derive(m, vx, vy):
             answers="b",
             mistakes=[
                 mistake(
-                    "You added the components. They are at right angles: add their squares and take the root.",
+                    "You added the components. They are at right angles: add their squares and take the "
+                    "root.",
                     law("Magnitude", "p = p_x + p_y", p=size, p_x=p[0], p_y=p[1]),
                 ),
                 mistake(
-                    "You added the sizes of the components. They are at right angles: add their squares and take the root.",
+                    "You added the sizes of the components. They are at right angles: add their squares and "
+                    "take the root.",
                     law("Magnitude", "p = p_x - p_y", p=size, p_x=p[0], p_y=p[1]),
                 ),
                 mistake(
@@ -62,24 +65,38 @@ def derive(m, vx, vy):
             c=False,
             d=False,
             mistakes={
-                "b": "It is the other way round: look at which of the two turns round when the velocity does.",
-                "c": "Kinetic energy does not change when you turn the velocity round; what kind of quantity does that make it?",
+                "b": (
+                    "It is the other way round: look at which of the two turns round when the velocity does."
+                ),
+                "c": (
+                    "Kinetic energy does not change when you turn the velocity round; what kind of "
+                    "quantity does that make it?"
+                ),
                 "d": "Momentum turns round when the velocity does; what kind of quantity does that make it?",
             },
         ),
         choice(
             "d",
-            "Mass that comes or goes carries momentum with it. Newton's second law speaks of a definite lot of matter; so count the object and that mass "
+            "Mass that comes or goes carries momentum with it. Newton's second law speaks of a definite lot "
+            "of matter; so count the object and that mass "
             "together, and the law holds. For the object "
-            "alone, $d(mv)/dt = m\\,dv/dt + v\\,dm/dt$ depends on who looks: to an observer who moves along, the last term vanishes, yet the force is the same for both.",
+            "alone, $d(mv)/dt = m\\,dv/dt + v\\,dm/dt$ depends on who looks: to an observer who moves "
+            "along, the last term vanishes, yet the force is the same for both.",
             a=False,
             b=False,
             c=True,
             d=False,
             mistakes={
-                "a": "Think of a rocket in empty space: no external force acts on it, and yet it accelerates.",
-                "b": "Think of a wagon that leaks sand: it goes on at the same velocity without any force, though $mv$ of the wagon shrinks.",
-                "d": "It does, if you choose the system well: what is the same lot of matter before and after?",
+                "a": (
+                    "Think of a rocket in empty space: no external force acts on it, and yet it accelerates."
+                ),
+                "b": (
+                    "Think of a wagon that leaks sand: it goes on at the same velocity without any force, "
+                    "though $mv$ of the wagon shrinks."
+                ),
+                "d": (
+                    "It does, if you choose the system well: what is the same lot of matter before and after?"
+                ),
             },
         ),
     )

@@ -31,12 +31,14 @@ def derive(M, Ms, m, v, theta):
         ),
         step(
             V,
-            "Before the throw nothing moves. Along the ice no force acts from outside, so you and the ball share a total of zero.",
+            "Before the throw nothing moves. Along the ice no force acts from outside, so you and the ball "
+            "share a total of zero.",
             conservation_of_momentum(before=[(m + M, 0)], after=[(m, p[0] / m), (M, V)]),
             answers="b",
             mistakes=[
                 mistake(
-                    "Vertically the ice pushes back; only the horizontal part of the ball's momentum is taken from you. Use $v\\cos\\theta$.",
+                    "Vertically the ice pushes back; only the horizontal part of the ball's momentum is "
+                    "taken from you. Use $v\\cos\\theta$.",
                     conservation_of_momentum(before=[(m + M, 0)], after=[(m, v), (M, V)]),
                 ),
                 mistake(
@@ -69,11 +71,13 @@ def derive(M, Ms, m, v, theta):
             answers="b2",
             mistakes=[
                 mistake(
-                    "He does not move until the ball reaches him; you and the *ball* share the momentum, not you and your son.",
+                    "He does not move until the ball reaches him; you and the *ball* share the momentum, "
+                    "not you and your son.",
                     conservation_of_momentum(before=[(M + Ms, 0)], after=[(M, V), (Ms, u)]),
                 ),
                 mistake(
-                    "He has your speed in the other direction only in a mirror; no force has acted on him yet.",
+                    "He has your speed in the other direction only in a mirror; no force has acted on him "
+                    "yet.",
                     law("Newton's first law", "v_1 = -V", v_1=u, V=V),
                 ),
             ],
@@ -91,7 +95,8 @@ def derive(M, Ms, m, v, theta):
                     law("Equality", "V_1 = 0", V_1=V_1),
                 ),
                 mistake(
-                    "You and your son do not have opposite velocities; each has shared momentum with the ball alone.",
+                    "You and your son do not have opposite velocities; each has shared momentum with the "
+                    "ball alone.",
                     sticking(before=[(m, -flat), (Ms, 0)], together=V_1),
                 ),
             ],
@@ -99,7 +104,8 @@ def derive(M, Ms, m, v, theta):
         ),
         step(
             u_1,
-            "Ball and son move as one after the catch; along the ice their momentum is what the ball brought.",
+            "Ball and son move as one after the catch; along the ice their momentum is what the ball "
+            "brought.",
             sticking(before=[(m, p[0] / m), (Ms, 0)], together=u_1),
             answers="c2",
             mistakes=[
@@ -108,7 +114,8 @@ def derive(M, Ms, m, v, theta):
                     conservation_of_momentum(before=[(m, p[0] / m), (Ms, 0)], after=[(m, 0), (Ms, u_1)]),
                 ),
                 mistake(
-                    "The vertical momentum is taken by the ice: use the horizontal component $v\\cos\\theta$.",
+                    "The vertical momentum is taken by the ice: use the horizontal component "
+                    "$v\\cos\\theta$.",
                     sticking(before=[(m, v), (Ms, 0)], together=u_1),
                 ),
                 mistake(

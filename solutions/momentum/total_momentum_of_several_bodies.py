@@ -15,11 +15,13 @@ def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
             answers="a",
             mistakes=[
                 mistake(
-                    "You added sizes. Momentum has a direction: body 2 moves against the x-axis and body 3 against the y-axis, and their terms there are negative.",
+                    "You added sizes. Momentum has a direction: body 2 moves against the x-axis and body 3 "
+                    "against the y-axis, and their terms there are negative.",
                     total_momentum(P, [(m1, v1), (m2, (-v2x, v2y)), (m3, (v3x, -v3y))]),
                 ),
                 mistake(
-                    "You added the velocities first and then multiplied by the total mass; each velocity goes with its own mass.",
+                    "You added the velocities first and then multiplied by the total mass; each velocity "
+                    "goes with its own mass.",
                     law(
                         "Total momentum",
                         "P = M*(v_1 + v_2 + v_3)",
@@ -31,7 +33,8 @@ def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
                     ),
                 ),
                 mistake(
-                    "That is the velocity of the centre of mass; the total momentum is not divided by the mass.",
+                    "That is the velocity of the centre of mass; the total momentum is not divided by the "
+                    "mass.",
                     law(
                         "Total momentum",
                         "P = (m_1*v_1 + m_2*v_2 + m_3*v_3)/(m_1 + m_2 + m_3)",

@@ -53,8 +53,11 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
     return derivation(
         plot(
             "a",
-            "A parabola with its bottom at b, flat at $U_0$ beyond $b + d$, and a wall at $b - d$. Below $U_0$ the atom is bound: it swings harmonically about $b$, between the two places where $U = E$. Above $U_0$ it is free: it comes in "
-            "from outside at constant speed, is fastest at $b$, is thrown back by the wall at $b - d$, and leaves with the speed it came with.",
+            "A parabola with its bottom at b, flat at $U_0$ beyond $b + d$, and a wall at $b - d$. Below "
+            "$U_0$ the atom is bound: it swings harmonically about $b$, between the two places where $U = "
+            "E$. Above $U_0$ it is free: it comes in "
+            "from outside at constant speed, is fastest at $b$, is thrown back by the wall at $b - d$, and "
+            "leaves with the speed it came with.",
             judge=judge_potential_plot,
             example=file("catching_an_atom/potential_plot.py"),
         ),
@@ -67,11 +70,13 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             where=p[1] > p[0],
             mistakes=[
                 mistake(
-                    "The bottom of the well is at b, not at 0: your distances are right, but measured from b.",
+                    "The bottom of the well is at b, not at 0: your distances are right, but measured from "
+                    "b.",
                     law("From zero", "x = l", x=p, l=(-swing, swing)),
                 ),
                 mistake(
-                    "The energy goes with the square of the distance from b: a quarter of the energy is half of the way.",
+                    "The energy goes with the square of the distance from b: a quarter of the energy is "
+                    "half of the way.",
                     law("Proportion", "x = b + l", x=p, b=b, l=(-eps * d, eps * d)),
                 ),
                 mistake(
@@ -83,7 +88,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             T,
-            "Within the well the force is $-k(x - b)$ all the way: the swing is harmonic, whatever its energy.",
+            "Within the well the force is $-k(x - b)$ all the way: the swing is harmonic, whatever its "
+            "energy.",
             oscillation(T, m=m, k=k),
             answers="a2",
             mistakes=[
@@ -147,7 +153,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             scale=k * d,
             mistakes=[
                 mistake(
-                    "The force is *minus* the slope of the potential energy: it points to the bottom of the well.",
+                    "The force is *minus* the slope of the potential energy: it points to the bottom of the "
+                    "well.",
                     law("Force and potential energy", "F = theta*k*(x - b)", F=f, theta=theta, k=k, x=x, b=b),
                 ),
                 mistake(
@@ -171,7 +178,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             u,
-            "The force on A is conservative. Outside A has the potential energy U₀, at b none; it moves towards the molecule, so its velocity is negative.",
+            "The force on A is conservative. Outside A has the potential energy U₀, at b none; it moves "
+            "towards the molecule, so its velocity is negative.",
             energy_between(m=m, v_0=-vA0, U_0=U_0, v_1=u, U_1=0),
             answers="c",
             where=u <= 0,
@@ -207,7 +215,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             V,
-            "In the short collision the pull of the molecule does not matter (it is zero at b anyway): momentum is kept, and both move on as one.",
+            "In the short collision the pull of the molecule does not matter (it is zero at b anyway): "
+            "momentum is kept, and both move on as one.",
             sticking(before=[(m, u), (m, 0)], together=V),
             answers="d",
             mistakes=[
@@ -216,7 +225,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     law("Conservation of momentum", "V = u/sqrt(2)", V=V, u=u),
                 ),
                 mistake(
-                    "That is an elastic collision: equal masses exchange their velocities only if they do not stick.",
+                    "That is an elastic collision: equal masses exchange their velocities only if they do "
+                    "not stick.",
                     law("Conservation of momentum", "V = u", V=V, u=u),
                 ),
                 mistake(
@@ -228,7 +238,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             V_e,
-            "Joined, the atoms have the mass 2m, and *each* needs the potential energy U₀ to get out. Moving inwards first does no harm: the wall throws them back at the same speed.",
+            "Joined, the atoms have the mass 2m, and *each* needs the potential energy U₀ to get out. "
+            "Moving inwards first does no harm: the wall throws them back at the same speed.",
             law(
                 "Conservation of mechanical energy",
                 "2*m*V^2/2 = 2*U_0",
@@ -262,16 +273,21 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     law("Conservation of mechanical energy", "v = u", v=v_e, u=u_e),
                 ),
                 mistake(
-                    "You forgot the collision: that is the case if no kinetic energy were lost when they stick.",
+                    "You forgot the collision: that is the case if no kinetic energy were lost when they "
+                    "stick.",
                     law("Conservation of mechanical energy", "m*v^2/2 + U_0 = 2*U_0", m=m, v=v_e, U_0=U_0),
                 ),
             ],
-            check="Three times the depth of the well as kinetic energy: one quarter of $m u^2/2 = 4U_0$ is what each atom needs.",
+            check=(
+                "Three times the depth of the well as kinetic energy: one quarter of $m u^2/2 = 4U_0$ is "
+                "what each atom needs."
+            ),
         ),
         step(r_p, "First the distance from the molecule.", distance(r_p, (xp, yp))),
         step(
             F,
-            "U depends on r alone. Its gradient is along the radius: $\\partial r/\\partial x = x/r$ and $\\partial r/\\partial y = y/r$, so $\\vec F = -k(r - b)\\,\\vec r/r$.",
+            "U depends on r alone. Its gradient is along the radius: $\\partial r/\\partial x = x/r$ and "
+            "$\\partial r/\\partial y = y/r$, so $\\vec F = -k(r - b)\\,\\vec r/r$.",
             towards_circle(F, k=k, b=b, place=(xp, yp), r=r_p),
             answers="f",
             mistakes=[
@@ -284,7 +300,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     law("Central force", "F = -k*s", F=F, k=k, s=(xp, yp)),
                 ),
                 mistake(
-                    "The size $k(r - b)$ goes with the *unit* vector $\\vec r/r$; you left out the division by r.",
+                    "The size $k(r - b)$ goes with the *unit* vector $\\vec r/r$; you left out the division "
+                    "by r.",
                     law("Central force", "F = -k*(r - b)*s/b", F=F, k=k, b=b, r=r_p, s=(xp, yp)),
                 ),
             ],
@@ -292,14 +309,16 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         code(
             "g",
-            "Newton's second law with this force inside r < b + d and no force outside; velocity first, then the place with the new velocity.",
+            "Newton's second law with this force inside r < b + d and no force outside; velocity first, "
+            "then the place with the new velocity.",
             inputs=orbit_inputs,
             judge=judge_orbit,
             example=file("catching_an_atom/orbit.py"),
         ),
         plot(
             "g",
-            "The trajectory is a rosette between the circles r = b and r = r_max: it touches each of them once in every swing.",
+            "The trajectory is a rosette between the circles r = b and r = r_max: it touches each of them "
+            "once in every swing.",
             judge=judge_orbit_plot,
             example=file("catching_an_atom/orbit_plot.py"),
         ),
@@ -310,7 +329,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             lambda_0,
-            "A velocity across the radius at r = b shrinks as 1/r, for angular momentum is kept. At the edge the share $\\lambda_0$ of it is left.",
+            "A velocity across the radius at r = b shrinks as 1/r, for angular momentum is kept. At the "
+            "edge the share $\\lambda_0$ of it is left.",
             law(
                 "Conservation of angular momentum",
                 "b = lambda_0*(b + d)",
@@ -322,7 +342,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             w_e,
-            "Does it stay in the well? With an additional speed $w$ along the radius it would just reach the edge. That $w$ is real says: without it, the atom is bound.",
+            "Does it stay in the well? With an additional speed $w$ along the radius it would just reach "
+            "the edge. That $w$ is real says: without it, the atom is bound.",
             law(
                 "Conservation of mechanical energy",
                 "m*(v^2 + w^2)/2 = U_0 + m*(lambda_0*v)^2/2",
@@ -336,13 +357,15 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             r_max,
-            "At the greatest distance there is no velocity along the radius. Energy: $mv_0^2/2 = k(r - b)^2/2 + mw^2/2$; angular momentum: $mv_0 b = m w r$. Together they give a cubic equation "
+            "At the greatest distance there is no velocity along the radius. Energy: $mv_0^2/2 = k(r - "
+            "b)^2/2 + mw^2/2$; angular momentum: $mv_0 b = m w r$. Together they give a cubic equation "
             "for $r/b$ once the start itself, $r = b$, is divided out.",
             far_turning_point(r_max, b=b, kappa=kappa),
             answers="h1",
             mistakes=[
                 mistake(
-                    "At the greatest distance the atom does not stand still: it still moves across the radius, with $v_0 b/r$.",
+                    "At the greatest distance the atom does not stand still: it still moves across the "
+                    "radius, with $v_0 b/r$.",
                     law(
                         "Conservation of mechanical energy",
                         "r = b + v*sqrt(m/k)",
@@ -354,26 +377,33 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     ),
                 ),
                 mistake(
-                    "That is the distance where the pull would just be right for a circle at this speed; the atom moves outwards and swings further.",
+                    "That is the distance where the pull would just be right for a circle at this speed; "
+                    "the atom moves outwards and swings further.",
                     law("Circle", "r = b/2 + sqrt(b^2/4 + m*v^2/k)", r=r_max, b=b, m=m, v=v0, k=k),
                 ),
             ],
-            check="With v₀ = 0 it stays at b. The distance can never be smaller than b, which is the other turning point.",
+            check=(
+                "With v₀ = 0 it stays at b. The distance can never be smaller than b, which is the other "
+                "turning point."
+            ),
         ),
         simulated(
             T_r,
-            "The integral for this time has no simple form; the program measures it between two moments of smallest distance.",
+            "The integral for this time has no simple form; the program measures it between two moments of "
+            "smallest distance.",
             scene="atom",
             settings={"m": m, "k": k, "b": b, "d": d, "r0": b, "v0": v0, "dimension": 2},
             observe="period",
             answers="h2",
             mistakes=[
                 mistake(
-                    "That is the swing on a line. The motion across the radius adds an outward push, and the distance swings faster.",
+                    "That is the swing on a line. The motion across the radius adds an outward push, and "
+                    "the distance swings faster.",
                     oscillation(T_r, m=m, k=k),
                 ),
                 mistake(
-                    "That is the time for a turn about the molecule on the circle r = b at the speed at the start; asked is the swing of the distance.",
+                    "That is the time for a turn about the molecule on the circle r = b at the speed at the "
+                    "start; asked is the swing of the distance.",
                     law("Circle", "T = 2*pi*b/v", T=T_r, b=b, v=v0),
                 ),
             ],
@@ -392,7 +422,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     law("Closed orbit", "phi = 2*pi", phi=phi),
                 ),
                 mistake(
-                    "The angular velocity is $v_0/b$ only at the start; further out it is smaller, as $1/r^2$.",
+                    "The angular velocity is $v_0/b$ only at the start; further out it is smaller, as "
+                    "$1/r^2$.",
                     law("Angular velocity", "phi = v/b*T", phi=phi, v=v0, b=b, T=T_r),
                 ),
             ],
@@ -400,13 +431,22 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         explain(
             "h",
-            "Says that the distance swings between b and a greatest distance, while the atom moves round the molecule: a rosette.",
-            "Says that angular momentum is kept, so the atom turns about the molecule always in the same sense, faster near b and slower far out.",
-            "Says that the curve does not close in general, because the swing of the distance and the turn around the molecule have different times.",
-            "Gives a way to measure a period: times between successive extremes of r (or upward passages of the radial velocity through zero).",
-            answer="The atom starts at the smallest distance, b, where there is no force; it moves outwards, is pulled back, turns round at $r_{max}$ and returns to b, again and again. All the while it moves about the molecule "
-            "with $r^2\\dot\\varphi = b v_0$. As the time of a swing is no simple fraction of the time of a turn, the curve is a rosette that does not close. In the program one notes the times at which r "
-            "has a minimum (the radial velocity changes from negative to positive, between two steps found by interpolation); the period is the mean difference between them.",
+            "Says that the distance swings between b and a greatest distance, while the atom moves round "
+            "the molecule: a rosette.",
+            "Says that angular momentum is kept, so the atom turns about the molecule always in the same "
+            "sense, faster near b and slower far out.",
+            "Says that the curve does not close in general, because the swing of the distance and the turn "
+            "around the molecule have different times.",
+            "Gives a way to measure a period: times between successive extremes of r (or upward passages of "
+            "the radial velocity through zero).",
+            answer="The atom starts at the smallest distance, b, where there is no force; it moves "
+            "outwards, is pulled back, turns round at $r_{max}$ and returns to b, again and again. All "
+            "the while it moves about the molecule "
+            "with $r^2\\dot\\varphi = b v_0$. As the time of a swing is no simple fraction of the time of a "
+            "turn, the curve is a rosette that does not close. In the program one notes the times at which "
+            "r "
+            "has a minimum (the radial velocity changes from negative to positive, between two steps found "
+            "by interpolation); the period is the mean difference between them.",
         ),
         step(
             r_c,
@@ -420,7 +460,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     law("Newton's second law", "r = v*sqrt(m/k)", k=k, r=r_c, m=m, v=v),
                 ),
                 mistake(
-                    "The kinetic energy does not become spring energy here; on a circle the speed stays the same. The force must hold the atom.",
+                    "The kinetic energy does not become spring energy here; on a circle the speed stays the "
+                    "same. The force must hold the atom.",
                     law("Newton's second law", "r = b + v*sqrt(m/k)", r=r_c, b=b, v=v, m=m, k=k),
                 ),
                 mistake(
@@ -453,19 +494,25 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             q,
-            "Is the circle of (i1) inside the well? Below the largest speed the share $q$ that is left is real; above it there is no such circle.",
+            "Is the circle of (i1) inside the well? Below the largest speed the share $q$ that is left is "
+            "real; above it there is no such circle.",
             law("Room left", "(v/v_max)^2 + q^2 = 1", v=v, v_max=v_max, q=q),
             where=q >= 0,
         ),
         choice(
             "i3",
-            "The force towards the centre that a circle needs, $mv^2/r$, must be supplied by $k(r - b)$, which is at most $kd$, at r = b + d. Every speed up to $\\sqrt{kd(b + d)/m}$ has its radius, and none beyond.",
+            "The force towards the centre that a circle needs, $mv^2/r$, must be supplied by $k(r - b)$, "
+            "which is at most $kd$, at r = b + d. Every speed up to $\\sqrt{kd(b + d)/m}$ has its radius, "
+            "and none beyond.",
             a=False,
             b=True,
             c=False,
             d=False,
             mistakes={
-                "a": "The spring pulls the more, the further out, but only up to r = b + d. Beyond there is no force at all.",
+                "a": (
+                    "The spring pulls the more, the further out, but only up to r = b + d. Beyond there "
+                    "is no force at all."
+                ),
                 "c": "Slow atoms can circle too: just outside b, where the pull is weak.",
                 "d": "The pull depends on the distance: each radius has a speed of its own.",
             },
@@ -475,32 +522,48 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             "The velocity must be across the radius, at the distance where $k(r - b) = mv^2/r$.",
             "That distance is larger than b; for the limit v → 0 it is b.",
             "The well ends at b + d: no circle for $v > \\sqrt{kd(b + d)/m}$.",
-            answer="Start at the distance r with $k(r - b) = mv^2/r$, so $r = b/2 + \\sqrt{b^2/4 + mv^2/k}$, and with the velocity at right angles to the radius. Then the pull is just what the circle needs, and stays so. As r must be smaller "
+            answer="Start at the distance r with $k(r - b) = mv^2/r$, so $r = b/2 + \\sqrt{b^2/4 + "
+            "mv^2/k}$, and with the velocity at right angles to the radius. Then the pull is just what "
+            "the circle needs, and stays so. As r must be smaller "
             "than b + d, only speeds below $\\sqrt{kd(b + d)/m}$ will do.",
         ),
         code(
             "j",
-            "At t₁ the velocity is halved (momentum; B was at rest). The pair has twice the mass, and twice the force, for the molecule pulls on both: the acceleration at a place stays as it was.",
+            "At t₁ the velocity is halved (momentum; B was at rest). The pair has twice the mass, and twice "
+            "the force, for the molecule pulls on both: the acceleration at a place stays as it was.",
             inputs=catch_inputs,
             judge=judge_catch,
             example=file("catching_an_atom/catch.py"),
         ),
         choice(
             "k1",
-            "The pair needs enough energy at r = b + d, where angular momentum still leaves it a velocity across the radius. A fast enough A gives this in every direction; across the radius more speed is needed than along it.",
+            "The pair needs enough energy at r = b + d, where angular momentum still leaves it a velocity "
+            "across the radius. A fast enough A gives this in every direction; across the radius more speed "
+            "is needed than along it.",
             a=False,
             b=False,
             c=True,
             d=False,
             mistakes={
-                "a": "A fraction of the kinetic energy is lost, one half; what is left grows with the speed of A without bound.",
-                "b": "Motion across the radius does not keep the pair in: the well only has so much energy to offer. It has to be faster then.",
-                "d": "Energy is not all: with angular momentum, part of the kinetic energy cannot be used to get out, for the pair must still move across the radius at the edge.",
+                "a": (
+                    "A fraction of the kinetic energy is lost, one half; what is left grows with the "
+                    "speed of A without bound."
+                ),
+                "b": (
+                    "Motion across the radius does not keep the pair in: the well only has so much energy "
+                    "to offer. It has to be faster then."
+                ),
+                "d": (
+                    "Energy is not all: with angular momentum, part of the kinetic energy cannot be used "
+                    "to get out, for the pair must still move across the radius at the edge."
+                ),
             },
         ),
         step(
             lambda_k,
-            "Joined, at r = b, the velocity V makes the same angle with the radius: $V\\sin\\alpha$ is across it. Of this the share $\\lambda_0$ is left at the edge; in all, the share $\\lambda$ of V.",
+            "Joined, at r = b, the velocity V makes the same angle with the radius: $V\\sin\\alpha$ is "
+            "across it. Of this the share $\\lambda_0$ is left at the edge; in all, the share $\\lambda$ of "
+            "V.",
             law(
                 "Across the radius",
                 "lambda_k = lambda_0*sin(alpha)",
@@ -511,18 +574,21 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             ),
             mistakes=[
                 mistake(
-                    "You left out angular momentum: at the edge the pair still moves across the radius, and this part of the energy does not help it out.",
+                    "You left out angular momentum: at the edge the pair still moves across the radius, and "
+                    "this part of the energy does not help it out.",
                     law("No angular momentum", "w = 0", w=lambda_k),
                 ),
                 mistake(
-                    "The velocity across the radius is not kept. Angular momentum is: further out it is smaller.",
+                    "The velocity across the radius is not kept. Angular momentum is: further out it is "
+                    "smaller.",
                     law("Constant velocity", "w = sin(alpha)", w=lambda_k, alpha=alpha),
                 ),
             ],
         ),
         step(
             V_k,
-            "In the limiting case the velocity along the radius has just been used up at the edge; only the one across it is left.",
+            "In the limiting case the velocity along the radius has just been used up at the edge; only the "
+            "one across it is left.",
             law(
                 "Conservation of mechanical energy",
                 "2*m*V^2/2 = 2*U_0 + 2*m*(lambda_k*V)^2/2",
@@ -553,7 +619,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             lambda_s,
-            "The angular momentum that A brings, $mvs$, is kept all the way, in the collision too. At the edge the pair therefore has the share $\\lambda$ of A's speed outside across the radius.",
+            "The angular momentum that A brings, $mvs$, is kept all the way, in the collision too. At the "
+            "edge the pair therefore has the share $\\lambda$ of A's speed outside across the radius.",
             law(
                 "Conservation of angular momentum",
                 "m*s = 2*m*lambda_s*r_1",
@@ -572,7 +639,9 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         step(
             v_s,
-            "A has the kinetic energy $mv^2/2 + U_0$ at r = b. Half of it is lost when it sticks to B, for the pair has twice the mass and half the velocity. What is left must lift both to the edge, where in the limiting "
+            "A has the kinetic energy $mv^2/2 + U_0$ at r = b. Half of it is lost when it sticks to B, for "
+            "the pair has twice the mass and half the velocity. What is left must lift both to the edge, "
+            "where in the limiting "
             "case only the motion across the radius remains.",
             law(
                 "Energy of the pair",
@@ -629,22 +698,38 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         ),
         explain(
             "k",
-            "In the collision momentum is kept (half the velocity, same direction), half of A's kinetic energy is lost.",
+            "In the collision momentum is kept (half the velocity, same direction), half of A's kinetic "
+            "energy is lost.",
             "Before and after it energy and angular momentum about the molecule are kept.",
-            "The pair gets out when its energy is at least $2U_0$ plus what angular momentum leaves across the radius at b + d.",
-            answer="Yes. Before and after the collision energy and angular momentum are kept, in the collision momentum is, while half of A's kinetic energy is lost. The pair of mass 2m needs $2U_0$ to climb to the edge, and in addition the kinetic "
-            "energy of the motion across the radius that it still has there, because its angular momentum cannot vanish. What it has grows with the square of A's speed, what it needs across the radius is only the share "
-            "$(b\\sin\\alpha/(b + d))^2 < 1$ of it; so a fast enough A will do it in every direction, and the more easily, the more nearly it moves along the radius. A is fast anyway: it gains U₀ on its way in.",
+            "The pair gets out when its energy is at least $2U_0$ plus what angular momentum leaves across "
+            "the radius at b + d.",
+            answer="Yes. Before and after the collision energy and angular momentum are kept, in the "
+            "collision momentum is, while half of A's kinetic energy is lost. The pair of mass 2m "
+            "needs $2U_0$ to climb to the edge, and in addition the kinetic "
+            "energy of the motion across the radius that it still has there, because its angular momentum "
+            "cannot vanish. What it has grows with the square of A's speed, what it needs across the radius "
+            "is only the share "
+            "$(b\\sin\\alpha/(b + d))^2 < 1$ of it; so a fast enough A will do it in every direction, and "
+            "the more easily, the more nearly it moves along the radius. A is fast anyway: it gains U₀ on "
+            "its way in.",
         ),
         choice(
             "l1",
-            "B rests where nothing pulls it, at r = b, so the collision happens there. A circle through r = b at a speed $V > 0$ would need the force $2mV^2/b$ towards the molecule; the well supplies $2k(r - b) = 0$ there.",
+            "B rests where nothing pulls it, at r = b, so the collision happens there. A circle through r = "
+            "b at a speed $V > 0$ would need the force $2mV^2/b$ towards the molecule; the well supplies "
+            "$2k(r - b) = 0$ there.",
             a=sympy.Lt(2 * m * v1**2 / b, 0),
             b=sympy.Ge(2 * m * v1**2 / b, 0),
             c=False,
             mistakes={
-                "a": "Across the radius is right for a circle, but at r = b there is no pull at all, whatever the speed.",
-                "c": "Along the radius the pair swings through b on a line; a circle needs a velocity across the radius, and a pull.",
+                "a": (
+                    "Across the radius is right for a circle, but at r = b there is no pull at all, "
+                    "whatever the speed."
+                ),
+                "c": (
+                    "Along the radius the pair swings through b on a line; a circle needs a velocity "
+                    "across the radius, and a pull."
+                ),
             },
         ),
         explain(
@@ -652,18 +737,26 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             "The collision happens at r = b, since B rests there.",
             "At r = b there is no force towards the molecule, so no circle at a speed that is not zero.",
             "A slow motion across the radius comes closest: a rosette between b and a little more.",
-            answer="A must meet B where B rests, on the circle r = b. To move on a circle afterwards the pair would have to move across the radius, and be pulled inwards with $2mV^2/b$; but at r = b the force is zero. So no choice "
-            "of $\\vec r_0$ and $\\vec v_0$ gives a circle (only a pair at rest would stay at r = b). The best one can do is a slow pair moving across the radius: it stays between b and a distance only a little larger. "
-            "But A always arrives with at least the kinetic energy U₀ from the well, so even that is out of reach for an atom from outside.",
+            answer="A must meet B where B rests, on the circle r = b. To move on a circle afterwards the "
+            "pair would have to move across the radius, and be pulled inwards with $2mV^2/b$; but at r "
+            "= b the force is zero. So no choice "
+            "of $\\vec r_0$ and $\\vec v_0$ gives a circle (only a pair at rest would stay at r = b). The "
+            "best one can do is a slow pair moving across the radius: it stays between b and a distance "
+            "only a little larger. "
+            "But A always arrives with at least the kinetic energy U₀ from the well, so even that is out of "
+            "reach for an atom from outside.",
         ),
         step(
             x_l,
-            "Twice the mass and twice the force: the pair moves like one atom with this velocity. Energy and angular momentum at the greatest distance $b + x$ give $k x (b + x)^2 = m v_1^2 (2b + x)$; for small speeds $x$ is small against b.",
+            "Twice the mass and twice the force: the pair moves like one atom with this velocity. Energy "
+            "and angular momentum at the greatest distance $b + x$ give $k x (b + x)^2 = m v_1^2 (2b + x)$; "
+            "for small speeds $x$ is small against b.",
             small_excess(x_l, m=m, k=k, b=b, v=v1),
             answers="l2",
             mistakes=[
                 mistake(
-                    "That is where the pull suits a circle: the middle of the swing. The pair swings as far again beyond it.",
+                    "That is where the pull suits a circle: the middle of the swing. The pair swings as far "
+                    "again beyond it.",
                     law("Circle", "x = m*v^2/(k*b)", x=x_l, m=m, v=v1, k=k, b=b),
                 ),
                 mistake(
@@ -671,7 +764,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                     law("One force", "x = 4*m*v^2/(k*b)", x=x_l, m=m, v=v1, k=k, b=b),
                 ),
                 mistake(
-                    "The pair does not stop at the greatest distance: hardly any of its kinetic energy is used up, for it still moves across the radius.",
+                    "The pair does not stop at the greatest distance: hardly any of its kinetic energy is "
+                    "used up, for it still moves across the radius.",
                     law("On a line", "x = v*sqrt(m/k)", x=x_l, v=v1, m=m, k=k),
                 ),
             ],

@@ -43,7 +43,8 @@ def derive(m, h0, r, k, v0, g):
     return derivation(
         step(
             u_0,
-            "On its way down only gravity does work on the ball; the thread pulls at right angles to the motion.",
+            "On its way down only gravity does work on the ball; the thread pulls at right angles to the "
+            "motion.",
             falling(u_0, g, h0),
             answers="a",
             where=u_0 >= 0,
@@ -53,11 +54,14 @@ def derive(m, h0, r, k, v0, g):
                     law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h0, v=u_0),
                 ),
                 mistake(
-                    "Energy goes with the square of the speed: $2gh$ is $v^2$, so the speed is $\\sqrt{2gh}$ and not $\\sqrt{gh/2}$.",
+                    "Energy goes with the square of the speed: $2gh$ is $v^2$, so the speed is "
+                    "$\\sqrt{2gh}$ and not $\\sqrt{gh/2}$.",
                     law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h0, v=u_0),
                 ),
             ],
-            check="A lift of h₀ gives the speed of a fall through h₀; the length of the thread does not matter.",
+            check=(
+                "A lift of h₀ gives the speed of a fall through h₀; the length of the thread does not matter."
+            ),
         ),
         step(
             v,
@@ -68,7 +72,8 @@ def derive(m, h0, r, k, v0, g):
             where=v[1] >= v[0],
             mistakes=[
                 mistake(
-                    "You let them move on together: that is a perfectly inelastic collision. An elastic one keeps the kinetic energy.",
+                    "You let them move on together: that is a perfectly inelastic collision. An elastic one "
+                    "keeps the kinetic energy.",
                     law("Perfectly inelastic", "v_A = v_B", v_A=v[0], v_B=v[1]),
                     instead="Conservation of mechanical energy",
                 ),
@@ -115,7 +120,8 @@ def derive(m, h0, r, k, v0, g):
             answers="d",
             mistakes=[
                 mistake(
-                    "Half the speed is a quarter of the height, not half of it: the height goes with the square of the speed.",
+                    "Half the speed is a quarter of the height, not half of it: the height goes with the "
+                    "square of the speed.",
                     law("Conservation of mechanical energy", "h = h_0*V/u", h=h_in, h_0=h0, V=V, u=u_0),
                 ),
                 mistake(
@@ -133,7 +139,8 @@ def derive(m, h0, r, k, v0, g):
             answers="e",
             mistakes=[
                 mistake(
-                    "The coefficient of restitution compares *relative* velocities, not the speeds of A before and B after.",
+                    "The coefficient of restitution compares *relative* velocities, not the speeds of A "
+                    "before and B after.",
                     law("Coefficient of restitution", "v_B1 = r*v_A0", v_B1=w[1], v_A0=u_0, r=r),
                 ),
                 mistake(
@@ -165,7 +172,8 @@ def derive(m, h0, r, k, v0, g):
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
-                    "Momentum is not shared by all three at once: there is a gap, and C has not been touched yet.",
+                    "Momentum is not shared by all three at once: there is a gap, and C has not been "
+                    "touched yet.",
                     law("All together", "v_C = v_0/3", v_C=f[2], v_0=v0),
                     instead="Newton's first law",
                 ),
@@ -238,7 +246,8 @@ def derive(m, h0, r, k, v0, g):
         ),
         step(
             x,
-            "At the largest overlap the balls do not move against each other: the kinetic energy of their relative motion sits in the contact.",
+            "At the largest overlap the balls do not move against each other: the kinetic energy of their "
+            "relative motion sits in the contact.",
             spring_at_rest(m=mu, v=v0, k=k, x=x),
             answers="h2",
             where=x * v0 >= 0,
@@ -256,7 +265,8 @@ def derive(m, h0, r, k, v0, g):
         ),
         code(
             "h",
-            "Newton's second law for each ball, stepped forward: velocities first, then positions with the new velocities.",
+            "Newton's second law for each ball, stepped forward: velocities first, then positions with the "
+            "new velocities.",
             inputs=cradle_inputs,
             judge=judge_cradle,
             example=file("newtons_cradle/cradle.py"),
@@ -269,14 +279,16 @@ def derive(m, h0, r, k, v0, g):
         ),
         simulated(
             e,
-            "Momentum and energy leave one velocity free; the law of the contact decides. With q = 1 the three balls are masses on springs, and part one after the other.",
+            "Momentum and energy leave one velocity free; the law of the contact decides. With q = 1 the "
+            "three balls are masses on springs, and part one after the other.",
             scene="cradle",
             settings={"N": 3, "q": 1, "m": m, "k": k, "v0": v0},
             observe="velocities",
             answers="i",
             mistakes=[
                 mistake(
-                    "That is what a toy seems to do, and what separate collisions give. Touching balls with q = 1 do something else: run the program.",
+                    "That is what a toy seems to do, and what separate collisions give. Touching balls with "
+                    "q = 1 do something else: run the program.",
                     *(law("Separate collisions", "v = s", v=e[i], s=s[i]) for i in range(3)),
                 ),
                 mistake(
@@ -290,7 +302,8 @@ def derive(m, h0, r, k, v0, g):
             "i",
             "the swing of the balls while they touch",
             eps,
-            "Three balls touch for less than 1.6 times T. The places of all three, which begin at 0, add up to $v_0t$ as long as their momentum is kept; on their threads they are pulled back "
+            "Three balls touch for less than 1.6 times T. The places of all three, which begin at 0, add up "
+            "to $v_0t$ as long as their momentum is kept; on their threads they are pulled back "
             "in proportion to that, on the average with half of what it is in the end.",
             law("Time", "t = 8*T/5", t=t, T=T),
             law("Places together", "x = v_0*t", x=x_a, v_0=v0, t=t),
@@ -301,7 +314,8 @@ def derive(m, h0, r, k, v0, g):
         ),
         code(
             "j",
-            "The steeper the force (the larger q), the more the contacts come one after the other; k only sets the time.",
+            "The steeper the force (the larger q), the more the contacts come one after the other; k only "
+            "sets the time.",
             inputs=lambda given, draw: [{}],
             judge=judge_contact,
             example=file("newtons_cradle/contact.py"),
@@ -314,11 +328,16 @@ def derive(m, h0, r, k, v0, g):
         ),
         explain(
             "k",
-            "Says that momentum and energy are two equations for three (or more) unknown velocities, so they alone cannot decide.",
-            "Says that the law of the contact decides, and that a linear contact (q = 1) sets all the balls in motion.",
-            "Says that real steel balls touch with a steeper law (Hertz, q = 3/2) and tiny gaps, so the collisions come one after the other, each handing on the velocity.",
-            answer="The two conservation laws leave a whole family of outcomes. Which one occurs depends on how the balls push each other. If the force sets in softly (q = 1), all three contacts "
-            "act at once and every ball moves. The harder it sets in, or if there are small gaps, the more the collisions happen one after the other, and each is an exchange of velocities "
+            "Says that momentum and energy are two equations for three (or more) unknown velocities, so "
+            "they alone cannot decide.",
+            "Says that the law of the contact decides, and that a linear contact (q = 1) sets all the balls "
+            "in motion.",
+            "Says that real steel balls touch with a steeper law (Hertz, q = 3/2) and tiny gaps, so the "
+            "collisions come one after the other, each handing on the velocity.",
+            answer="The two conservation laws leave a whole family of outcomes. Which one occurs depends "
+            "on how the balls push each other. If the force sets in softly (q = 1), all three contacts "
+            "act at once and every ball moves. The harder it sets in, or if there are small gaps, the more "
+            "the collisions happen one after the other, and each is an exchange of velocities "
             "between equal masses: the ball at the end takes it all.",
         ),
     )

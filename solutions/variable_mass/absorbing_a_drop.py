@@ -17,7 +17,8 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
     return derivation(
         step(
             v_1,
-            "Body and drop together are isolated: their momentum before is that of the body and drop moving as one after.",
+            "Body and drop together are isolated: their momentum before is that of the body and drop moving "
+            "as one after.",
             sticking(before=[(m, v), (dm, u)], together=v_1),
             answers="a",
             mistakes=[
@@ -36,16 +37,21 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                     law("Conservation of momentum", "m*v + dm*u = m*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1),
                 ),
             ],
-            check="The new velocity lies between those of the body and the drop, closer to that of the heavier one.",
+            check=(
+                "The new velocity lies between those of the body and the drop, closer to that of the "
+                "heavier one."
+            ),
         ),
         step(
             dp,
-            "The system is body and drop, before and after: before, the drop already has the momentum $u\\,\\Delta m$.",
+            "The system is body and drop, before and after: before, the drop already has the momentum "
+            "$u\\,\\Delta m$.",
             change_in_absorption(dp, m=m, dm=dm, v=v, u=u, dv=dv),
             answers="b",
             routes=[
                 route(
-                    "Or straight from the definition, with all the momentum after and all the momentum before.",
+                    "Or straight from the definition, with all the momentum after and all the momentum "
+                    "before.",
                     law(
                         "Change of momentum",
                         "dp = (m + dm)*(v + dv) - (m*v + dm*u)",
@@ -60,7 +66,8 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
             ],
             mistakes=[
                 mistake(
-                    "That is the change for the body alone. Bringing the drop from $u$ to the body's velocity takes momentum too.",
+                    "That is the change for the body alone. Bringing the drop from $u$ to the body's "
+                    "velocity takes momentum too.",
                     change_of_momentum(dp, m, before=v, after=v + dv),
                 ),
                 mistake(
@@ -68,7 +75,8 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                     law("Absorbed mass", "dp = m*dv + v*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, dm=dm),
                 ),
                 mistake(
-                    "The velocity of the drop relative to the body is $u - v$; the drop has to gain $v - u$, so $u$ is subtracted.",
+                    "The velocity of the drop relative to the body is $u - v$; the drop has to gain $v - "
+                    "u$, so $u$ is subtracted.",
                     law(
                         "Absorbed mass", "dp = m*dv + (v + u)*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, u=u, dm=dm
                     ),
@@ -78,20 +86,26 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
         ),
         step(
             F_t,
-            "In the rocket equation the mass thrown out acts like a force; only the velocity relative to the rocket counts.",
+            "In the rocket equation the mass thrown out acts like a force; only the velocity relative to "
+            "the rocket counts.",
             thrust(F_t, vrel, mdot),
             answers="c",
             mistakes=[
                 mistake(
-                    "The velocity relative to the ground is not what counts; the exhaust is pushed off from the rocket.",
+                    "The velocity relative to the ground is not what counts; the exhaust is pushed off from "
+                    "the rocket.",
                     law("Thrust", "F = (v_rel + V)*R", F=F_t, v_rel=vrel, V=V, R=mdot),
                 ),
                 mistake(
-                    "The rocket loses mass (dm/dt is negative) and the exhaust goes backwards (negative): the product of both signs pushes forward.",
+                    "The rocket loses mass (dm/dt is negative) and the exhaust goes backwards (negative): "
+                    "the product of both signs pushes forward.",
                     law("Thrust", "F = -v_rel*R", F=F_t, v_rel=vrel, R=mdot),
                 ),
             ],
-            check="Positive: exhaust backwards, push forwards. It does not depend on how fast the rocket flies already.",
+            check=(
+                "Positive: exhaust backwards, push forwards. It does not depend on how fast the rocket "
+                "flies already."
+            ),
         ),
         step(
             M,
@@ -115,7 +129,8 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
         ),
         step(
             v_2,
-            "The vapour brings no momentum ($u = 0$), so the momentum of the drop changes by the impulse of its weight alone.",
+            "The vapour brings no momentum ($u = 0$), so the momentum of the drop changes by the impulse of "
+            "its weight alone.",
             law(
                 "Impulse",
                 "M*v_1 - m*v_0 = J",
@@ -130,7 +145,8 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
             answers="d",
             mistakes=[
                 mistake(
-                    "That is free fall of a drop of constant mass. Vapour at rest has to be brought up to speed.",
+                    "That is free fall of a drop of constant mass. Vapour at rest has to be brought up to "
+                    "speed.",
                     law("Free fall", "v_1 = v_0 + g*t", v_1=v_2, v_0=v, g=g, t=t),
                 ),
                 mistake(
@@ -142,7 +158,10 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                     law("Impulse", "m*v_1 - m*v_0 = J", m=m, v_1=v_2, v_0=v, J=J),
                 ),
             ],
-            check="With R = 0 this is $v + gt$; the faster it grows, the more it is held back, down to $gt/2$ for a drop that grows from almost nothing.",
+            check=(
+                "With R = 0 this is $v + gt$; the faster it grows, the more it is held back, down to "
+                "$gt/2$ for a drop that grows from almost nothing."
+            ),
         ),
     )
 

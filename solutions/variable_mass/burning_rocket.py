@@ -9,12 +9,14 @@ def derive(m0, m1, vrel, v0, dv):
     return derivation(
         step(
             v,
-            "No external force: $m\\,dv/dt = -v_{rel}\\,dm/dt$. Divide by $m$ and integrate from the first mass to the last: $v - v_0 = -v_{rel}\\int_{m_0}^{m_1} dm/m$.",
+            "No external force: $m\\,dv/dt = -v_{rel}\\,dm/dt$. Divide by $m$ and integrate from the first "
+            "mass to the last: $v - v_0 = -v_{rel}\\int_{m_0}^{m_1} dm/m$.",
             burnt(v_0=v0, v_1=v, v_rel=vrel, m_0=m0, m_1=m1),
             answers="a",
             mistakes=[
                 mistake(
-                    "That throws out all the fuel in one go, with this speed as seen from the ground. The rocket burns it bit by bit, and every bit leaves a rocket that moves already.",
+                    "That throws out all the fuel in one go, with this speed as seen from the ground. The "
+                    "rocket burns it bit by bit, and every bit leaves a rocket that moves already.",
                     law(
                         "Conservation of momentum",
                         "m_1*(v - v_0) = (m_0 - m_1)*v_rel",
@@ -54,7 +56,10 @@ def derive(m0, m1, vrel, v0, dv):
                     ),
                 ),
             ],
-            check="It is more than with the starting mass all the time and less than with the final mass, and does not depend on how fast the fuel is burnt.",
+            check=(
+                "It is more than with the starting mass all the time and less than with the final mass, "
+                "and does not depend on how fast the fuel is burnt."
+            ),
         ),
         step(
             m_2,
@@ -71,7 +76,8 @@ def derive(m0, m1, vrel, v0, dv):
                     burnt(v_0=0, v_1=-dv, v_rel=vrel, m_0=m0, m_1=m_2),
                 ),
                 mistake(
-                    "That is $1 - \\Delta v/v_{rel}$, good only for gains much smaller than the speed of the exhaust.",
+                    "That is $1 - \\Delta v/v_{rel}$, good only for gains much smaller than the speed of "
+                    "the exhaust.",
                     law("Small gain", "m_1 = m_0*(1 - dv/v_rel)", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel),
                 ),
             ],

@@ -23,7 +23,8 @@ def derive(m, L, v0, y, g):
         ),
         step(
             F,
-            "The body is what hangs. It does not accelerate, its weight and your pull act on it, and it takes up links that were at rest.",
+            "The body is what hangs. It does not accelerate, its weight and your pull act on it, and it "
+            "takes up links that were at rest.",
             rocket_equation(F - mu * g, m=mu, a=0, v=v0, u=0, R=R),
             answers="a",
             routes=[
@@ -34,11 +35,13 @@ def derive(m, L, v0, y, g):
             ],
             mistakes=[
                 mistake(
-                    "That is the weight of what hangs. At constant speed too, links at rest have to be brought up to speed all the time.",
+                    "That is the weight of what hangs. At constant speed too, links at rest have to be "
+                    "brought up to speed all the time.",
                     law("Equilibrium", "F = mu*g", F=F, mu=mu, g=g),
                 ),
                 mistake(
-                    "You lift the links with the energy $\\mu v^2/2$ in mind; the factor 1/2 is wrong for momentum, and half of the work is lost.",
+                    "You lift the links with the energy $\\mu v^2/2$ in mind; the factor 1/2 is wrong for "
+                    "momentum, and half of the work is lost.",
                     law("Energy", "F = mu*g + R*v_0/2", F=F, mu=mu, g=g, R=R, v_0=v0),
                 ),
                 mistake(
@@ -105,7 +108,8 @@ def derive(m, L, v0, y, g):
                     law("Work", "W = m/L*(v_0^2 + g*L)*L", W=W, m=m, L=L, v_0=v0, g=g),
                 ),
                 mistake(
-                    "That is the energy the chain has in the end. The pull does more work: part of it is lost.",
+                    "That is the energy the chain has in the end. The pull does more work: part of it is "
+                    "lost.",
                     law("Work", "W = m*v_0^2/2 + m*g*L/2", W=W, m=m, v_0=v0, g=g, L=L),
                 ),
                 mistake(
@@ -136,7 +140,8 @@ def derive(m, L, v0, y, g):
             answers="c",
             mistakes=[
                 mistake(
-                    "Catching a link is a perfectly inelastic collision, as links at rest jump to the speed of the others: energy is lost.",
+                    "Catching a link is a perfectly inelastic collision, as links at rest jump to the speed "
+                    "of the others: energy is lost.",
                     law("Energy balance", "D = 0*W", D=D, W=W),
                 ),
                 mistake(

@@ -14,11 +14,13 @@ def derive(v, R, ux, m0, t):
             answers="a",
             mistakes=[
                 mistake(
-                    "A constant velocity needs no force only as long as the mass stays the same; the sand has to be brought up to speed.",
+                    "A constant velocity needs no force only as long as the mass stays the same; the sand "
+                    "has to be brought up to speed.",
                     law("Newton's second law", "F = m*a", F=F, m=m0, a=0),
                 ),
                 mistake(
-                    "The mass of the car itself keeps its momentum; only the sand that arrives has to be brought up to speed.",
+                    "The mass of the car itself keeps its momentum; only the sand that arrives has to be "
+                    "brought up to speed.",
                     law("Mean force", "F = (m + R*t)*v/t", F=F, m=m0, R=R, v=v, t=t),
                 ),
                 mistake(
@@ -52,7 +54,8 @@ def derive(v, R, ux, m0, t):
             answers="c",
             mistakes=[
                 mistake(
-                    "The sand brings momentum along x; what it has already need not be given to it. You left $u_x$ out.",
+                    "The sand brings momentum along x; what it has already need not be given to it. You "
+                    "left $u_x$ out.",
                     rocket_equation(F_c, m=m0 + R * t, a=0, v=v, u=0, R=R),
                 ),
                 mistake(
@@ -69,7 +72,8 @@ def derive(v, R, ux, m0, t):
         ),
         step(
             D,
-            "What the pull delivers and what does not become kinetic energy is lost: sand and car rub until they move as one.",
+            "What the pull delivers and what does not become kinetic energy is lost: sand and car rub until "
+            "they move as one.",
             law("Energy balance", "P = K + D", P=P, K=K, D=D),
             answers="d",
             mistakes=[
