@@ -30,7 +30,7 @@ LETTERS = "m v dt"
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """What is in the problem's file. A given: the printed value, from, to, step, unit."""
+    """What is in the problem's file. A given: the printed value, from, to, step, unit; `ids` are those of parts called otherwise."""
 
     givens: dict[str, str] = field(
         default_factory=lambda: {
@@ -44,14 +44,14 @@ class Text:
     words: str = "A ball of {{m}} moves at {{v}} for {{dt}}."
     points: float = 1
     code: str = "X1.1"
-    titles: dict[str, str] = field(default_factory=dict[str, str])
+    ids: dict[str, str] = field(default_factory=dict[str, str])
 
     @property
     def problem(self) -> str:
         rows = "".join(f"  {symbol}: {{is: the {symbol}, {row}}}\n" for symbol, row in self.givens.items())
         conditions = "".join(f"  - {each}\n" for each in self.conditions)
         parts = "".join(
-            f'\n## {self.titles.get(part, PARTS[part][0])} {{#{part} .value unit="{PARTS[part][1]}" points={self.points}}}\nHow much?\n'
+            f'\n## {PARTS[part][0]} {{#{self.ids.get(part, part)} .value unit="{PARTS[part][1]}" points={self.points}}}\nHow much?\n'
             for part in self.parts
         )
         return f"---\ncode: {self.code}\ntitle: A ball\ngiven:\n{rows}require:\n{conditions}---\n{self.words}\n{parts}"
@@ -61,7 +61,7 @@ class Text:
         letters = LETTERS.split()
         steps = "".join(
             f'        step(Q{part}, "It is so.", law("{PARTS[part][0]}", "Q = {PARTS[part][2]}", '
-            f'Q=Q{part}, {", ".join(f"{each}={each}" for each in letters if each in PARTS[part][2])}), answers="{part}"),\n'
+            f'Q=Q{part}, {", ".join(f"{each}={each}" for each in letters if each in PARTS[part][2])}), answers="{self.ids.get(part, part)}"),\n'
             for part in self.parts
         )
         names = " ".join(f"Q{part}" for part in self.parts)

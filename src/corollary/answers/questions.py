@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from corollary.answers.question import Question, Symbol
 from corollary.answers.registry import answer_type, known
 from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 
@@ -25,8 +26,23 @@ def question_of(problem: Problem, part: Part) -> Question:
         part.components,
         tuple(option.letter for option in part.options),
         part.signature,
-        tuple(Symbol(given.symbol, given.unit, given.meaning) for given in problem.givens),
+        _symbols(problem.givens),
     )
+
+
+# By identity: every part of every student's sheet asks for them. What they are made of is held, so that its id stays its own.
+_SYMBOLS: dict[int, tuple[tuple[Given, ...], tuple[Symbol, ...]]] = {}
+MOST_CACHED = 256
+
+
+def _symbols(givens: tuple[Given, ...]) -> tuple[Symbol, ...]:
+    found = _SYMBOLS.get(id(givens))
+    if found is None:
+        if len(_SYMBOLS) >= MOST_CACHED:
+            _SYMBOLS.clear()
+        found = givens, tuple(Symbol(given.symbol, given.unit, given.meaning) for given in givens)
+        _SYMBOLS[id(givens)] = found
+    return found[1]
 
 
 def checked(problem: Problem) -> Problem:

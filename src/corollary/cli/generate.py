@@ -10,7 +10,7 @@ from corollary.cli.corrected import names_settled, say_corrections, say_renewals
 from corollary.cli.dates import warn_of_dates
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
-from corollary.course.generate import generate
+from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, renewals
 from corollary.course.roster import RosterChange, roster_change, students_before
 from corollary.grading.solutions import Solutions
@@ -68,6 +68,7 @@ def run(
             progress,
             Path(name) if name.endswith(".md") else None,
             plan.sheets if renew else (),
+            read_settings(course).jobs,
         )
     if not renew and (plan.sheets or plan.handed_in):
         say("everybody keeps the sheet they have, to the byte; with --renew:")
@@ -79,6 +80,7 @@ def run(
                 "course": str(made.course.folder),
                 "registered": made.registered,
                 "passed_over": made.redrawn,
+                "shared": made.shared,
                 "corrections": [asdict(each) for each in found],
                 "renewed": [each.student for each in plan.sheets] if renew else [],
                 "with_renew": {} if renew else {each.student: each.other for each in plan.sheets},
@@ -99,7 +101,7 @@ def run(
     print(
         f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/"
     )
-    print(f"Each student has numbers of their own; {sum(made.redrawn.values())} draws were rejected.")
+    print(f"{_whose_own(made)}; {sum(made.redrawn.values())} draws were rejected.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"
     )
@@ -108,6 +110,18 @@ def run(
             "nbgrader is not installed, so there is no gradebook.db: pip install 'corollary[nbgrader]' and generate again to have one"
         )
     return HOLDS
+
+
+def _whose_own(made: Generated) -> str:
+    """Whether everybody has numbers of their own, and where not."""
+    shared = made.shared
+    if len(made.notebooks) < 2 or not shared:
+        return "Each student has numbers of their own"
+    which = ", ".join(f"{code} ({count} students)" for code, count in shared.items())
+    return (
+        f"Each student has numbers of their own, but for {which}, where others have the same: "
+        "finer steps of the givens make more variants"
+    )
 
 
 def _students(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -42,6 +43,16 @@ class Generated:
     redrawn: dict[str, int]
     registered: bool
     new: tuple[str, ...] = ()
+
+    @property
+    def shared(self) -> dict[str, int]:
+        """How many students have numbers that somebody else has too, by code of the problem; only where there are any."""
+        variants = [each for sheet in self.assigned.values() for each in sheet.variants]
+        held = Counter((each.problem.code, tuple(each.exact.items())) for each in variants)
+        found = Counter[str]()
+        for (code, _), count in held.items():
+            found[code] += count if count > 1 else 0
+        return {code: count for code, count in found.items() if count}
 
 
 def generate(

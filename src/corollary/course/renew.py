@@ -44,10 +44,12 @@ def renewals(
     roster: Collection[str],
 ) -> Renewals:
     """For the students of these ids. Numbers stay wherever they could be drawn today. Raises NoVariant and NotDerivable."""
+    todays = {(each.code, fingerprint(each)) for each in problem_set.problems}
     outdated = [
         student
-        for student in record.students
-        if student in roster and _is_outdated(problem_set, record, student)
+        for student, row in record.students.items()
+        if student in roster
+        and {(edition.code, edition.statement) for edition in map(record.edition, row.values())} != todays
     ]
     answered = submissions(course, problem_set.name)
     places = {each.code: record.place(each, problem_set.weight(each)) for each in problem_set.problems}
@@ -75,20 +77,11 @@ def renewals(
     )
 
 
-def _is_outdated(problem_set: ProblemSet, record: Assigned, student: str) -> bool:
-    """Whether what the student was given reads otherwise than what a newcomer is given."""
-    have = {
-        (edition.code, edition.statement)
-        for edition in map(record.edition, record.students[student].values())
-    }
-    return have != {(each.code, fingerprint(each)) for each in problem_set.problems}
-
-
 def _stays(solutions: Solutions, problem: Problem, sheet: AssignedSheet) -> Variant | None:
     """The student's numbers on today's grid; None when they could not be drawn any more."""
     before = sheet.variant(problem)
-    if before is None:
-        return None
+    if before is None or before.problem.written is None:  # never asked, or not changed since
+        return before
     values = _in_units_of(problem, before)
     place = index_of(problem, values)
     variant = Variant(problem, values, place)

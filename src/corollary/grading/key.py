@@ -75,10 +75,11 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         stated[place] = proven, error
     noise = noise_of(solution, givens, values)
     truths: dict[str, Truth] = {}
+    known = givens | named(solution, values)
     for place, find in enumerate(solution.unknowns):
         if find.part:
             proven, error = stated[place]
-            scale = scale_of(find, values[place], givens | named(solution, values))
+            scale = scale_of(find, values[place], known)
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
             truths[find.part] = Truth(
@@ -95,7 +96,8 @@ def answer(
 ) -> tuple[Values, bool, float]:
     """An unknown's values from its closed form, certified; or from its scene, with the error the run states."""
     if find.in_givens is not None:
-        found = [certified(tree, variant.exact) for tree in find.in_givens]
+        givens = variant.exact
+        found = [certified(tree, givens) for tree in find.in_givens]
         return tuple(each.value for each in found), all(each.proven for each in found), 0.0
     known = variant.exact | named(solution, before)
     match find.local:

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from math import floor, isfinite, log10
 from random import Random
 
-from corollary.answers.evaluation import BITS, ball_of, balls
+from corollary.answers.evaluation import BITS, balls
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ball import Ball, RationalPi, Undefined, precision_of
-from corollary.formula.compiled import program
+from corollary.formula.compiled import steps_in
 from corollary.grading.replay import compute, replay
 
 REPLAYS = 32  # with random roundings; what so few of them miss, the key's margin of a quarter is for
@@ -53,28 +54,34 @@ def _rounded_replays(solution: Solution, givens: Mapping[str, Ball]) -> Iterator
 
     As `replay` does it, written out: a key replays its derivation some thirty times, and is made for every student.
     """
+    letters = ["pi", *givens, *(name for find in solution.unknowns for name in find.names)]
+    places = {name: place for place, name in enumerate(letters)}
     steps = [
-        (find, [program(tree) for tree in find.local.trees] if isinstance(find.local, ClosedForms) else None)
+        (
+            find,
+            steps_in(find.local.trees, places) if isinstance(find.local, ClosedForms) else None,
+            [places[name] for name in find.names],
+        )
         for find in solution.unknowns
     ]
     random = Random(1).random  # the same roundings for every variant: fair, and the same in ten years
     with precision_of(BITS):
-        start = {"pi": Ball.pi(), **givens}
+        start = [Ball.pi(), *givens.values(), *(Ball(0) for _ in letters[1 + len(givens) :])]
         for _ in range(REPLAYS):
-            known, found = dict(start), list[Values]()
+            known, found = list(start), list[Values]()
             with suppress(Undefined):
-                for find, programs in steps:
-                    if programs is None:
-                        answer = compute(find.local, known)
+                for find, forms, at in steps:
+                    if forms is None:
+                        answer = compute(find.local, dict(zip(letters, known, strict=True)))
                     else:
-                        exact = [
-                            float(each.run([known[name] for name in each.names]).mid()) for each in programs
-                        ]
-                        if not all(map(math.isfinite, exact)):
+                        exact = [float(form(known)) for form in forms]
+                        if not all(map(isfinite, exact)):
                             break
                         answer = tuple([x + _half_unit(x) * (-1 + 2 * random()) for x in exact])
-                    for name, value in zip(find.names, answer, strict=True):
-                        known[name] = ball_of(value)
+                    if not all(map(isfinite, answer)):
+                        break
+                    for place, value in zip(at, answer, strict=True):
+                        known[place] = Ball(value)
                     found.append(answer)
                 else:
                     yield found
@@ -86,8 +93,13 @@ def _no_noise(values: Sequence[Values]) -> list[Noise]:
 
 def _widen(noise: list[Noise], found: Sequence[Values], values: Sequence[Values]) -> None:
     for each, numbers, truth in zip(noise, found, values, strict=True):
+        if len(truth) == 1:
+            off = abs(numbers[0] - truth[0])
+            if off > each.distance and isfinite(off):
+                each.distance, each.components = off, [off]
+            continue
         off = math.dist(numbers, truth)
-        if math.isfinite(off):
+        if isfinite(off):
             each.distance = max(each.distance, off)
             each.components = [
                 max(a, abs(x - y)) for a, x, y in zip(each.components, numbers, truth, strict=True)
@@ -96,4 +108,4 @@ def _widen(noise: list[Noise], found: Sequence[Values], values: Sequence[Values]
 
 def _half_unit(x: float) -> float:
     """Half a unit in the last of the figures written down."""
-    return 0.0 if x == 0 else 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) - FIGURES + 1)
+    return 0.5 * 10.0 ** (floor(log10(abs(x))) - FIGURES + 1) if x else 0.0

@@ -50,6 +50,7 @@ def _cell(
     points: float | None = None,
 ) -> NotebookNode:
     """Put together by hand: nbformat's own makers check every cell against the schema, and so does the file's writer."""
+    graded = {} if points is None else {"points": points}
     mark = NotebookNode(
         schema_version=3,
         grade_id=grade_id,
@@ -57,19 +58,14 @@ def _cell(
         solution=solution,
         locked=locked,
         task=False,
+        cell_type=kind,
+        checksum=_digest(source, kind, points is not None, solution, locked, grade_id, points),
+        **graded,
     )
-    if points is not None:
-        mark["points"] = points
-    mark["cell_type"] = kind
-    cell = NotebookNode(
-        cell_type=kind, id=grade_id, metadata=NotebookNode(nbgrader=mark, deletable=False), source=source
-    )
-    if locked:
-        cell.metadata["editable"] = False
-    if kind == "code":
-        cell.execution_count, cell.outputs = None, []
-    mark["checksum"] = checksum(cell)
-    return cell
+    uneditable = {"editable": False} if locked else {}
+    metadata = NotebookNode(nbgrader=mark, deletable=False, **uneditable)
+    not_run = {"execution_count": None, "outputs": []} if kind == "code" else {}
+    return NotebookNode(cell_type=kind, id=grade_id, metadata=metadata, source=source, **not_run)
 
 
 def as_handed_out(theirs: NotebookNode, ours: NotebookNode) -> bool:
@@ -83,14 +79,13 @@ def as_handed_out(theirs: NotebookNode, ours: NotebookNode) -> bool:
 def checksum(cell: NotebookNode) -> str:
     """nbgrader's fingerprint of a cell, by which it sees that one was changed (a detector; it protects nothing)."""
     mark = cell.metadata["nbgrader"]
-    words = [
-        cell.source,
-        cell.cell_type,
-        str(mark["grade"]),
-        str(mark["solution"]),
-        str(mark["locked"]),
-        mark["grade_id"],
-    ]
-    if mark["grade"]:
-        words.append(str(float(mark["points"])))
-    return hashlib.md5("".join(words).encode(), usedforsecurity=False).hexdigest()
+    points = float(mark["points"]) if mark["grade"] else None
+    flags = mark["grade"], mark["solution"], mark["locked"]
+    return _digest(cell.source, cell.cell_type, *flags, mark["grade_id"], points)
+
+
+def _digest(
+    source: str, kind: str, grade: bool, solution: bool, locked: bool, grade_id: str, points: float | None
+) -> str:
+    words = f"{source}{kind}{grade}{solution}{locked}{grade_id}{'' if points is None else float(points)}"
+    return hashlib.md5(words.encode(), usedforsecurity=False).hexdigest()

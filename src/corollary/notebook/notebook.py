@@ -72,24 +72,41 @@ def filled_in(sheet: Worksheet, sources: Mapping[str, str]) -> str:
 
 def file_text(nb: NotebookNode) -> str:
     """The text of an .ipynb file: what nbformat writes, put together of the cells' texts, of which most are everybody's."""
-    if not nb.cells or any(cell.get("outputs") or "attachments" in cell for cell in nb.cells):
+    if not nb.cells or any(cell.get("outputs") or "nbgrader" not in cell.metadata for cell in nb.cells):
         return nbformat.writes(nb) + "\n"
-    cells = ",\n  ".join(
-        _text_of(cell.cell_type, cell.get("id", ""), cell.source, json.dumps(cell.metadata))
-        for cell in nb.cells
-    )
+    cells = ",\n  ".join(map(_cell_text, nb.cells))
     rest = _json({name: value for name, value in nb.items() if name != "cells"})
     return f'{{\n "cells": [\n  {cells}\n ],{rest[1:]}\n'
 
 
+def _cell_text(cell: NotebookNode) -> str:
+    """A cell of a sheet that was not run, as it stands in the file."""
+    metadata = json.dumps(cell.metadata | {"nbgrader": cell.metadata["nbgrader"] | {"checksum": CHECKSUM}})
+    around = _around(cell.cell_type, cell.get("id", ""), metadata)
+    return f"{around[0]}{cell.metadata['nbgrader']['checksum']}{around[1]}{_lines(cell.source)}{around[2]}"
+
+
+CHECKSUM, SOURCE = "the checksum", "the source"
+
+
 @lru_cache(maxsize=1024)
-def _text_of(kind: str, name: str, source: str, metadata: str) -> str:
-    """A cell that was not run, as it stands in the file."""
-    cell: dict[str, object] = {"cell_type": kind, "metadata": json.loads(metadata)}
+def _around(kind: str, name: str, metadata: str) -> tuple[str, str, str]:
+    """The text before the checksum of a cell, between it and the source, and behind: the same on everybody's sheet."""
+    cell: dict[str, object] = {"cell_type": kind, "metadata": json.loads(metadata), "source": SOURCE}
     cell |= {"id": name} if name else {}
-    cell |= {"source": source.splitlines(keepends=True)}
     cell |= {"execution_count": None, "outputs": []} if kind == "code" else {}
-    return _json(cell).replace("\n", "\n  ")
+    before, _, rest = _json(cell).replace("\n", "\n  ").partition(CHECKSUM)
+    between, _, behind = rest.rpartition(json.dumps(SOURCE))
+    return before, between, behind
+
+
+@lru_cache(maxsize=1024)
+def _lines(source: str) -> str:
+    """A source as the list of its lines."""
+    lines = ",\n    ".join(
+        [json.dumps(line, ensure_ascii=False) for line in source.splitlines(keepends=True)]
+    )
+    return f"[\n    {lines}\n   ]" if lines else "[]"
 
 
 def _json(data: object) -> str:
