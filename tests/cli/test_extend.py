@@ -100,6 +100,7 @@ def test_who_has_what_is_listed_and_taken_back(course: Path):
         (["adda", "one", "--excuse"], "adda is not on the roster of "),
         (["adda", "one", "--excuse"], "(did you mean ada?)"),
         (["ada", "momentum_2", "--excuse"], "(did you mean momentum_1?)"),
+        (["ada", "onne", "--excuse"], "there is no problem set onne (did you mean one?); "),
     ],
 )
 def test_what_will_not_do(course: Path, words: list[str], sentence: str):

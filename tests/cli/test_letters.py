@@ -20,7 +20,7 @@ NARROW = [
     {"LC_ALL": "C"},
     {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},  # nothing but ASCII, in arguments too
 ]
-# Every command that answers without a course; those that work in one are tried on the journeys.
+# Every command that answers without a course.
 COMMANDS = [
     ["list"],
     ["show", "X12.7", "--solution"],
@@ -66,6 +66,40 @@ def test_json_says_the_same_in_every_encoding(words: list[str], tmp_path: Path):
     for settings in NARROW:
         _, out, _ = run(words, tmp_path, **settings)
         assert json.loads(out.decode("cp1252" if "cp1252" in settings.values() else "utf-8")) == expected
+
+
+@pytest.mark.whole
+def test_a_course_in_every_encoding(tmp_path: Path):
+    """Names, titles and texts with letters that are lacking: made, graded, reported and exported all the same."""
+    (tmp_path / "one.md").write_text(
+        "---\ntitle: Größe – “Übung” ≈ 日\nproblems: [X12.5]\n---\nΔp.\n", encoding="utf-8"
+    )
+    (tmp_path / "roster.csv").write_text("id,first_name\njon,Jón\nli,李\n", encoding="utf-8")
+    in_a_course = [
+        ["grade", "one", "--require-isolation", "0"],
+        ["extend", "jon", "one", "--excuse"],
+        ["report", "one"],
+        ["export", "one", "--to", "csv"],
+        ["show", "X12.5", "--student", "jon"],
+    ]
+    lines: list[list[tuple[int, int, int]]] = []
+    for number, settings in enumerate([{"PYTHONIOENCODING": "utf-8"}, NARROW[0], NARROW[-1]]):
+        course = tmp_path / f"mech{number}"
+        words = ["generate", "one.md", "--roster", "roster.csv", "--course", course.name]
+        seen = [run(words, tmp_path, **settings)]
+        sheet = course / "release" / "jon" / "one" / "one.ipynb"
+        for student in ("jon", "li"):
+            (course / "submitted" / student / "one").mkdir(parents=True)
+        (course / "submitted" / "jon" / "one" / "one.ipynb").write_bytes(sheet.read_bytes())
+        (course / "submitted" / "li" / "one" / "one.ipynb").write_text("no notebook, 李")
+        seen += [run(each, course, **settings) for each in in_a_course]
+        assert not [err for _, _, err in seen if b"Traceback" in err or b"should not have happened" in err]
+        lines.append([(status, out.count(b"\n"), err.count(b"\n")) for status, out, err in seen])
+        assert "Größe – “Übung” ≈ 日" in (course / "reports" / "one.html").read_text(encoding="utf-8")
+        assert "Jón" in sheet.read_text(encoding="utf-8")
+        assert "李" in (course / "export" / "one.csv").read_text(encoding="utf-8-sig")
+    assert [status for status, _, _ in lines[0]] == [0] * 6
+    assert all(each == lines[0] for each in lines)
 
 
 def test_the_nearest_letters():

@@ -112,3 +112,12 @@ def test_the_page_and_the_gradebook_have_ones_own_deadline(course: Path):
         dates = {each.student.id: each.duedate for each in book.assignment_submissions("one")}
     utc = DUE.replace(tzinfo=None)
     assert dates == {"ada": utc, "ben": utc, "cyd": utc + DAY}
+
+
+def test_a_course_from_before_there_were_settings_keeps_its_marks(graded: Path):
+    (graded / "corollary.toml").unlink()
+    opened = open_course(graded)
+    bank, problem_set = set_of(opened, "one")
+    outcome = grade_set(opened, problem_set, Solutions(bank), partial(Runner, require=0), jobs=1)
+    assert (outcome.graded, len(outcome.skipped), set(points(outcome).values())) == ((), 3, {5.0})
+    assert not (graded / "corollary.toml").exists()

@@ -51,8 +51,8 @@ def _sets(options: dict[str, Any]) -> Iterable[str]:
     from corollary.problem.problem_set import set_names
 
     course = _course(options)
-    generated = [] if course is None else (course / ".corollary" / "origin").glob("*.json")
-    return [*set_names(_bank(options)), *(path.stem for path in generated)]
+    origins: list[Path] = [] if course is None else list((course / ".corollary" / "origin").glob("*.json"))
+    return [*set_names(_bank(options)), *(path.stem for path in origins)]
 
 
 def _students(options: dict[str, Any]) -> Iterable[str]:

@@ -9,8 +9,9 @@ import json
 from pathlib import Path
 
 from corollary.atomic import write_whole
+from corollary.messages import did_you_mean
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
-from corollary.problem.problem_set import ProblemSet, find_set
+from corollary.problem.problem_set import ProblemSet, find_set, set_names
 from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
 
@@ -25,18 +26,28 @@ def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = 
 
 def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
     """The set of this name, or in the file of this path, and its bank: the one in `folder`, else the one that the set was
-    generated from, else the chapter's.
+    generated from, else the course's, else the chapter's.
 
     Raises NotACourse when the record is damaged, UnknownCode when the bank has moved, and Malformed.
     """
     is_file = name.endswith(".md")
     set_name = Path(name).stem if is_file else name
+    settings = read_settings(course.folder)
     if folder is not None or not _origin(course, set_name).exists():
-        bank, file = open_bank(folder), None
+        bank, file = open_bank(folder or (Path(settings.bank) if settings.bank else None)), None
+        if not is_file and set_name not in (here := set_names(bank)):
+            raise _unknown(course, set_name, here)
     else:
         bank, file = _recorded(course, set_name)
-    usual = read_settings(course.folder).usual
-    return bank, find_set(bank, name if is_file or file is None else file, usual)
+    return bank, find_set(bank, name if is_file or file is None else file, settings.usual)
+
+
+def _unknown(course: Course, set_name: str, here: list[str]) -> UnknownCode:
+    generated = sorted(path.stem for path in _origin(course, "any").parent.glob("*.json"))
+    return UnknownCode(
+        f"there is no problem set {set_name}{did_you_mean(set_name, [*generated, *here])}; {course.folder} has: "
+        f"{', '.join(generated) or 'none yet'}; the bank has: {', '.join(here) or 'none'}"
+    )
 
 
 def read_origin(course: Course, set_name: str) -> tuple[Bank, ProblemSet]:
