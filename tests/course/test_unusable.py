@@ -34,7 +34,7 @@ def test_a_notebook_of_another_set_is_not_marked_and_reveals_nothing(handed_in: 
     record = done.document["students"]["ben"]
     assert "belongs to two, not to one" in record["trouble"]
     assert {part["verdict"] for part in record["parts"].values()} == {"unmarked"}
-    pages = {who: (handed_in / f"feedback/{who}/one/one.feedback.html").read_text() for who in ("ada", "ben")}
+    pages = {who: (handed_in / f"feedback/{who}/one/one.html").read_text() for who in ("ada", "ben")}
     assert "Worked solution" in pages["ada"]
     assert "Worked solution" not in pages["ben"]
     assert "belongs to two, not to one" in pages["ben"]
@@ -44,7 +44,7 @@ def test_a_notebook_of_another_set_is_not_marked_and_reveals_nothing(handed_in: 
 def test_what_cannot_be_opened_reveals_nothing_either(handed_in: Path) -> None:
     ben(handed_in).write_text('{"cells": [')
     grade(handed_in, name=revealing(handed_in))
-    assert "Worked solution" not in (handed_in / "feedback/ben/one/one.feedback.html").read_text()
+    assert "Worked solution" not in (handed_in / "feedback/ben/one/one.html").read_text()
 
 
 @pytest.mark.parametrize("name", ["one.html", "one.zip", "scan.pdf", "e\x1bvil.docx"])
@@ -66,7 +66,7 @@ def test_a_neighbours_sheet_is_marked_with_ones_own_numbers_and_said(handed_in: 
     assert done.points["ben"] < 5
     (note,) = done.document["students"]["ben"]["notes"]
     assert "made for ada, not for you (ben)" in note
-    assert "made for ada, not for you (ben)" in (handed_in / "feedback/ben/one/one.feedback.html").read_text()
+    assert "made for ada, not for you (ben)" in (handed_in / "feedback/ben/one/one.html").read_text()
 
 
 def test_nbgraders_autograde_follows_no_links_beside_the_notebook(handed_in: Path) -> None:

@@ -4,6 +4,8 @@
 configuration says. Where that cannot be had, nothing is released, and a sentence says what to do instead.
 """
 
+# pyright: reportUnknownMemberType=false
+
 from __future__ import annotations
 
 import os

@@ -1,5 +1,7 @@
 """A set released through nbgrader's exchange, by nbgrader's own command in this process."""
 
+# pyright: reportUnknownMemberType=false
+
 from __future__ import annotations
 
 from contextlib import redirect_stderr
@@ -13,9 +15,18 @@ def release_in_exchange(course: Course, name: str, force: bool) -> str:
     """Releases; what stands in the way is said in a sentence, empty when nothing does. Raises NoNbgrader, BrokenConfig."""
     need_nbgrader()
     from nbgrader.apps import NbGraderAPI
+    from nbgrader.exchange import ExchangeFactory
+
+    from corollary.nbgrader.exchange import INSTEAD, ReleaseOwnSheets
 
     place = directory(course)
     config = place.config
+    theirs = ExchangeFactory(config=config).release_assignment
+    if not issubclass(theirs, ReleaseOwnSheets):
+        return (
+            f"{theirs.__module__}.{theirs.__name__}, which nbgrader_config.py names, gives everybody the same notebook, with the "
+            f"chapter's numbers (ngshare has one folder for all); {INSTEAD}"
+        )
     if force:
         config.ExchangeReleaseAssignment.force = True
         config.ReleaseOwnSheets.force = True

@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import cast
 
 from nbformat import NotebookNode
 
@@ -26,8 +27,8 @@ class Origin:
 
 def origin(nb: NotebookNode) -> Origin:
     """What the notebook's metadata say; an editor may have dropped them."""
-    about = nb.get("metadata", {}).get("corollary")
-    metadata = about if isinstance(about, Mapping) else {}
+    about: object = nb.get("metadata", {}).get("corollary")
+    metadata = cast(Mapping[str, object], about) if isinstance(about, Mapping) else {}
     return Origin(_word(metadata.get("set")), _word(metadata.get("student")))
 
 
