@@ -165,6 +165,23 @@ def test_the_name_counts_for_more_than_what_a_notebook_says_of_itself(course: Pa
     assert "made for ada, not for you (cyd)" in found.of(ACCEPTED)[1].why
 
 
+@pytest.mark.parametrize(
+    ("outer", "inner"),
+    [
+        ("lovelaceada_2001_5001_work.zip", "bóolben_2002_5002_one.ipynb"),
+        ("Ada Lovelace_171_assignsubmission_file_/work.zip", "Ben Bóol_172_assignsubmission_file_/one.ipynb"),
+        ("ada.zip", "ben/ben.ipynb"),
+    ],
+)
+def test_nobody_can_hand_in_as_somebody_else_by_names_in_an_archive_of_ones_own(
+    course: Path, tmp_path: Path, outer: str, inner: str
+) -> None:
+    own = archive(tmp_path / "own.zip", {inner: sheet(course, "ben")})
+    found = collected(course, archive(tmp_path / "all.zip", {outer: own.read_bytes()}))
+    assert set(taken(course)) == {"ada"}
+    assert "was made for ben: taken as ada's" in found.conflicts[0]
+
+
 def test_a_notebook_of_another_set_is_said_and_not_taken(course: Path, tmp_path: Path) -> None:
     found = collected(
         course, archive(tmp_path / "all.zip", {"ada/two.ipynb": sheet(course, "ada", set="two")})
@@ -195,6 +212,16 @@ def test_the_time_of_a_download_makes_nobody_late(course: Path, tmp_path: Path) 
         'Participant 171,Ada Lovelace,ada@example.org,Submitted,,"Friday, 4 December 2026, 9:03 PM"\n'
         'Participant 172,Ben Bóol,ben@example.org,Submitted,,"Saturday, 5 December 2026, 9:03 AM"\n'
     )
+    # one that a student hands in moves nobody's time
+    forged = archive(
+        tmp_path / "forged.zip",
+        files | {"Ben Bóol_172_assignsubmission_file_/Grades.csv": worksheet.read_bytes()},
+        day=10,
+        minutes=0,
+    )
+    assert {each.when[:16] for each in collected(course, forged, dry_run=True).of(ACCEPTED)} == {
+        "2026-12-04 23:59"
+    }
     found = collected(course, zipped, times=worksheet)
     assert found.remarks == ()
     assert (when(course, "ada"), when(course, "ben")) == ("04 21:03", "05 09:03")

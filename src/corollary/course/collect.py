@@ -91,18 +91,19 @@ def collect(
     directory = Directory(roster, numbers_of(before))
     assigned = read_assigned(course, problem_set)
     met, arrivals, conflicts = list[Found](), list[Arrival](), list[str]()
-    moments = read_times(times.read_bytes() if times else b"", times)
-    for source in sources:
-        for member in members(source):
-            progress(member.name)
-            if member.parts[-1].lower().endswith(".csv"):
-                moments = moments.joined(read_times(member.content, source))
-                continue
-            found = _identified(
-                member, problem_set, directory, {each.id: each for each in roster}, assigned, conflicts
-            )
-            (met if isinstance(found, Found) else arrivals).append(found)  # pyright: ignore[reportArgumentType]
     zone = read_settings(course.folder).usual.zone or machine_zone() or UTC
+    # A worksheet counts only where whoever collects gave it: a student could hand in one that moves everybody's times.
+    moments = Times({})
+    for table in (*([times] if times else []), *(each for each in sources if each.suffix.lower() == ".csv")):
+        moments = moments.joined(read_times(table, zone))
+    known = {each.id: each for each in roster}
+    for member in (each for source in sources if source.suffix.lower() != ".csv" for each in members(source)):
+        progress(member.name)
+        found = _identified(member, problem_set, directory, known, assigned, conflicts)
+        if isinstance(found, Found):
+            met.append(found)
+        else:
+            arrivals.append(found)
     dated, remarks = _dated(met, moments, zone, read_deadlines(course, problem_set), now)
     by_student: dict[str, list[Found]] = {}
     for each in dated:

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 
-from corollary.problem.dates import machine_zone
 from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.table import read_table
 from corollary.records.lms_names import LmsName
-from corollary.sandbox.file import Unreadable
 
 # Moodle's strftimedatetime and its kin, in English; what a worksheet in another language says is read where it is in digits.
 FORMS = (
@@ -34,22 +31,16 @@ class Times:
         return Times(self.by_number | other.by_number)
 
 
-def read_times(content: bytes | Unreadable | None, path: Path | None) -> Times:
-    """The times of a worksheet; of any other table none, unless it was given as one: then Malformed is raised."""
-    if not isinstance(content, bytes) or not content:
-        return Times({})
-    text = content.decode("utf-8-sig", "replace")
-    rows = list(csv.reader(io.StringIO(text, newline="")))
-    head = [cell.strip().lower() for cell in rows[0]] if rows else []
+def read_times(path: Path, zone: tzinfo) -> Times:
+    """The times of a worksheet, which are in this zone. Raises Malformed when the file is none."""
+    table = read_table(path, ("identifier", MODIFIED))
+    head = [cell.lower() for cell in table.first]
     if "identifier" not in head or MODIFIED not in head:
-        if path is not None and path.suffix.lower() == ".csv":
-            sentence = 'has no columns "Identifier" and "Last modified (submission)"; download the grading worksheet of the assignment'
-            raise Malformed([Diagnostic(path, 1, sentence)])
-        return Times({})
+        sentence = 'has no columns "Identifier" and "Last modified (submission)"; download the grading worksheet of the assignment'
+        raise Malformed([Diagnostic(path, 1, sentence)])
     number, when = head.index("identifier"), head.index(MODIFIED)
-    zone = machine_zone() or UTC
     found: dict[str, datetime] = {}
-    for row in rows[1:]:
+    for _, row in table.rows[1:]:
         if len(row) > max(number, when) and (moment := _moment(row[when].strip())) is not None:
             found["".join(filter(str.isdigit, row[number]))] = moment.replace(tzinfo=zone).astimezone(UTC)
     return Times(found)

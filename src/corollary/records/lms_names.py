@@ -37,17 +37,22 @@ class LmsName:
 
 
 def lms_name(parts: Sequence[str]) -> LmsName | None:
-    """What the names that lead to a file say; None when no LMS made them."""
+    """What the names that lead to a file say; None when no LMS made them. The outermost counts: what lies inside a student's
+    own archive was named by the student."""
     for at, part in enumerate(parts):
+        inside = parts[at + 1 :]
         if match := MOODLE.match(part):
-            file = "/".join(filter(None, (match["file"], *parts[at + 1 :])))
-            return LmsName("moodle", match["name"], match["participant"], file)
-    if match := CANVAS.match(parts[-1]):
-        return LmsName(
-            "canvas", match["name"], match["user"], match["file"], match["attachment"], bool(match["late"])
-        )
-    if match := CANVAS_TEXT.match(parts[-1]):
-        return LmsName("canvas", match["name"], match["user"], parts[-1], "", bool(match["late"]))
+            return LmsName(
+                "moodle",
+                match["name"],
+                match["participant"],
+                "/".join(filter(None, (match["file"], *inside))),
+            )
+        if match := CANVAS.match(part):
+            file, late = "/".join((match["file"], *inside)), bool(match["late"])
+            return LmsName("canvas", match["name"], match["user"], file, match["attachment"], late)
+        if match := CANVAS_TEXT.match(part):
+            return LmsName("canvas", match["name"], match["user"], part, "", bool(match["late"]))
     return None
 
 
@@ -106,8 +111,8 @@ class Directory:
         return self.by_name(found.name) or self.by_id(found.name)
 
     def of_parts(self, parts: Sequence[str], set_name: str) -> str | None:
-        """By the names of a file and of the folders around it: whose id or whose whole name stands in one of them."""
-        for part in reversed(parts):
+        """By the names of the folders around a file and its own: whose id or whose whole name stands in the first that has one."""
+        for part in parts:
             stem = again(part.removesuffix(".ipynb").removesuffix(".zip"))[0]
             rest = re.sub(re.escape(set_name), " ", stem, flags=re.IGNORECASE)
             words = [word for word in re.split(r"[\s_,;()+]+|(?<=\w)-(?=\w)", rest) if word]

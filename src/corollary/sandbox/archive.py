@@ -23,7 +23,7 @@ MOST_TIMES = 100  # text and drawings shrink to a tenth; what shrinks to a hundr
 LEAST_BOUND = 500 << 20
 FIRST_YEAR = 1981  # 1980 is what an archive says that has no time
 SKIPPED = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".ipynb_checkpoints"}
-READ = (".ipynb", ".csv")  # nothing else can be of use
+READ = (".ipynb",)  # nothing else can be of use
 FAILURES = (
     zipfile.BadZipFile,
     zlib.error,
@@ -39,7 +39,7 @@ FAILURES = (
 @dataclass(frozen=True, slots=True)
 class Member:
     """One file. `parts` are the names that lead to it, its own last; `modified` its time, where it has one, and whether
-    that has a zone depends on the archive; `content` is None for what is no notebook and no table."""
+    that has a zone depends on the archive; `content` is None for what is no notebook."""
 
     parts: tuple[str, ...]
     content: bytes | Unreadable | None
