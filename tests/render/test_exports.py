@@ -121,7 +121,7 @@ def _of(*students: Student) -> MarksTable:
 
 
 def test_moodle_gets_no_column_of_ids_that_somebody_is_without():
-    """For a row whose id is blank Moodle's importer takes the student of the row above."""
+    """For one row whose id is blank Moodle takes nothing of the file."""
     full = Student("ada", "Ada", "Lovelace", "ada@uio.no", (("Username", "ada"), ("ID number", "007")))
     part = Student("bo", "Bo", "Ek", "", (("Username", "bo"),))
     assert marks("moodle-grades", _of(full)) == [

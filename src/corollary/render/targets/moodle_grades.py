@@ -19,8 +19,8 @@ NO_ID = re.compile(r"(id|identifier|column \d+)$", re.IGNORECASE)
 def write_marks(table: MarksTable) -> str:
     """One row a student: the names, whatever Moodle can know a student by, and the marks.
 
-    An id stands in a column only if every student has one there: for a row whose id is blank Moodle takes the student of the
-    row above (`gradeimport_csv_load_data`).
+    An id stands in a column only if every student has one there: for one row whose id is blank Moodle takes nothing of the
+    file, and older versions gave that row's marks to the student of the row above (`gradeimport_csv_load_data`).
     """
     ids = dict(_ids(table.students))
     headings = ["First name", "Last name", *ids, *(column.title for column in table.columns)]
