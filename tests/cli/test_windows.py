@@ -93,9 +93,11 @@ def test_a_course_is_generated_and_exported_there_and_grading_says_where_it_work
     assert done.returncode == 0, done.stderr
     done = run(tmp_path / "mech", "export", "one", "--to", "html")
     assert done.returncode == 0, done.stderr
-    handed_in = tmp_path / "mech" / "submitted" / "ada" / "one" / "one.ipynb"
-    handed_in.parent.mkdir(parents=True)
-    handed_in.write_bytes(sheet.read_bytes())
+    done = run(tmp_path / "mech", "release", "one", "--to", "folder")
+    assert done.returncode == 0, done.stderr
+    done = run(tmp_path / "mech", "collect", "one", str(sheet))
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "mech" / "submitted" / "ada" / "one" / "one.ipynb").read_bytes() == sheet.read_bytes()
     done = run(tmp_path / "mech", "grade", "one")
     assert done.returncode == 2, done.stdout
     assert "on Linux and macOS only" in done.stderr

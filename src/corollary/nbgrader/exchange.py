@@ -9,7 +9,6 @@ configuration says. Where that cannot be had, nothing is released, and a sentenc
 from __future__ import annotations
 
 import os
-import pwd
 import shutil
 import subprocess
 from pathlib import Path
@@ -123,6 +122,8 @@ def _own(path: str, coursedir: CourseDirectory) -> str:
 
 def _account(student: str) -> int | None:
     try:
+        import pwd  # Windows has none, nor accounts by which an exchange could tell students apart
+
         return pwd.getpwnam(student).pw_uid
-    except KeyError:
+    except (KeyError, ModuleNotFoundError):
         return None
