@@ -42,7 +42,7 @@ class Layers:
         self.ruleset = None
         self.filter = None
         self.signals_scoped = False
-        self._status = None
+        self._status = self.maps = None
 
     def status(self, field):
         """A number from this process's /proc/self/status, e.g. VmSize (in kB) or Threads; 0 where there is none."""
@@ -51,8 +51,9 @@ class Layers:
         found = re.search(rf"^{field}:\s*(\d+)", os.pread(self._status, 8192, 0).decode(), re.MULTILINE)
         return int(found.group(1)) if found else 0
 
-    def watch_status(self, descriptor):
-        self._status = descriptor
+    def watch(self, status, maps):
+        """Descriptors of this process's own files in /proc."""
+        self._status, self.maps = status, maps
 
     def owner(self):
         """The user and group that a worker ends up as."""
@@ -76,13 +77,13 @@ def enter_root(isolation, config):
             else _why_not(functools.partial(_try_root, enter, isolation))
         )
         if why is None:
-            isolation.watch_status(enter())
+            isolation.watch(*enter())
             isolation.namespaces, isolation.folder = True, namespaces.FOLDER
             isolation.missing.pop("namespaces", None)
             break
         isolation.missing["namespaces"] = why
     else:
-        isolation.watch_status(os.open("/proc/self/status", os.O_RDONLY))
+        isolation.watch(*(os.open(f"/proc/self/{name}", os.O_RDONLY) for name in ("status", "maps")))
         own_users = False
     if root and not own_users:
         why = _why_not(lambda: _read_as(privileges.NOBODY, [stdlib, *config["libraries"]]))

@@ -13,7 +13,8 @@ def enter_new_root(base, visible, hidden, own_users):
     """Leaves the machine's files: only the paths in `visible` remain, read-only, without those in `hidden`.
 
     It returns in a new process, the first of its own PID namespace, so that nothing it starts outlives it; the old process
-    waits for it and exits with its status. Gives a descriptor of its /proc/self/status, to which the new root has no path.
+    waits for it and exits with its status. Gives descriptors of its /proc/self/status and maps, to which the new root has no
+    path.
     `base` is an empty folder to build in; with `own_users` the capabilities to do so come from a user namespace. Raises
     OSError where the kernel or the administrator does not allow it; the process may then be half-way, so try it in a
     throw-away child first.
@@ -30,7 +31,7 @@ def enter_new_root(base, visible, hidden, own_users):
         os.closerange(3, 4096)
         os._exit(os.waitstatus_to_exitcode(os.waitpid(first, 0)[1]) & 0xFF)
     libc.prctl(libc.PR_SET_PDEATHSIG, signal.SIGKILL)
-    status = os.open("/proc/self/status", os.O_RDONLY)
+    own = os.open("/proc/self/status", os.O_RDONLY), os.open("/proc/self/maps", os.O_RDONLY)
     # Private, so that what is mounted below stays inside: systemd shares all mounts (mount_namespaces(7)).
     libc.mount(None, "/", None, libc.MS_REC | libc.MS_PRIVATE)
     libc.mount("sandbox", base, "tmpfs", libc.MS_NOSUID, "size=1m,mode=755")
@@ -44,7 +45,7 @@ def enter_new_root(base, visible, hidden, own_users):
     # The zygote writes a little while its libraries are imported; each notebook's disk is mounted over it.
     libc.mount("zygote", base + FOLDER, "tmpfs", libc.MS_NOSUID | libc.MS_NODEV, "size=16m,mode=755")
     libc.pivot_root(base)
-    return status
+    return own
 
 
 def _show(base, path):
