@@ -97,7 +97,7 @@ def record(
         for one in works:
             found = MarkedSubmission(one, notebooks.get(one.student.id), {})
             work = graded(problem_set, Submission(one.student, b"", {}, one.late, "fingerprint"), found)
-            write_graded(course, problem_set, work, given.get(one.student.id, {}), book)
+            write_graded(course, problem_set, [work], given, book)
 
 
 def manual_scores(course: Course, set_name: str) -> dict[str, dict[str, float]]:

@@ -14,7 +14,7 @@ from corollary.grading.grade import Marked
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, create_course
-from corollary.records.marks import history, read_record, read_records, settle, write_marks
+from corollary.records.marks import NewMarks, history, read_record, read_records, settle, write_marks
 from corollary.records.record import record_of
 from corollary.records.report_model import report_of
 
@@ -91,7 +91,7 @@ def work(of: ProblemSet) -> Marked:
 
 
 def write(course: Course, of: ProblemSet, work: Marked, fingerprint: str) -> None:
-    write_marks(course, of, "ada", record_of(work, fingerprint), b"{}", "the page")
+    write_marks(course, of, [NewMarks("ada", record_of(work, fingerprint), b"{}", "the page")])
 
 
 def place(course: Course, of: ProblemSet) -> Path:
@@ -163,3 +163,40 @@ def test_a_line_cut_short_is_no_mark_and_spoils_no_other(
     settle(course, of)
     write(course, of, work, "third")
     assert [each["fingerprint"] for each in history(course, of.name)] == ["first", "third"]
+
+
+def together(course: Course, of: ProblemSet, work: Marked, fingerprint: str) -> None:
+    """The marks of two students, written at once."""
+    new = [
+        NewMarks(one, record_of(work, f"{fingerprint} of {one}"), b"{}", "the page") for one in ("ada", "bo")
+    ]
+    write_marks(course, of, new)
+
+
+def test_records_of_marks_written_together_are_settled_together(
+    course: Course, of: ProblemSet, work: Marked
+) -> None:
+    write(course, of, work, "first")
+    together(course, of, work, "second")
+    places = [place(course, of), place(course, of).with_name("bo.json")]
+    before = [path.read_bytes() for path in places]
+    for lost in (places[:1], places[1:], places):
+        for path in lost:
+            path.unlink()
+        settle(course, of)
+        assert [path.read_bytes() for path in places] == before
+
+
+def test_of_marks_written_together_whole_lines_count_and_the_one_cut_short_does_not(
+    course: Course, of: ProblemSet, work: Marked
+) -> None:
+    together(course, of, work, "first")
+    for student in ("ada", "bo"):
+        place(course, of).with_name(f"{student}.json").unlink()
+    path = course.folder / f".corollary/history/{of.name}.jsonl"
+    path.write_bytes(path.read_bytes()[:-100])
+    settle(course, of)
+    record = read_record(course, of, "ada")
+    assert record is not None
+    assert record.fingerprint == "first of ada"
+    assert read_record(course, of, "bo") is None

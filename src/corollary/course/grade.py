@@ -4,12 +4,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
+from time import monotonic
+from typing import TYPE_CHECKING, Final
 
 from corollary.atomic import write_whole
 from corollary.course.generate import source_notebook
@@ -44,6 +45,12 @@ from corollary.sandbox.runner import Runner
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook
+
+
+TOGETHER: Final = 16
+"""Submissions that are written in one transaction."""
+LONGEST_UNWRITTEN: Final = 2.0
+"""Seconds after which those that are marked are written with the next one, however few."""
 
 
 class NotGenerated(LookupError):
@@ -136,9 +143,6 @@ def grade_set(
     waiting = map(submission, todo)
     given = manual.by_student(name)
 
-    def write(one: GradedSubmission, book: Gradebook | None) -> None:
-        write_graded(course, problem_set, one, given.get(one.marked.student.id, {}), book)
-
     def change_by(one: GradedSubmission) -> Change | None:
         """How marks already given would change; None as well where the student handed in something else."""
         student, depends = one.marked.student.id, one.submission.depends
@@ -162,22 +166,27 @@ def grade_set(
             (execute or here(jobs, len(todo)))(context, waiting) as graded,
             _gradebook(course, dry_run) as book,
         ):
-            for place, one in enumerate(graded, start=1):
-                if one.marked.machine_failed:
-                    not_run[one.submission.student.id] = one.marked.trouble
-                else:
+            left = len(todo)
+            for several in together(graded):
+                at_once: list[GradedSubmission] = []
+                for one in several:
+                    if one.marked.machine_failed:
+                        not_run[one.submission.student.id] = one.marked.trouble
+                        continue
                     moved = change_by(one)
                     found += [moved] if moved is not None else []
-                    if dry_run or (moved is not None and moved.moves_points):
-                        held.append(one)
-                    else:
-                        write(one, book)
-                progress(one.submission.student.id, len(todo) - place)
+                    waits = dry_run or (moved is not None and moved.moves_points)
+                    (held if waits else at_once).append(one)
+                if at_once:
+                    write_graded(course, problem_set, at_once, given, book)
+                for one in several:
+                    left -= 1
+                    progress(one.submission.student.id, left)
             changed = largest_first(found)
             agreed = not held if dry_run else not held or ask(changed)
             if agreed:
-                for one in held:
-                    write(one, book)
+                for several in together(held):
+                    write_graded(course, problem_set, several, given, book)
                 held = []
     unwritten = set[str]() if dry_run else {one.marked.student.id for one in held}
     records = read_marks(course, problem_set, files, manual)
@@ -207,6 +216,19 @@ def grade_set(
         not_run=not_run,
         refilled=tuple(student for student in done if student not in written),
     )
+
+
+def together(graded: Iterable[GradedSubmission]) -> Iterator[list[GradedSubmission]]:
+    """Submissions in groups that are written at once: a transaction and a disk that is waited for cost as much for one."""
+    several: list[GradedSubmission] = []
+    since = monotonic()
+    for one in graded:
+        several.append(one)
+        if len(several) >= TOGETHER or monotonic() - since > LONGEST_UNWRITTEN:
+            yield several
+            several, since = [], monotonic()
+    if several:
+        yield several
 
 
 def _written(

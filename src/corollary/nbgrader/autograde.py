@@ -104,9 +104,9 @@ class RecordMarks(SaveAutoGrades):
             return super().preprocess(nb, resources)
         ours, graded = judged
         course, problem_set = ours.course, ours.context.problem_set
-        given = read_manual(course).by_student(problem_set.name).get(graded.marked.student.id, {})
+        given = read_manual(course).by_student(problem_set.name)
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
-            write_graded(course, problem_set, graded, given, book, anew=True)
+            write_graded(course, problem_set, [graded], given, book, anew=True)
         return nb, resources
 
 

@@ -3,18 +3,18 @@ person gave some."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import msgspec
 
-from corollary.atomic import write_whole
+from corollary.atomic import write_each_whole
 from corollary.nbgrader.gradebook import gradebook, has_gradebook
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.manual import ManualMarks, OfStudent, read_manual
-from corollary.records.marks import feedback_place, page_facts_place, stored_record, write_marks
+from corollary.records.marks import NewMarks, feedback_place, page_facts_place, stored_record, write_marks
 from corollary.records.record import with_manual
 from corollary.render.feedback_facts import PageFacts, unpacked
 from corollary.render.feedback_page import feedback_page
@@ -46,23 +46,31 @@ def synchronized(course: Course) -> ManualMarks:
 def write_graded(
     course: Course,
     problem_set: ProblemSet,
-    graded: GradedSubmission,
-    manual: OfStudent,
+    several: Sequence[GradedSubmission],
+    manual: Mapping[str, OfStudent],
     book: Gradebook | None,
     *,
     anew: bool = False,
 ) -> None:
-    """One submission into the gradebook (None: there is none) and the files; its record is written last, so that a run cut
-    short does it again. `anew`: what lies in `autograded/` is no earlier marking."""
-    student = graded.marked.student.id
-    if book is None:
-        write_whole(course.notebook("autograded", student, problem_set.name), graded.notebook)
-    else:
-        from corollary.nbgrader.record import record_one
+    """Submissions into the gradebook (None: there is none), in one transaction, and the files; their records are written last,
+    so that a run cut short does them again.
 
-        record_one(course, book, problem_set, graded, manual, anew=anew)
-    page = graded.page_with(manual)
-    write_marks(course, problem_set, student, graded.record, graded.facts, page)
+    `manual` is what persons gave, by student. `anew`: what lies in `autograded/` is no earlier marking."""
+    if book is None:
+        name = problem_set.name
+        write_each_whole(
+            {course.notebook("autograded", one.marked.student.id, name): one.notebook for one in several}
+        )
+    else:
+        from corollary.nbgrader.record import record_several
+
+        record_several(course, book, problem_set, several, manual, anew=anew)
+    new = [
+        NewMarks(student, one.record, one.facts, one.page_with(manual.get(student, {})))
+        for one in several
+        for student in (one.marked.student.id,)
+    ]
+    write_marks(course, problem_set, new)
 
 
 def stale_pages(

@@ -1,4 +1,4 @@
-"""One student's marks in the gradebook, in one transaction, and the marked notebook beside it."""
+"""Marks in the gradebook, those of several students in one transaction, and the marked notebooks beside it."""
 
 # nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
 # pyright: reportAttributeAccessIssue=false, reportReturnType=false
@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import nbformat
 
 from corollary.answers.verdict import Unread
-from corollary.atomic import write_whole
+from corollary.atomic import write_each_whole, write_whole
 from corollary.grading.grade import Marked, PartGrade
 from corollary.nbgrader.gradebook import NotRegistered
 from corollary.nbgrader.graded import GradedSubmission
@@ -96,26 +96,44 @@ def _in_utc(when: datetime | None) -> datetime | None:
     return None if when is None else when.astimezone(UTC).replace(tzinfo=None)
 
 
-def record_one(
+def record_several(
     course: Course,
     book: Gradebook,
     problem_set: ProblemSet,
-    graded: GradedSubmission,
-    manual: OfStudent,
+    several: Sequence[GradedSubmission],
+    manual: Mapping[str, OfStudent],
     *,
     anew: bool = False,
 ) -> None:
-    """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebook and writes again.
+    """Writes the gradebook first, then the files: cut short in between, the next run finds the old notebooks and writes again.
 
-    `manual` is what a person gave, which a gradebook that has never heard of it is given too. `anew`: what lies in
+    `manual` is what persons gave, by student, which a gradebook that has never heard of it is given too. `anew`: what lies in
     `autograded/` is no earlier marking.
     """
-    name, student = problem_set.name, graded.marked.student.id
-    place = course.notebook("autograded", student, name)
-    stamp, when = _timestamp(course, name, student)
-    submission = _submission(book, name, graded.marked)
-    submission.timestamp = when
-    _set_dates(submission, problem_set.due, graded.submission.due)
+    name, files = problem_set.name, dict[Path, str | bytes]()
+    with book.db.no_autoflush:
+        for graded in several:
+            student = graded.marked.student.id
+            stamp, when = _timestamp(course, name, student)
+            submission = _record(course, book, name, graded, manual.get(student, {}), anew)
+            submission.timestamp = when
+            _set_dates(submission, problem_set.due, graded.submission.due)
+            files[course.notebook("autograded", student, name)] = graded.notebook
+            for file, content in (
+                ("timestamp.txt", stamp),
+                ("submission_secret.txt", _secret(course, name, student)),
+            ):
+                if content:
+                    files[course.place("autograded", student, name) / file] = content
+    book.db.commit()
+    write_each_whole(files)
+
+
+def _record(
+    course: Course, book: Gradebook, name: str, graded: GradedSubmission, manual: OfStudent, anew: bool
+) -> SubmittedAssignment:
+    """One student's scores and comments, not yet committed."""
+    place = course.notebook("autograded", graded.marked.student.id, name)
 
     def same(key: str) -> bool:
         """Whether the answer is the one a person gave a score for."""
@@ -124,18 +142,12 @@ def record_one(
             return mark.answer == now
         return not anew and _digest_before(place, key) == now
 
+    submission = _submission(book, name, graded.marked)
     for each in submission.notebooks:
         if is_blank(each):
             fill(each, manual)
         _write_scores(each, graded.marked, same)
-    book.db.commit()
-    write_whole(place, graded.notebook)
-    for file, content in (
-        ("timestamp.txt", stamp),
-        ("submission_secret.txt", _secret(course, name, student)),
-    ):
-        if content:
-            write_whole(course.place("autograded", student, name) / file, content)
+    return submission
 
 
 def _set_dates(submission: SubmittedAssignment, due: datetime | None, own: datetime | None) -> None:

@@ -16,9 +16,9 @@ def append(path: Path, entries: Iterable[object]) -> None:
     if not lines:
         return
     path.parent.mkdir(parents=True, exist_ok=True)
-    last = last_line(path)
+    last = last_lines(path, 1)
     # A line that was cut short has no end: the new one must not be glued to it.
-    torn = b"" if last is None or last.endswith(b"\n") else b"\n"
+    torn = b"" if not last or last[-1].endswith(b"\n") else b"\n"
     with path.open("ab", buffering=0) as file:
         file.write(torn + b"".join(lines))
         os.fsync(file.fileno())
@@ -39,15 +39,15 @@ def entries(path: Path) -> Iterator[dict[str, Any]]:
             yield entry
 
 
-def last_line(path: Path) -> bytes | None:
-    """The last line with its end, read from behind: a journal grows long. None when there is no file, or nothing in it."""
+def last_lines(path: Path, most: int) -> list[bytes]:
+    """The last lines with their ends, oldest first, read from behind: a journal grows long. None where there is no file."""
     try:
         with path.open("rb") as file:
             size, block, tail = file.seek(0, os.SEEK_END), 1 << 16, b""
-            while size and b"\n" not in tail[:-1]:
+            while size and tail[:-1].count(b"\n") < most:
                 start = max(0, size - block)
                 file.seek(start)
                 tail, size = file.read(size - start) + tail, start
     except FileNotFoundError:
-        return None
-    return tail[tail[:-1].rfind(b"\n") + 1 :] or None
+        return []
+    return tail.splitlines(keepends=True)[-most:]

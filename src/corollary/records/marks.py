@@ -2,34 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from corollary.atomic import write_whole
+from corollary.atomic import write_each_whole, write_whole
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
-from corollary.records.journal import append, entries, last_line
+from corollary.records.journal import append, entries, last_lines
 from corollary.records.manual import ManualMarks, journal_place, read_manual
 from corollary.records.record import Record, with_manual
 
 
-def write_marks(
-    course: Course, problem_set: ProblemSet, student: str, record: Record, facts: bytes, page: str
-) -> None:
-    """The feedback page and the facts on it, the history's line and the record, in this order: the record says that everything
-    before it is done.
+@dataclass(frozen=True, slots=True)
+class NewMarks:
+    """What is written of one student's marks: the record, the feedback page, and the facts that it is made again from."""
 
-    Cut short anywhere, `settle` and a second run leave one page, one line and one record.
+    student: str
+    record: Record
+    facts: bytes
+    page: str
+
+
+def write_marks(course: Course, problem_set: ProblemSet, several: Sequence[NewMarks]) -> None:
+    """The feedback pages and the facts on them, the history's lines and the records, in this order: a record says that
+    everything before it is done.
+
+    Cut short anywhere, `settle` and a second run leave one page, one line and one record of each.
     """
-    write_whole(page_facts_place(course, problem_set.name, student), facts)
-    write_page(course, problem_set.name, student, page)
-    about = {"student": student, "at": datetime.now(UTC).isoformat(timespec="seconds")}
-    append(_history(course, problem_set.name), [about | msgspec.to_builtins(record)])
-    _write_record(course, problem_set.name, student, record)
+    name = problem_set.name
+    facts = {page_facts_place(course, name, one.student): one.facts for one in several}
+    pages = {feedback_place(course, name, one.student): one.page for one in several}
+    write_each_whole({**facts, **pages})
+    for one in several:
+        _remove_former_pages(course, name, one.student)
+    about = {"at": datetime.now(UTC).isoformat(timespec="seconds"), "together": len(several)}
+    lines = [{"student": one.student, **about, **msgspec.to_builtins(one.record)} for one in several]
+    append(_history(course, name), lines)
+    write_each_whole({_place(course, name, one.student): msgspec.json.encode(one.record) for one in several})
 
 
 def read_record(course: Course, problem_set: ProblemSet, student: str) -> Record | None:
@@ -75,18 +89,30 @@ def history(course: Course, set_name: str) -> Iterator[dict[str, Any]]:
 
 
 def settle(course: Course, problem_set: ProblemSet) -> None:
-    """Completes what a run that was cut short left undone: its last line is in the history, and the record not yet written.
+    """Completes what a run that was cut short left undone: its last lines are in the history, and their records not yet written.
 
-    Everything else of that mark was written before its line, so that it need not be given again.
+    Everything else of those marks was written before their lines, so that they need not be given again.
     """
-    line = last_line(_history(course, problem_set.name))
-    try:
-        student = str(msgspec.json.decode(line or b"")["student"])
-        record = msgspec.json.decode(line or b"", type=Record)
-    except (msgspec.DecodeError, KeyError, TypeError):  # none, or cut short: that mark will be given again
-        return
-    if read_record(course, problem_set, student) != record:
-        _write_record(course, problem_set.name, student, record)
+    path, newest = _history(course, problem_set.name), dict[str, Record]()
+    for line in last_lines(path, _together(path)):
+        try:
+            newest[str(msgspec.json.decode(line)["student"])] = msgspec.json.decode(line, type=Record)
+        except (msgspec.DecodeError, KeyError, TypeError):  # cut short: that mark will be given again
+            continue
+    for student, record in newest.items():
+        if read_record(course, problem_set, student) != record:
+            _write_record(course, problem_set.name, student, record)
+
+
+def _together(history: Path) -> int:
+    """How many marks were written together with the last one: its line says so, or the one before where it was cut short."""
+    lines = last_lines(history, 2)
+    for cut_short, line in enumerate(reversed(lines)):
+        try:
+            return int(msgspec.json.decode(line).get("together", 1)) + cut_short
+        except (msgspec.DecodeError, AttributeError, TypeError, ValueError):
+            continue
+    return len(lines)
 
 
 def feedback_place(course: Course, set_name: str, student: str) -> Path:
@@ -113,6 +139,10 @@ def page_facts_place(course: Course, set_name: str, student: str) -> Path:
 def write_page(course: Course, set_name: str, student: str, page: str) -> None:
     """The feedback page; those that earlier versions wrote beside nbgrader's are gone then."""
     write_whole(feedback_place(course, set_name, student), page)
+    _remove_former_pages(course, set_name, student)
+
+
+def _remove_former_pages(course: Course, set_name: str, student: str) -> None:
     for former in former_pages(course, set_name, student):
         former.unlink(missing_ok=True)
 
