@@ -11,6 +11,7 @@ from corollary.course.export import sheets_of_course
 from corollary.grading.solutions import Solutions
 from corollary.problem.roster import Student
 from corollary.records.files import students
+from corollary.records.marks_table import MarksTable, every_column
 from corollary.render.exports import target
 
 from .changing_bank import ChangingBank, Text, replace
@@ -80,12 +81,14 @@ def test_a_part_that_is_gone_keeps_its_marks_and_one_that_is_new_is_for_newcomer
     assert found["ada", "X1_1_c"] == (1.0, 0)
     assert found["ada", "X1_1_d"] == (None, 0)
     assert found["cyd", "X1_1_d"] == (0.0, 0)
-    page = (ball.course / "feedback" / "ben" / "week" / "week.feedback.html").read_text()
+    page = (ball.course / "feedback" / "ben" / "week" / "week.html").read_text()
     assert "Force" in page
     assert "Distance" not in page
     table = target("csv").marks
     assert table is not None
-    rows = table(ball.problem_set, outcome.report, students(made.course)).splitlines()
+    roster = students(made.course)
+    columns = tuple(every_column(ball.problem_set, outcome.report, roster))
+    rows = table(MarksTable(roster, columns)).splitlines()
     assert rows[0].endswith("X1.1 a,X1.1 d,X1.1 b,X1.1 c,total,out_of")
     assert rows[1].endswith("1,,1,1,3,3")
     assert rows[3].endswith("1,0,1,,2,3")
