@@ -21,7 +21,12 @@ function progress() {
   const done = answers.filter(each => each.querySelector(".score").value.trim() !== "").length;
   line.textContent = `${done} of ${answers.length} marked`;
 }
-async function save(article) {
+// One after the other: what was given last must be what stands.
+let sending = Promise.resolve();
+function save(article) {
+  sending = sending.then(() => send(article));
+}
+async function send(article) {
   const score = article.querySelector(".score"), state = article.querySelector(".state");
   const text = score.value.trim().replace(",", ".");
   const number = text === "" ? null : Number(text);
