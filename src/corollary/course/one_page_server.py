@@ -8,7 +8,7 @@ from collections.abc import Callable
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
-from typing import Any
+from typing import Any, cast
 
 MOST_BYTES = 1 << 20
 
@@ -56,11 +56,11 @@ class _Handler(BaseHTTPRequestHandler):
         if not size.isdigit() or int(size) > MOST_BYTES:
             return self._answer(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, "too long")
         try:
-            posted = json.loads(self.rfile.read(int(size)))
+            posted: object = json.loads(self.rfile.read(int(size)))
             if not isinstance(posted, dict):
                 raise ValueError("a mark is an object")
             with self.server.one_at_a_time:
-                self.server.receive(posted)
+                self.server.receive(cast(dict[str, Any], posted))
         except (ValueError, RecursionError) as error:
             return self._answer(HTTPStatus.BAD_REQUEST, str(error))
         except (

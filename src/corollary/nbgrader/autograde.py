@@ -48,7 +48,7 @@ class OwnSheet(NotebookExporter):
             run, Autograde
         ):  # which makes its exporter before all else, and has no hook around a whole run
             run.convert_notebooks = partial(alone, run, run.convert_notebooks)
-            run.init_assignment = partial(_without_links, run, run.init_assignment)
+            run.init_assignment = partial(_without_links, run, run.init_assignment)  # pyright: ignore[reportAttributeAccessIssue]
 
     def from_file(
         self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any

@@ -1,5 +1,7 @@
 """What `nbgrader generate_feedback` and formgrader's button make in a course of ours: the one feedback page a student has."""
 
+# pyright: reportUnknownMemberType=false
+
 from __future__ import annotations
 
 from functools import partial

@@ -1,5 +1,7 @@
 """Marks that a person gives through us: into the gradebook where there is one, and into the journal."""
 
+# pyright: reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 from collections.abc import Mapping

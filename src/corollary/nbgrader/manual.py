@@ -6,14 +6,15 @@ backup, or is new: then the journal is right. Otherwise what the gradebook says 
 
 # nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
 # pyright: reportAttributeAccessIssue=false, reportReturnType=false, reportGeneralTypeIssues=false
-# pyright: reportUnnecessaryComparison=false, reportArgumentType=false
+# pyright: reportUnnecessaryComparison=false, reportArgumentType=false, reportUnknownParameterType=false
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
@@ -159,7 +160,9 @@ def _given(book: Gradebook, sets: set[str]) -> dict[Place, FromGradebook]:
 
     about = (Assignment.name, SubmittedAssignment.student_id, BaseCell.name)
 
-    def rows(table: type[Grade] | type[Comment], *columns: object, where: object) -> Iterator[tuple]:
+    def rows(
+        table: type[Grade] | type[Comment], *columns: object, where: object
+    ) -> Iterator[tuple[Any, ...]]:
         yield from (
             book.db.query(*about, *columns)
             .select_from(SubmittedAssignment)

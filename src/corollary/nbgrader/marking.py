@@ -1,5 +1,7 @@
 """Answers laid out for a person to mark: part by part, those that are equal as one; and what is given, written at once."""
 
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
