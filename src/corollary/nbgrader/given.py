@@ -1,7 +1,5 @@
 """Marks that a person gives through us: into the gradebook where there is one, and into the journal."""
 
-# pyright: reportAttributeAccessIssue=false
-
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -15,7 +13,7 @@ def give(course: Course, given: Mapping[Place, ManualMark]) -> ManualMarks:
     """Everything that persons gave, these marks last. Whoever calls it is the only writer and has synchronized the course."""
     journal = read_manual(course)
     if has_gradebook(course):
-        from corollary.nbgrader.manual import fill, lateness_penalty, submitted_notebooks
+        from corollary.nbgrader.manual import fill, submitted_notebooks, weigh_lateness
         from corollary.records.marks import stored_record
 
         with gradebook(course) as book:
@@ -24,7 +22,7 @@ def give(course: Course, given: Mapping[Place, ManualMark]) -> ManualMarks:
                 record = stored_record(course, name, student)
                 if marks and record is not None:
                     fill(notebook, marks, record)
-                    notebook.late_submission_penalty = lateness_penalty(notebook, record.late_share)
+                    weigh_lateness(notebook, record.late_share)
             has_seen(book, journal.count + len(given))
             book.db.commit()
     write_manual(course, given)

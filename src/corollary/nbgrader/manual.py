@@ -101,6 +101,11 @@ def lateness_penalty(notebook: SubmittedNotebook, late_share: float) -> float | 
     return (1 - late_share) * sum(map(_score, notebook.grades)) if late_share < 1 else None
 
 
+def weigh_lateness(notebook: SubmittedNotebook, late_share: float) -> None:
+    """Writes into the gradebook what lateness takes off the scores as they are."""
+    notebook.late_submission_penalty = lateness_penalty(notebook, late_share)
+
+
 def _score(grade: Grade) -> float:
     """As nbgrader counts it; asked of the row itself, whose sum may be of before."""
     given = grade.manual_score if grade.manual_score is not None else grade.auto_score
