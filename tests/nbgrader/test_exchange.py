@@ -147,7 +147,12 @@ def test_zip_collect_works_by_default(hub: Hub) -> None:
     shutil.copy(sheets[ADA.pw_name], downloaded / "one (1).ipynb")
     inner = downloaded / "games_18_assignsubmission_file_"
     inner.mkdir()
-    shutil.make_archive(str(inner / "mine"), "zip", sheets[BEN.pw_name].parent)
+    deep = (
+        hub.folder / "deep" / ADA.pw_name / "of" / "mine"
+    )  # folders of the student's own say nothing of whose it is
+    deep.mkdir(parents=True)
+    shutil.copy(sheets[BEN.pw_name], deep)
+    shutil.make_archive(str(inner / "mine"), "zip", hub.folder / "deep")
     (downloaded / "scan.pdf").write_bytes(b"%PDF")
     done = hub.run(None, "zip_collect", "one")
     assert done.returncode == 0, done.stderr

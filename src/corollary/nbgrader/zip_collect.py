@@ -58,9 +58,12 @@ class OwnerCollector(FileNameCollectorPlugin):
             self.log.warning("%s is a notebook of %s, and is left out", path.name, says.set_name)
             return None
         roster = students(open_course(root))
-        directory, parts = Directory(roster), path.parts[-3:]
+        directory, parts = (
+            Directory(roster),
+            _below(path, app.extracted_directory if isinstance(app, ZipCollectApp) else ""),
+        )
         lms = lms_name(parts)
-        owner = directory.of_lms(lms) if lms else directory.of_parts(parts[-2:], name)
+        owner = directory.of_lms(lms) if lms else directory.of_parts(parts, name)
         if owner is None and says.student in {each.id for each in roster}:
             owner = says.student
         if owner is None:
@@ -71,6 +74,12 @@ class OwnerCollector(FileNameCollectorPlugin):
             microsecond=min(999_999, again(path.stem)[1])
         )
         return {"student_id": owner, "file_id": name, "timestamp": f"{when:%Y-%m-%d %H:%M:%S.%f} UTC"}
+
+
+def _below(path: Path, extracted: str) -> tuple[str, ...]:
+    """The names from the folder of what was unpacked on: the outermost say whose a file is."""
+    parts = path.parts
+    return parts[parts.index(extracted) + 1 :] if extracted in parts else parts[-2:]
 
 
 def file_name(part: str) -> str:
