@@ -8,6 +8,7 @@ import subprocess
 import zipfile
 from pathlib import Path
 
+import nbformat
 import pytest
 from nbgrader.api import Gradebook
 
@@ -62,7 +63,14 @@ def test_the_command(course: Path, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     (path,) = json.loads(done.stdout)["files"]
     with zipfile.ZipFile(path) as archive:
-        assert archive.namelist() == ["lovelaceada_2001_5001_one-feedback.html"]
+        assert archive.namelist() == ["lovelaceada_2001_5001_one-feedback.ipynb"]
+        notebook = nbformat.reads(archive.read(archive.namelist()[0]).decode(), as_version=4)
+    nbformat.validate(notebook)
+    text = "\n".join(cell.source for cell in notebook.cells)
+    assert text.startswith("# One exercise\n\nFeedback for ada\n\n**5** of 5 points")
+    assert "## X12.5 Kicking a ball" in text
+    assert text.count("**Right** (1 of 1)") >= 3
+    assert "Your answer, as read:" in text
     assert "ben, cyd: Canvas has no number of theirs that is known" in done.stderr
 
 
@@ -102,6 +110,17 @@ def test_what_a_person_gave_since_is_in_the_page_that_goes_back(course: Path, tm
         pages = {name.split("_")[0]: archive.read(name).decode() for name in archive.namelist()}
     assert "Mind the sign, says Emmy." in pages["Ada Lovelace"]
     assert "Mind the sign, says Emmy." not in pages["Cyd Charisse"]
+    with zipfile.ZipFile(tmp_path / "submissions.zip", "w") as archive:
+        archive.writestr("lovelaceada_LATE_2001_5001_one.ipynb", b"")
+        archive.writestr("charissecyd_2003_5003_one.html", b"")
+    done = exported(course, "--to", "feedback-zip", "--ids", tmp_path / "submissions.zip")
+    with zipfile.ZipFile(tmp_path / "out" / "one-feedback-canvas.zip") as archive:
+        notebook, page = map(archive.read, archive.namelist())
+        assert archive.namelist()[1] == "charissecyd_2003_5003_one-feedback.html"
+    assert page.decode() == pages["Cyd Charisse"]
+    text = "\n".join(cell.source for cell in nbformat.reads(notebook.decode(), as_version=4).cells)
+    assert "**Marked by your teacher** (0.25 of 1)" in text
+    assert "Mind the sign, says Emmy." in text
     assert exported(course, "--to", "moodle-grades").returncode == 0
     rows = list(csv.DictReader((tmp_path / "out" / "one-moodle-grades.csv").open(encoding="utf-8")))
     assert [row["One exercise"] for row in rows] == ["4.25", "5", "5"]

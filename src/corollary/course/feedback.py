@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from corollary.course.lms_places import NoPlaces, packed, places
 from corollary.course.up_to_date import up_to_date
+from corollary.nbgrader.marks import stored_facts
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, students
-from corollary.records.marks import feedback_place
+from corollary.records.lms_names import LmsName
+from corollary.records.manual import read_manual
+from corollary.records.marks import feedback_place, stored_record
+from corollary.records.record import with_manual
+from corollary.render.feedback_notebook import feedback_notebook
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,5 +50,20 @@ def feedback_files(course: Course, problem_set: ProblemSet, ids: Path | None = N
             lms, found = "canvas", places(course, name, roster, "canvas", ids)
         except NoPlaces:
             raise error from None
+    if lms == "canvas":
+        pages |= _as_handed_in(course, name, found, pages)
     files = packed(lms, found, pages, roster)
     return FeedbackFiles(lms, files, tuple(student for student in pages if student not in found))
+
+
+def _as_handed_in(
+    course: Course, set_name: str, found: Mapping[str, LmsName], pages: Iterable[str]
+) -> Iterator[tuple[str, tuple[str, bytes]]]:
+    """Notebooks for those who handed one in: Canvas gives a file back under the name of theirs (`display_name`), and a page
+    that is called `week1.ipynb` opens nowhere."""
+    manual = read_manual(course).by_student(set_name)
+    for student in pages:
+        record, facts = stored_record(course, set_name, student), stored_facts(course, set_name, student)
+        if student in found and found[student].file.endswith(".ipynb") and record and facts:
+            text = feedback_notebook(facts, with_manual(record, manual.get(student, {})))
+            yield student, (f"{set_name}-feedback.ipynb", text.encode())

@@ -85,11 +85,16 @@ def feedback_page(facts: PageFacts, record: Record) -> str:
         title=_("{title}: feedback for {name}", title=facts.set_title, name=facts.student),
         facts=facts,
         record=record,
-        exercises=[_exercise(each, record) for each in facts.exercises],
+        exercises=marked_exercises(facts, record),
         waiting=sum(row.waits for row in record.rows),
         before_late=sum(part.points for part in record.parts.values()),
         late=spell(max(60.0, record.late)) if record.late > 0 else "",
     )
+
+
+def marked_exercises(facts: PageFacts, record: Record) -> list[MarkedExercise]:
+    """The exercises of a page with the marks as they stand."""
+    return [_exercise(each, record) for each in facts.exercises]
 
 
 def _exercise(facts: ExerciseFacts, record: Record) -> MarkedExercise:
