@@ -28,7 +28,7 @@ class Origin:
 def origin(nb: NotebookNode) -> Origin:
     """What the notebook's metadata say; an editor may have dropped them."""
     about: object = nb.get("metadata", {}).get("corollary")
-    metadata = cast(Mapping[str, object], about) if isinstance(about, Mapping) else {}
+    metadata = cast("Mapping[str, object]", about if isinstance(about, Mapping) else {})
     return Origin(_word(metadata.get("set")), _word(metadata.get("student")))
 
 

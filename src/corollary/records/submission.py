@@ -40,7 +40,8 @@ def unclear(course: Course, set_name: str) -> dict[str, tuple[str, ...]]:
         names = tuple(_notebooks(place / set_name))
         if not names:
             names = tuple(name for name in _files(place / set_name) if name not in BESIDE)
-        if names and f"{set_name}.ipynb" not in names and (len(names) > 1 or not names[0].endswith(".ipynb")):
+        one_notebook = len(names) == 1 and Path(names[0]).suffix == ".ipynb"
+        if names and f"{set_name}.ipynb" not in names and not one_notebook:
             found[place.name] = names
     return found
 
