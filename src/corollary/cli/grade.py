@@ -75,10 +75,9 @@ def run(
     if as_json:
         answer(document(problem_set.name, done))
     else:
-        if dry_run:
-            show_changes(done.changed, as_json=False)
         show(done)
     if dry_run:
+        show_changes(done.changed, as_json=as_json)
         say("nothing was written: this was a dry run")
     refused = not dry_run and not done.written
     broken = bool(done.failed or done.strangers or done.unclear)
