@@ -16,7 +16,9 @@ from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
+from corollary.records.record import record_of
 from corollary.render.exports import target
+from corollary.render.feedback_facts import page_facts
 from corollary.render.feedback_page import feedback_page
 from corollary.render.report_page import report_page
 
@@ -46,7 +48,9 @@ def pages(tmp_path_factory) -> dict[str, Path]:
     write = target("html").worksheet
     assert write is not None
     texts = {
-        "feedback": feedback_page(late, sample, solutions={"X12.5": solutions["X12.5"]}),
+        "feedback": feedback_page(
+            page_facts(late, sample, solutions={"X12.5": solutions["X12.5"]}), record_of(late, "")
+        ),
         "report": report_page(SAMPLE["summary"]([marked, late], roster=["ada", "cy", "eve"]), sample),
         "sheet": write(worksheet(momentum, Student("ada", "Ada"), variants), solutions),
     }

@@ -83,8 +83,12 @@ def _headline(report: Report) -> str:
         return "Nothing was handed in yet."
     return (
         f"{len(report.handed_in)} handed in, {report.late:.0%} of them late; mean {points(report.mean)} and median"
-        f" {points(report.median)} of {points(report.out_of)} points; {len(report.waiting)} answers wait for a person"
+        f" {points(report.median)} of {points(report.out_of)} points; {_waiting(len(report.waiting))} for a person"
     )
+
+
+def _waiting(count: int) -> str:
+    return "1 answer waits" if count == 1 else f"{count} answers wait"
 
 
 def _parts(report: Report) -> Table:
