@@ -118,7 +118,7 @@ def _part(
             "laws": [text(relation) for law in proof.laws for relation in law.here],
             "target": text(proof.target.here[0]),
         }
-    entry = {}
+    entry: dict[str, Any] = {}
     for each in solution.entries:
         match each:
             case Code() if each.statement.part == part.id:

@@ -45,7 +45,7 @@ class Submission:
     reveal: bool = False
     due: datetime | None = None
     retained: tuple[Grade, ...] = ()
-    depends: Mapping[str, str] = field(default_factory=dict)
+    depends: Mapping[str, str] = field(default_factory=dict[str, str])
     rubric: bool = False  # whether the student may read by now what answers in words are marked by
 
     @property
