@@ -26,7 +26,7 @@ def bank(tmp_path, monkeypatch) -> Path:
 
 
 def said(*words: object) -> str:
-    done = CliRunner().invoke(app, ["list", *map(str, words)], catch_exceptions=False)
+    done = CliRunner(env={"COLUMNS": "160"}).invoke(app, ["list", *map(str, words)], catch_exceptions=False)
     assert done.exit_code == 0, done.stderr
     return done.stdout
 

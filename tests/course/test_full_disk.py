@@ -24,7 +24,7 @@ def test_a_full_folder_for_temporary_files(options: str, handed_in: Path, tmp_pa
     assert (done.status, done.points) == (0, EVERYBODY), done.errors
 
 
-@pytest.mark.parametrize("room", [0, 60, 120, 180], ids="{} kB".format)
+@pytest.mark.parametrize("room", [0, 40, 80, 120], ids="{} kB".format)
 def test_a_full_disk_under_the_course(room: int, handed_in: Path, tmp_path: Path) -> None:
     """Filled up to so many kilobytes: the first run meets its end somewhere on its way."""
     script = f"""
