@@ -81,6 +81,30 @@ def test_a_deadline_that_moved_and_a_typo_that_was_mended_accuse_nobody(named: b
     assert notes(sheet, nb) == ()
 
 
+@pytest.mark.parametrize("named", [True, False])
+def test_other_points_and_a_part_less_accuse_nobody_but_other_numbers_are_still_seen(named: bool) -> None:
+    problem, *others = SET.problems
+    first, *rest = problem.parts
+    dearer = replace(problem, parts=(replace(first, points=first.points + 6.5), *rest[:-1]))
+    today = replace(SET, problems=(dearer, *others))
+
+    def sheet(place: int) -> Worksheet:
+        return worksheet(today, Student("ada"), [at(each, place) for each in today.problems])
+
+    nb = notebook(ADA)
+    if not named:
+        del nb.metadata["corollary"]
+    for asked, now in [
+        ("X12_5_statement", f"*{5 + 6.5 - rest[-1].points:g} points*"),
+        ("X12_5_a_text", "(7.5 points)"),
+    ]:
+        assert now in cell(notebook(sheet(1000)), asked).source
+        assert now not in cell(nb, asked).source
+    assert notes(sheet(1000), nb) == ()
+    (note,) = notes(sheet(2000), nb)
+    assert "X12_5_statement" in note
+
+
 def test_a_notebook_of_another_set_belongs_elsewhere() -> None:
     nb = notebook(ADA)
     assert elsewhere(ADA, nb) == ""

@@ -27,7 +27,7 @@ def notes(sheet: Worksheet, notebook: NotebookNode) -> tuple[str, ...]:
     A cell that is missing is no tampering. A cell that differs from the sheet's but still has the checksum it was handed out with
     comes from another sheet (a friend's, or an older print of one's own): only a changed one is called edited. Of those only the
     ones that ask count, and only where their numbers differ: a deadline that moved, a statement worded better, a figure drawn
-    anew and another version of the program accuse nobody.
+    anew, other points, a part more or less and another version of the program accuse nobody.
     """
     found = cells_by_id(notebook)
     edited: list[str] = []

@@ -15,6 +15,8 @@ from corollary.notebook.worksheet import Worksheet
 
 LONGEST = 100
 NUMBER = re.compile(r"\d+(?:[.,]\d+)*")
+# The head of a statement and of a part: codes, titles and points, which are not of one student (`notebook.notebook` writes them).
+HEAD = re.compile(r"\A\s*(?:---\s+##[^\n]*(?:\s+\*[^*\n]+\*[ \t\r]*(?=\n|\Z))?|####[^\n]*)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,8 +48,12 @@ def is_of(sheet: Worksheet, nb: NotebookNode) -> bool:
 
 
 def other_numbers(theirs: str, ours: str) -> bool:
-    """Whether two texts hold different numbers, however they are worded."""
-    return Counter(NUMBER.findall(theirs)) != Counter(NUMBER.findall(ours))
+    """Whether two statements or questions give different numbers, however they are worded and whatever they earn."""
+    return _numbers(theirs) != _numbers(ours)
+
+
+def _numbers(text: str) -> Counter[str]:
+    return Counter(NUMBER.findall(HEAD.sub("", text)))
 
 
 def _word(value: object) -> str:
