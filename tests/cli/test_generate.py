@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pty
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -103,3 +104,35 @@ def test_two_ids_that_are_one_folder(run):
     status, _, err = run("id\nAda\n")
     assert (status, on_roster()) == (2, ["ada"])
     assert "one folder on many disks" in err
+
+
+def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(tmp_path: Path) -> None:
+    """Its name may be one of the chapter's, too."""
+    command = [
+        str(Path(sys.executable).with_name("corollary")),
+        "generate",
+        "momentum_1",
+        "--course",
+        "course",
+        "--json",
+    ]
+    bank = tmp_path / "bank"
+    for kind, name in (("problems", "kicking_a_ball.md"), ("solutions", "kicking_a_ball.py")):
+        (bank / kind / "impulse").mkdir(parents=True)
+        shutil.copy(Path(__file__).parents[2] / kind / "impulse" / name, bank / kind / "impulse")
+    (bank / "problems" / "sets").mkdir()
+    (bank / "problems" / "sets" / "momentum_1.md").write_text(SET)
+    for students_now, words in (("id\nada\n", ["--bank", "bank"]), ("id\nada\nben\n", [])):
+        (tmp_path / "roster.csv").write_text(students_now)
+        done = subprocess.run(
+            [*command, "--roster", "roster.csv", *words],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        rows = json.loads(done.stdout)["students"]
+        assert all(list(each["variants"]) == ["X12.5"] for each in rows.values()), (
+            "one problem, not the chapter's five"
+        )

@@ -15,12 +15,13 @@ from corollary.course.renew import Renewals, renewals
 from corollary.course.roster import RosterChange, roster_change, students_before
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.config import check_config
-from corollary.problem.bank import open_bank
-from corollary.problem.problem_set import find_set
+from corollary.problem.bank import Bank, open_bank
+from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student, read_roster
 from corollary.records.assigned import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
+from corollary.records.origin import set_of
 from corollary.records.settings import read_settings
 
 
@@ -36,8 +37,7 @@ def run(
 ) -> int:
     if course.exists() and not course.is_dir():
         refuse(f"{course} is a file; name a folder for the course")
-    place = open_bank(bank)
-    problem_set = find_set(place, name, read_settings(course).usual)
+    place, problem_set = _set(name, course, bank)
     students, solutions = _students(roster, course, id_column or "", yes, as_json), Solutions(place)
     if students is None:
         return FAILS
@@ -122,6 +122,14 @@ def _whose_own(made: Generated) -> str:
         f"Each student has numbers of their own, but for {which}, where others have the same: "
         "finer steps of the givens make more variants"
     )
+
+
+def _set(name: str, course: Path, bank: Path | None) -> tuple[Bank, ProblemSet]:
+    """The set and its bank: the one named, else for a set that was generated before the one it came from."""
+    if bank is None and (course / ".corollary" / "key").exists():
+        return set_of(open_course(course), name)
+    place = open_bank(bank)
+    return place, find_set(place, name, read_settings(course).usual)
 
 
 def _students(
