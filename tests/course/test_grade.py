@@ -74,6 +74,7 @@ def test_a_damaged_gradebook_is_named(content: str, graded: Path) -> None:
     assert done.status == 2
     assert done.errors.startswith(f"corollary: {book} cannot be used")
     assert "restore it from a backup" in done.errors
+    assert "those given by hand too" in done.errors
     assert done.errors.count("\n") == 1
     book.unlink()
     assert grade(graded).status == 0

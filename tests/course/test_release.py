@@ -94,6 +94,18 @@ def test_a_mailing(course: Path) -> None:
     assert made.without == {"cyd": "has no email on the roster"}
 
 
+def test_a_name_on_the_mailing_is_no_formula(course: Path) -> None:
+    roster = ROSTER.replace(",Ada,Lovelace,", ',"=HYPERLINK(""http://evil.example"")",@Lovelace,')
+    (course / ".corollary" / "roster.csv").write_text(roster)
+    made = released(course, "mail")
+    text = made.files["mail-merge.csv"].decode("utf-8-sig")
+    assert text.count("\r\n") == text.count("\n") == 3
+    row = next(csv.DictReader(io.StringIO(text)))
+    assert row["first_name"] == '\'=HYPERLINK("http://evil.example")'
+    assert row["last_name"] == "'@Lovelace"
+    assert owner(made.files[row["file"]]) == "ada"
+
+
 def test_moodle_gives_each_the_own_notebook(course: Path, tmp_path: Path) -> None:
     (tmp_path / "Grades.csv").write_text(WORKSHEET)
     made = released(course, "moodle", tmp_path / "Grades.csv")

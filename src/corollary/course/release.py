@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +11,7 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.files import Course, students
 from corollary.records.lms_names import file_words
+from corollary.render.spreadsheet import table_text
 from corollary.render.targets.feedback_zip import write_archive
 
 
@@ -79,18 +78,18 @@ def mailing(
     problem_set: ProblemSet, having: Sequence[Student], sheets: Mapping[str, bytes]
 ) -> dict[str, bytes]:
     """A notebook for each, and the table that mail programs merge from: to whom, with which file, under what subject."""
-    table = io.StringIO()
-    rows = csv.writer(table, lineterminator="\r\n")
-    rows.writerow(["email", "first_name", "last_name", "id", "file", "subject"])
+    rows = [("email", "first_name", "last_name", "id", "file", "subject")]
     files: dict[str, bytes] = {}
     for each in having:
         file = f"{for_people(each)}/{problem_set.name}.ipynb"
         files[file] = sheets[each.id]
-        rows.writerow([each.email, each.first_name, each.last_name, each.id, file, problem_set.title])
-    return files | {"mail-merge.csv": table.getvalue().encode("utf-8-sig")}  # the mark, for Excel
+        rows.append((each.email, each.first_name, each.last_name, each.id, file, problem_set.title))
+    table = table_text(rows).replace("\n", "\r\n")
+    return files | {"mail-merge.csv": table.encode("utf-8-sig")}  # the mark, for Excel
 
 
 def for_people(student: Student) -> str:
-    """A name of a file by which a person finds a student, in the order of last names."""
-    names = " ".join(filter(None, (student.last_name, student.first_name)))
+    """A name of a file by which a person finds a student, in the order of last names; it begins with no sign of a formula, so
+    that a table of files names it as it is."""
+    names = " ".join(filter(None, (student.last_name, student.first_name))).lstrip("=@+- \t\r")
     return f"{file_words(names)} ({student.id})" if names else student.id

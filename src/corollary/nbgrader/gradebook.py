@@ -112,7 +112,7 @@ def gradebook(course: Course) -> Generator[Gradebook]:
         if "locked" not in str(error.orig):
             raise GradebookUnusable(
                 f"{course.gradebook} cannot be used ({error.orig}); restore it from a backup, or move it away and grade again: "
-                "all marks are written into a new one, but for those given by hand"
+                "all marks are written into a new one, those given by hand too"
             ) from None
         raise GradebookLocked(
             f"{course.gradebook} is locked by another program; close formgrader or the other grading run, and grade again"
