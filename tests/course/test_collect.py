@@ -290,3 +290,35 @@ def test_a_students_place_that_is_a_link_is_not_written_through(course: Path, tm
     found = collected(course, archive(tmp_path / "all.zip", {"ada.ipynb": sheet(course, "ada")}))
     assert "is a link or lies behind one" in found.of(UNUSABLE)[0].why
     assert not (tmp_path / "one").exists()
+
+
+@pytest.mark.parametrize(
+    "stranger", ["Stranger Person_9999_assignsubmission_file_/", "personstranger_9999_5009_"]
+)
+def test_whom_the_roster_does_not_have_hands_in_for_nobody(
+    course: Path, tmp_path: Path, stranger: str
+) -> None:
+    own = "Ada Lovelace_4711_assignsubmission_file_/one.ipynb"
+    theirs = f"{stranger}one.ipynb"
+    files = {own: sheet(course, "ada"), theirs: sheet(course, "ada", note="stranger's")}
+    found = collected(course, archive(tmp_path / "all.zip", files))
+    assert outcomes(found) == {own: ACCEPTED, theirs: NOBODY}
+    assert taken(course) == {"ada": sheet(course, "ada")}
+    assert "who is not on the roster, and was made for ada" in found.of(NOBODY)[0].why
+    # nor alone, or by a number that is remembered
+    alone = archive(tmp_path / "later.zip", {theirs: sheet(course, "ada", note="later")}, day=4)
+    assert outcomes(collected(course, alone)) == {theirs: NOBODY}
+    record = course / ".corollary" / "collected" / "one.json"
+    damaged = [each | {"student": "ada"} for each in json.loads(record.read_text())]
+    record.write_text(json.dumps(damaged))
+    assert outcomes(collected(course, alone)) == {theirs: NOBODY}
+    assert taken(course) == {"ada": sheet(course, "ada")}
+
+
+@pytest.mark.parametrize("name", ["Participant", "Group A-Ada Lovelace", "Ada King Lovelace"])
+def test_a_name_that_may_be_the_students_leaves_it_to_the_notebook(
+    course: Path, tmp_path: Path, name: str
+) -> None:
+    file = f"{name}_171_assignsubmission_file_/one.ipynb"
+    found = collected(course, archive(tmp_path / "all.zip", {file: sheet(course, "ada")}))
+    assert outcomes(found) == {file: ACCEPTED}

@@ -65,13 +65,15 @@ class Found:
     lms: LmsName | None
     when: datetime | None
     why: str = ""
+    named: bool = True  # by whoever handed it in, where an LMS names who did
 
     @property
-    def order(self) -> tuple[datetime, int, int]:
-        """The later counts; where times say nothing, the one that was named as a second or third."""
+    def order(self) -> tuple[bool, datetime, int, int]:
+        """What the student's own name stands on counts, then the later; where times say nothing, the one that was named as a
+        second or third."""
         attachment = int(self.lms.attachment or 0) if self.lms else 0
         stem = (self.lms.file if self.lms else self.member.parts[-1]).removesuffix(".ipynb")
-        return self.when or datetime.min.replace(tzinfo=UTC), again(stem)[1], attachment
+        return self.named, self.when or datetime.min.replace(tzinfo=UTC), again(stem)[1], attachment
 
 
 def collect(
@@ -88,7 +90,7 @@ def collect(
     stays. Nothing is written in a dry run. `times` is Moodle's grading worksheet. Raises NotACourse, Malformed."""
     name, roster = problem_set.name, students(course)
     before = read_arrivals(course, name)
-    directory = Directory(roster, numbers_of(before))
+    directory = _directory(roster, before)
     assigned = read_assigned(course, problem_set)
     met, arrivals, conflicts = list[Found](), list[Arrival](), list[str]()
     zone = read_settings(course.folder).usual.zone or machine_zone() or UTC
@@ -123,6 +125,15 @@ def collect(
     return Collected(tuple(arrivals), tuple(conflicts), tuple(remarks), missing)
 
 
+def _directory(roster: Sequence[Student], before: Sequence[Arrival]) -> Directory:
+    """With the numbers that came under names of the students themselves."""
+    names = Directory(roster)
+    own = [
+        each for each in before if (lms := lms_name(each.file.split("/"))) and names.admits(lms, each.student)
+    ]
+    return Directory(roster, numbers_of(own))
+
+
 def _identified(
     member: Member,
     problem_set: ProblemSet,
@@ -149,6 +160,10 @@ def _identified(
         return left(by_place, UNUSABLE, read.why if isinstance(read, Unreadable) else "")
     says = origin(read.node)
     owner = by_place or (says.student if says.student in roster else None)
+    person = lms is not None and again(lms.name)[0].casefold() not in problem_set.name.casefold()
+    if by_place is None and owner is not None and lms and person and not directory.admits(lms, owner):
+        why = f"was handed in by {lms.name}, who is not on the roster, and was made for {owner}"
+        return left(None, NOBODY, f"{why}; add who it is to the roster, or name it after the student")
     if owner is None:
         whose = (
             f"was made for {says.student}, who is not on the roster"
@@ -165,7 +180,8 @@ def _identified(
         conflicts.append(
             f"{member.name} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"
         )
-    return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)))
+    named = lms is None or by_place is not None
+    return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named)
 
 
 def _dated(

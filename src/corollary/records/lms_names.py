@@ -20,6 +20,7 @@ CANVAS = re.compile(
 )
 CANVAS_TEXT = re.compile(r"(?P<name>[^_/]+)(?P<late>_LATE)?_(?P<user>\d+)_(?:text|link)\.html$")
 AGAIN = re.compile(r"(?:[ _]?\((\d+)\)|[ _-]+(?:copy|kopi|kopie|copie)|-(\d+))$", re.IGNORECASE)
+NAMELESS = ("participant", "teilnehm", "deltak", "anon")  # in the place of a name where marking is blind
 UNSAFE = re.compile(r'[\x00-\x1f/\\:*?"<>|_]+')
 
 
@@ -109,6 +110,28 @@ class Directory:
             if theirs:
                 return _only(theirs)
         return self.by_name(found.name) or self.by_id(found.name)
+
+    def admits(self, found: LmsName, student: str) -> bool:
+        """Whether a name of an LMS may be this student's: a group or a middle name may stand with it, marking may be blind, and
+        the roster may have no names. Another person's may not."""
+        if (
+            found.name.rpartition("-")[2].strip().lower().startswith(NAMELESS)
+            or self.of_lms(found) == student
+        ):
+            return True
+        letters = {_letters(word) for word in re.split(r"[\s,.-]+", found.name)} - {""}
+        for each in self._students:
+            own = {
+                _letters(word) for word in re.split(r"[\s,.-]+", f"{each.first_name} {each.last_name}")
+            } - {""}
+            if each.id == student:
+                apart = own <= letters or (len(letters) > 1 and letters <= own)
+                return (
+                    not own
+                    or apart
+                    or (found.lms == "canvas" and all(word in _letters(found.name) for word in own))
+                )
+        return False
 
     def of_parts(self, parts: Sequence[str], set_name: str) -> str | None:
         """By the names of the folders around a file and its own: whose id or whose whole name stands in the first that has one."""
