@@ -47,6 +47,29 @@ def test_a_script_lists_what_waits_and_gives_marks(marked_course: Course, tmp_pa
     assert points(marked_course)["ada"] is None
 
 
+def test_a_table_comes_as_spreadsheets_save_it(marked_course: Course, tmp_path: Path) -> None:
+    roster = marked_course.folder / ".corollary" / "roster.csv"
+    first, *rest = roster.read_text(encoding="utf-8").splitlines()
+    numbers = [f"{line},{number}" for number, line in enumerate(rest, start=2001)]
+    roster.write_text("\n".join([f"{first},Number", *numbers]) + "\n", encoding="utf-8")
+    table = tmp_path / "marks.csv"
+    table.write_bytes("Student;Part;Points;Comment\r\n2001;X12.11c;1,5;Schön, aber kurz\r\n".encode("cp1252"))
+    done = mark(marked_course, "--from", table, "--set", "2002/X12.11c=0,5")
+    assert done.status == 0, done.errors
+    assert points(marked_course) == {"ada": 1.5, "ben": 0.5, "cyd": None}
+    page = (marked_course.place("feedback", "ada", "words") / "words.html").read_text(encoding="utf-8")
+    assert "Schön, aber kurz" in page
+    table.write_text("student,part,points\nada,X12.11c,1,5\n")
+    done = mark(marked_course, "--from", table)
+    assert done.status == 2
+    assert "marks.csv:2: has 4 cells under 3 headings" in done.errors
+    table.write_text("student,part\nada,X12.11c\n")
+    assert "the columns points are missing" in mark(marked_course, "--from", table).errors
+    table.write_text("student,part,points\nada,X12.11c\n")
+    assert "has 2 cells under 3 headings" in mark(marked_course, "--from", table).errors
+    assert points(marked_course)["ada"] == 1.5
+
+
 @pytest.mark.parametrize(
     ("words", "why"),
     [

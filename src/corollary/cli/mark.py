@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import getpass
 import webbrowser
 from collections.abc import Sequence
@@ -19,13 +18,15 @@ from corollary.course.one_page_server import OnePageServer
 from corollary.course.up_to_date import up_to_date
 from corollary.nbgrader.marking import NotMarkable, give_marks, part_named, to_mark
 from corollary.problem.problem_set import ProblemSet
+from corollary.problem.table import read_table
 from corollary.records.answers_to_mark import PartToMark
-from corollary.records.files import Course, open_course
+from corollary.records.files import Course, open_course, students
 from corollary.records.manual import ManualMark
 from corollary.records.origin import set_of
 from corollary.render.marking_page import marking_page
 
 Marks = dict[tuple[str, str], ManualMark]
+COLUMNS = ("student", "part", "points", "comment")
 
 
 def run(
@@ -43,7 +44,7 @@ def run(
 ) -> int:
     opened = open_course(course)
     _, problem_set = set_of(opened, name, bank)
-    marks = _from_words(problem_set, given) | (_from_file(problem_set, file) if file else {})
+    marks = _from_words(opened, problem_set, given) | (_from_file(opened, problem_set, file) if file else {})
     if marks:
         give_marks(opened, problem_set, marks)
     elif terminal:
@@ -100,32 +101,49 @@ def _give(
     give_marks(course, problem_set, {(student, part): mark for student in students})
 
 
-def _from_words(problem_set: ProblemSet, given: list[str]) -> Marks:
+def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Marks:
     """`ada/X12.5 d=1.5`, as often as you like."""
     found: Marks = {}
+    ids = _ids(course)
     for words in given:
         place, equals, number = words.rpartition("=")
         student, slash, part = place.rpartition("/")
         if not equals or not slash:
             refuse(f"--set {words}: write it as STUDENT/PART=POINTS, for instance ada/X12.5d=1.5")
-        found[student, part_named(problem_set, part)] = ManualMark(_points(number, words), by=_who())
+        key = ids.get(student, student), part_named(problem_set, part)
+        found[key] = ManualMark(_points(number, words), by=_who())
     return found
 
 
-def _from_file(problem_set: ProblemSet, file: Path) -> Marks:
+def _from_file(course: Course, problem_set: ProblemSet, file: Path) -> Marks:
     found: Marks = {}
-    with file.open(encoding="utf-8-sig", newline="") as lines:
-        table = csv.DictReader(lines)
-        if missing := {"student", "part", "points"} - set(table.fieldnames or ()):
+    table = read_table(file, COLUMNS)
+    head = [cell.lower() for cell in table.first]
+    if missing := set(COLUMNS[:3]) - set(head):
+        refuse(
+            f"{file}: the columns {', '.join(sorted(missing))} are missing; it needs student, part, points, and may have comment"
+        )
+    ids = _ids(course)
+    for line, row in table.rows[1:]:
+        where = f"{file}:{line}"
+        if any(row[len(head) :]) or len(row) <= head.index("points"):
             refuse(
-                f"{file}: the columns {', '.join(sorted(missing))} are missing; it needs student, part, points, and may have comment"
+                f"{where}: has {len(row)} cells under {len(head)} headings; write points with a comma in quotation marks, or with a point"
             )
-        for row in table:
-            where = f"{file}:{table.line_num}"
-            part = part_named(problem_set, row["part"])
-            comment = (row.get("comment") or "").strip() or None
-            found[row["student"], part] = ManualMark(_points(row["points"], where), None, comment, by=_who())
+        cells = dict(zip(head, row, strict=False))
+        key = ids.get(cells["student"], cells["student"]), part_named(problem_set, cells["part"])
+        comment = cells.get("comment") or None
+        found[key] = ManualMark(_points(cells["points"], where), None, comment, by=_who())
     return found
+
+
+def _ids(course: Course) -> dict[str, str]:
+    """The students' own ids, by whatever else the roster knows them by; an id of one's own comes before another's address."""
+    everybody = students(course)
+    others = {
+        other: each.id for each in reversed(everybody) for other in (each.email, *dict(each.ids).values())
+    }
+    return others | {each.id: each.id for each in everybody}
 
 
 def _points(text: str, where: str) -> float | None:
