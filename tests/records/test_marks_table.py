@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import runpy
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -93,3 +94,14 @@ def test_what_is_written_is_within_half_a_unit(points: float, decimals: int) -> 
     assert abs(
         float(Notation(decimals).written(Mark(points, 1e6))) - points
     ) <= 0.5 * 10**-decimals + 1e-8 * (1 + points)
+
+
+def test_who_has_a_sheet_out_of_other_points_is_named(graded) -> None:
+    of, report = graded
+    column = set_column(of, report)
+    fewer = replace(column, marks={**column.marks, "ada": Mark(4.5, 10.0)})
+    assert MarksTable((ADA, EVE), (column,)).out_of_another == ()
+    assert MarksTable((ADA, EVE), (fewer,)).out_of_another == ("ada",)
+    assert MarksTable((ADA, EVE), (fewer,), Notation(out_of=100)).out_of_another == (), (
+        "all are out of a hundred then"
+    )

@@ -118,6 +118,10 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
     for who, what in (
         (made.strangers, "in the file are not in the course and are left as they are"),
         (made.absent, "of the course are not in the file"),
+        (
+            table.out_of_another,
+            "have a sheet that is out of other points than the column; --out-of N makes all marks out of N",
+        ),
         (table.waiting, "have parts that wait for a person: those points are not in the marks yet"),
     ):
         if who:

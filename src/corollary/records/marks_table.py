@@ -71,6 +71,19 @@ class MarksTable:
         """Whose marks are without parts that wait for a person."""
         return tuple(dict.fromkeys(student for column in self.columns for student in column.waiting))
 
+    @property
+    def out_of_another(self) -> tuple[str, ...]:
+        """Whose sheet is out of other points than its column, which says nothing of that: the set was corrected in between."""
+        if self.notation.out_of is not None or any(column.title == "out_of" for column in self.columns):
+            return ()
+        found = (
+            student
+            for column in self.columns
+            for student, mark in column.marks.items()
+            if abs(mark.out_of - column.out_of) > 1e-9
+        )
+        return tuple(dict.fromkeys(found))
+
 
 def set_column(problem_set: ProblemSet, report: Report, excused: Collection[str] = ()) -> Column:
     """The marks in the set, after lateness."""
