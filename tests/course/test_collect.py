@@ -322,3 +322,16 @@ def test_a_name_that_may_be_the_students_leaves_it_to_the_notebook(
     file = f"{name}_171_assignsubmission_file_/one.ipynb"
     found = collected(course, archive(tmp_path / "all.zip", {file: sheet(course, "ada")}))
     assert outcomes(found) == {file: ACCEPTED}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="names of files are Unicode there")
+def test_a_name_that_is_not_utf_8_is_written_out(course: Path, tmp_path: Path) -> None:
+    inbox = tmp_path / "inbox"
+    inbox.mkdir()
+    (inbox / os.fsdecode(b"b\xff.ipynb")).write_bytes(sheet(course, "ada"))
+    (inbox / os.fsdecode(b"\xff.txt")).write_text("hello")
+    found = collected(course, inbox)
+    assert outcomes(found) == {r"b\udcff.ipynb": ACCEPTED, r"\udcff.txt": NOBODY}
+    assert taken(course) == {"ada": sheet(course, "ada")}
+    record = json.loads((course / ".corollary" / "collected" / "one.json").read_text("utf-8"))
+    assert {each["file"] for each in record} == set(outcomes(found))

@@ -29,6 +29,7 @@ from corollary.records.collected import (
     read_arrivals,
     remember,
     stamp,
+    writable,
 )
 from corollary.records.deadlines import Deadlines, read_deadlines
 from corollary.records.files import Course, students
@@ -100,7 +101,7 @@ def collect(
         moments = moments.joined(read_times(table, zone))
     known = {each.id: each for each in roster}
     for member in (each for source in sources if source.suffix.lower() != ".csv" for each in members(source)):
-        progress(member.name)
+        progress(writable(member.name))
         found = _identified(member, problem_set, directory, known, assigned, conflicts)
         if isinstance(found, Found):
             met.append(found)
@@ -178,7 +179,7 @@ def _identified(
         return left(owner, UNUSABLE, f"is a notebook of {says.set_name}" if says.set_name else why)
     if says.student and says.student != owner:
         conflicts.append(
-            f"{member.name} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"
+            f"{writable(member.name)} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"
         )
     named = lms is None or by_place is not None
     return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named)
@@ -209,7 +210,7 @@ def _dated(
                 guessed |= {each.member.archive or each.member.name} if not says_in_time else set()
         dated.append(replace(each, when=when))
     remarks = [
-        f"{archive} does not say when anything was handed in: all of it is taken as in time; "
+        f"{writable(archive)} does not say when anything was handed in: all of it is taken as in time; "
         "--times FILE (Moodle's grading worksheet) says who was late"
         for archive in sorted(guessed)
     ]

@@ -26,6 +26,15 @@ class Arrival(msgspec.Struct, frozen=True):
     digest: str = ""
     number: str = ""
 
+    def __post_init__(self) -> None:
+        for field in ("student", "file", "why", "number"):
+            msgspec.structs.force_setattr(self, field, writable(getattr(self, field)))
+
+
+def writable(text: str) -> str:
+    """The text with what is no Unicode written out (`\\udcff`): names of files are bytes, and may be in any encoding."""
+    return text.encode("utf-8", "backslashreplace").decode()
+
 
 def digest_of(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
