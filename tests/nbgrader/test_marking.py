@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import json
+import shutil
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from corollary.course.one_page_server import OnePageServer
+from corollary.problem.bank import chapter_bank
 from corollary.records.files import Course
 
 from .conftest import STUDENTS, Done, grade, hand_in, run
@@ -67,6 +69,31 @@ def test_a_table_comes_as_spreadsheets_save_it(marked_course: Course, tmp_path: 
     assert "the columns points are missing" in mark(marked_course, "--from", table).errors
     table.write_text("student,part,points\nada,X12.11c\n")
     assert "has 2 cells under 3 headings" in mark(marked_course, "--from", table).errors
+    assert points(marked_course)["ada"] == 1.5
+
+
+def test_a_part_that_was_taken_out_since_is_marked_as_it_was_handed_out(
+    marked_course: Course, tmp_path: Path
+) -> None:
+    bank, chapter = tmp_path / "bank", chapter_bank().folder
+    for file in ("problems/collisions/stopping_a_ball.md", "solutions/collisions/stopping_a_ball.py"):
+        (bank / file).parent.mkdir(parents=True)
+        shutil.copy(chapter / file, bank / file)
+    problem = bank / "problems/collisions/stopping_a_ball.md"
+    text = problem.read_text(encoding="utf-8")
+    problem.write_text(text[: text.index("## Explain")], encoding="utf-8")
+    solution = bank / "solutions/collisions/stopping_a_ball.py"
+    text = solution.read_text(encoding="utf-8")
+    before, _, rest = text.partition("        explain(\n")
+    solution.write_text(before + rest[rest.index("    )\n\n\ndef scene") :], encoding="utf-8")
+    origin = marked_course.folder / ".corollary/origin/words.json"
+    origin.write_text(json.dumps(json.loads(origin.read_text()) | {"bank": str(bank)}))
+    done = grade(marked_course, "--yes")
+    assert done.status == 0, done.errors
+    (part,) = mark(marked_course, "--json").document["parts"]
+    assert (part["key"], part["problem"], part["part"]) == (PART, "X12.11", "c")
+    done = mark(marked_course, "--set", "ada/X12.11c=1.5")
+    assert done.status == 0, done.errors
     assert points(marked_course)["ada"] == 1.5
 
 

@@ -22,6 +22,7 @@ from corollary.problem.table import read_table
 from corollary.records.answers_to_mark import PartToMark
 from corollary.records.files import Course, open_course, students
 from corollary.records.manual import ManualMark
+from corollary.records.marks import stored_record
 from corollary.records.origin import set_of
 from corollary.render.marking_page import marking_page
 
@@ -110,7 +111,7 @@ def _from_words(course: Course, problem_set: ProblemSet, given: list[str]) -> Ma
         student, slash, part = place.rpartition("/")
         if not equals or not slash:
             refuse(f"--set {words}: write it as STUDENT/PART=POINTS, for instance ada/X12.5d=1.5")
-        key = ids.get(student, student), part_named(problem_set, part)
+        key = _place(course, problem_set, ids.get(student, student), part)
         found[key] = ManualMark(_points(number, words), by=_who())
     return found
 
@@ -131,10 +132,19 @@ def _from_file(course: Course, problem_set: ProblemSet, file: Path) -> Marks:
                 f"{where}: has {len(row)} cells under {len(head)} headings; write points with a comma in quotation marks, or with a point"
             )
         cells = dict(zip(head, row, strict=False))
-        key = ids.get(cells["student"], cells["student"]), part_named(problem_set, cells["part"])
+        student = ids.get(cells["student"], cells["student"])
+        key = _place(course, problem_set, student, cells["part"])
         comment = cells.get("comment") or None
         found[key] = ManualMark(_points(cells["points"], where), None, comment, by=_who())
     return found
+
+
+def _place(course: Course, problem_set: ProblemSet, student: str, part: str) -> tuple[str, str]:
+    """The student and the part by the names that marks go by."""
+    try:
+        return student, part_named(problem_set, part)
+    except NotMarkable:  # it may be one that was handed out and taken out of the problem since
+        return student, part_named(problem_set, part, stored_record(course, problem_set.name, student))
 
 
 def _ids(course: Course) -> dict[str, str]:

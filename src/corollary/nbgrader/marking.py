@@ -35,21 +35,17 @@ def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False
     records = read_marks(course, problem_set, roster, manual)
     notebooks = {student: _notebook(course, problem_set, student) for student in records}
     found: list[PartToMark] = []
-    for problem in problem_set.problems:
-        for part in problem.parts:
-            key = problem.answer_name(part)
-            whose = [
-                student
-                for student, record in records.items()
-                if key in record.parts and (everything or _waits(record, key))
-            ]
-            if whose:
-                groups = tuple(_groups(key, whose, records, notebooks))
-                entry = records[whose[0]].parts[key]
-                rubric = next((r for s in whose if (r := records[s].parts[key].rubric) is not UNSET), ())
-                found.append(
-                    PartToMark(key, problem.code, part.id, part.title, entry.out_of, tuple(rubric), groups)
-                )
+    for key, (code, part, title) in _asked(problem_set, records.values()).items():
+        whose = [
+            student
+            for student, record in records.items()
+            if key in record.parts and (everything or _waits(record, key))
+        ]
+        if whose:
+            groups = tuple(_groups(key, whose, records, notebooks))
+            entry = records[whose[0]].parts[key]
+            rubric = next((r for s in whose if (r := records[s].parts[key].rubric) is not UNSET), ())
+            found.append(PartToMark(key, code, part, title, entry.out_of, tuple(rubric), groups))
     return found
 
 
@@ -71,18 +67,28 @@ def give_marks(course: Course, problem_set: ProblemSet, marks: Mapping[tuple[str
             write_page(course, problem_set.name, student, page)
 
 
-def part_named(problem_set: ProblemSet, name: str) -> str:
-    """The part's name in the notebook, from that or from `X12.5 d`. Raises NotMarkable."""
-    keys = {
-        problem.answer_name(part): (problem.code, part.id)
-        for problem in problem_set.problems
-        for part in problem.parts
-    }
+def part_named(problem_set: ProblemSet, name: str, record: Record | None = None) -> str:
+    """The part's name in the notebook, from that or from `X12.5 d`. `record` is the student's: it has parts that were handed out
+    and are in the problem no longer. Raises NotMarkable."""
+    keys = _asked(problem_set, [] if record is None else [record])
     wanted = "".join(name.split()).lower()
-    for key, (code, part) in keys.items():
+    for key, (code, part, _) in keys.items():
         if wanted in {key.lower(), f"{code}{part}".lower(), f"{code}.{part}".lower()}:
             return key
     raise NotMarkable(f"{problem_set.name} has no part {name}; it has {', '.join(keys)}")
+
+
+def _asked(problem_set: ProblemSet, records: Iterable[Record]) -> dict[str, tuple[str, str, str]]:
+    """Code, part and title by the part's name in the notebook: the set's, then those handed out that it has no longer."""
+    found = {
+        problem.answer_name(part): (problem.code, part.id, part.title)
+        for problem in problem_set.problems
+        for part in problem.parts
+    }
+    for record in records:
+        for key, row in zip(record.parts, record.rows, strict=True):
+            found.setdefault(key, (row.problem, row.part, ""))
+    return found
 
 
 def _checked(record: Record | None, student: str, part: str, mark: ManualMark) -> ManualMark:
