@@ -335,3 +335,53 @@ def test_a_name_that_is_not_utf_8_is_written_out(course: Path, tmp_path: Path) -
     assert taken(course) == {"ada": sheet(course, "ada")}
     record = json.loads((course / ".corollary" / "collected" / "one.json").read_text("utf-8"))
     assert {each["file"] for each in record} == set(outcomes(found))
+
+
+def moodle(course: Path, path: Path, day: int, note: str = "") -> Path:
+    """All that Moodle has, of Ada and Ben; `note` makes Ada's another notebook."""
+    files = {"Ada Lovelace_171_assignsubmission_file_/one.ipynb": sheet(course, "ada", note=note),
+             "Ben Bóol_172_assignsubmission_file_/one.ipynb": sheet(course, "ben")}  # fmt: skip
+    return archive(path, files, day, minutes=0)
+
+
+def grades(path: Path, ada: str) -> Path:
+    head = 'Identifier,"Full name","Email address",Status,Grade,"Last modified (submission)"'
+    path.write_text(f'{head}\nParticipant 171,Ada Lovelace,ada@example.org,Submitted,,"{ada}"\n')
+    return path
+
+
+def test_a_worksheet_that_comes_later_moves_the_times_of_what_is_there(course: Path, tmp_path: Path) -> None:
+    zipped = moodle(course, tmp_path / "all.zip", 10)
+    collected(course, zipped)
+    assert when(course, "ada") == "04 23:59"
+    for moment, day in (("5 December 2026, 9:03 AM", "05 09:03"), ("4 December 2026, 8:00 AM", "04 08:00")):
+        found = collected(course, zipped, times=grades(tmp_path / "grades.csv", moment))
+        assert [each.student for each in found.of(UNCHANGED)] == ["ada", "ben"]
+        assert (when(course, "ada"), when(course, "ben")) == (day, "04 23:59")
+        said = f"1 there already get the time of the worksheet: ada (2026-12-{day} UTC)"
+        assert said in found.remarks
+    # a time that was written by hand stays
+    (course / "submitted" / "ada" / "one" / "timestamp.txt").write_text("2026-12-02 10:00:00 UTC")
+    collected(course, zipped, times=tmp_path / "grades.csv")
+    assert when(course, "ada") == "02 10:00"
+
+
+def test_a_guessed_time_makes_nothing_older(course: Path, tmp_path: Path) -> None:
+    first, second = (moodle(course, tmp_path / f"{day}.zip", day, f"{day}") for day in (10, 11))
+    collected(course, first, times=grades(tmp_path / "grades.csv", "5 December 2026, 9:03 AM"))
+    found = collected(course, second)
+    assert taken(course)["ada"] == sheet(course, "ada", note="11")
+    assert "taken as newer" in found.of(ACCEPTED)[0].why
+    assert when(course, "ada") == "05 09:03"  # what replaces a late one is late
+    copies = (course / ".corollary/collected/one/ada").iterdir()
+    assert {path.read_bytes() for path in copies} == {sheet(course, "ada", note=day) for day in ("10", "11")}
+    # what was taken before and replaced does not come back, nor does what was downloaded before the time that is known
+    assert [each.student for each in collected(course, first).of(OLDER)] == ["ada"]
+    assert [
+        each.student for each in collected(course, moodle(course, tmp_path / "3.zip", 3, "3")).of(OLDER)
+    ] == ["ada"]
+    assert taken(course)["ada"] == sheet(course, "ada", note="11")
+    # a real time before the guessed one
+    third = moodle(course, tmp_path / "12.zip", 12, "12")
+    collected(course, third, times=grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM"))
+    assert (taken(course)["ada"], when(course, "ada")) == (sheet(course, "ada", note="12"), "04 08:00")

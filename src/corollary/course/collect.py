@@ -10,6 +10,7 @@ from pathlib import Path
 from corollary.atomic import write_whole
 from corollary.course.lms_times import Times, read_times
 from corollary.grading.integrity import elsewhere, notes
+from corollary.messages import few
 from corollary.notebook.origin import origin
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.dates import machine_zone
@@ -18,10 +19,12 @@ from corollary.problem.roster import Student
 from corollary.records.assigned import AssignedSheet, read_assigned
 from corollary.records.collected import (
     ACCEPTED,
+    GUESSED,
     NOBODY,
     OLDER,
     UNCHANGED,
     UNUSABLE,
+    WORKSHEET,
     Arrival,
     digest_of,
     keep,
@@ -40,6 +43,7 @@ from corollary.sandbox.archive import Member, members
 from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.notebook import notebook_of
 
+COUNTED = (ACCEPTED, UNCHANGED)
 ONE_GO = 300.0  # seconds in which an LMS writes an archive: times that lie closer together are those of the download
 
 
@@ -66,12 +70,13 @@ class Found:
     lms: LmsName | None
     when: datetime | None
     why: str = ""
+    time: str = ""  # where `when` is from: WORKSHEET, GUESSED, or the file
+    latest: datetime | None = None  # after which it cannot have been handed in
     named: bool = True  # by whoever handed it in, where an LMS names who did
 
     @property
     def order(self) -> tuple[bool, datetime, int, int]:
-        """What the student's own name stands on counts, then the later; where times say nothing, the one that was named as a
-        second or third."""
+        """What has the student's own name counts, then the later, then what was named as a second or third."""
         attachment = int(self.lms.attachment or 0) if self.lms else 0
         stem = (self.lms.file if self.lms else self.member.parts[-1]).removesuffix(".ipynb")
         return self.named, self.when or datetime.min.replace(tzinfo=UTC), again(stem)[1], attachment
@@ -93,7 +98,7 @@ def collect(
     before = read_arrivals(course, name)
     directory = _directory(roster, before)
     assigned = read_assigned(course, problem_set)
-    met, arrivals, conflicts = list[Found](), list[Arrival](), list[str]()
+    met, arrivals, conflicts, moved = list[Found](), list[Arrival](), list[str](), list[str]()
     zone = read_settings(course.folder).usual.zone or machine_zone() or UTC
     # A worksheet counts only where whoever collects gave it: a student could hand in one that moves everybody's times.
     moments = Times({})
@@ -107,7 +112,8 @@ def collect(
             met.append(found)
         else:
             arrivals.append(found)
-    dated, remarks = _dated(met, moments, zone, read_deadlines(course, problem_set), now)
+    deadlines = read_deadlines(course, problem_set)
+    dated, remarks = _dated(met, moments, zone, deadlines, now)
     by_student: dict[str, list[Found]] = {}
     for each in dated:
         by_student.setdefault(each.student, []).append(each)
@@ -115,12 +121,15 @@ def collect(
     for student, theirs in by_student.items():
         *others, latest = sorted(theirs, key=lambda each: each.order)
         arrivals += [_arrival(each, OLDER, "a later one was handed in") for each in reversed(others)]
-        arrivals.append(_settled(course, name, latest, there.get(student), dry_run))
+        past = Past([each for each in before if each.student == student], deadlines.of(student))
+        arrivals.append(_settled(course, name, latest, there.get(student), past, moved, dry_run))
         if not dry_run:
             for each in theirs:
                 keep(course, name, student, each.content)
     if not dry_run:
         remember(course, name, arrivals)
+    if moved:
+        remarks.append(f"{len(moved)} there already get the time of the worksheet: {few(moved, 12)}")
     came = there.keys() | by_student.keys()
     missing = tuple(each.id for each in roster if each.id in assigned and each.id not in came)
     return Collected(tuple(arrivals), tuple(conflicts), tuple(remarks), missing)
@@ -182,7 +191,7 @@ def _identified(
             f"{writable(member.name)} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"
         )
     named = lms is None or by_place is not None
-    return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named)
+    return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named=named)
 
 
 def _dated(
@@ -201,14 +210,16 @@ def _dated(
     for each in met:
         due = deadlines.of(each.student)
         when = times.of(each.lms) if each.lms else None
+        bound, source = min(_own_time(each.member, zone) or now, now), WORKSHEET
         if when is None:
-            when = min(_own_time(each.member, zone) or now, now)
+            when = bound
             says_in_time = each.lms is not None and each.lms.late is False
             unsaid = each.lms is not None and each.lms.late is None and each.member.archive in at_once
-            if due is not None and when > due and (says_in_time or unsaid or each.member.modified is None):
+            source = GUESSED if says_in_time or unsaid or each.member.modified is None else ""
+            if due is not None and when > due and source == GUESSED:
                 when = due
                 guessed |= {each.member.archive or each.member.name} if not says_in_time else set()
-        dated.append(replace(each, when=when))
+        dated.append(replace(each, when=when, time=source, latest=bound))
     remarks = [
         f"{writable(archive)} does not say when anything was handed in: all of it is taken as in time; "
         "--times FILE (Moodle's grading worksheet) says who was late"
@@ -222,27 +233,67 @@ def _own_time(member: Member, zone: tzinfo) -> datetime | None:
     return when if when is None or when.tzinfo is not None else when.replace(tzinfo=zone).astimezone(UTC)
 
 
-def _settled(course: Course, name: str, latest: Found, there: Path | None, dry_run: bool) -> Arrival:
+@dataclass(frozen=True, slots=True)
+class Past:
+    """What came of one student before, and the student's deadline."""
+
+    arrivals: Sequence[Arrival]
+    due: datetime | None
+
+    def source(self, since: datetime | None) -> str | None:
+        """Where the time of what lies in `submitted/` is from; None when it was not collected."""
+        if since is None or since == self.due:
+            return GUESSED
+        ours = [each for each in self.arrivals if each.when == stamp(since) and each.outcome in COUNTED]
+        return (
+            (ours[-1].time or (WORKSHEET if ours[-1].number.startswith("moodle ") else "")) if ours else None
+        )
+
+    def is_newer(self, since: datetime, found: Found) -> bool:
+        """Whether what lies there is newer. A guessed time is not compared with others: what is new counts, and what was
+        taken before and replaced does not come back."""
+        when, guessed = found.when or since, self.source(since) == GUESSED
+        earlier = [each.outcome for each in self.arrivals if each.digest == digest_of(found.content)]
+        if any(each in COUNTED for each in earlier) and found.time:
+            return when <= since or guessed or found.time == GUESSED
+        if found.time == GUESSED and not earlier:
+            return found.latest is not None and since > found.latest
+        return since > when and not (guessed and not earlier)
+
+
+def _settled(
+    course: Course, name: str, latest: Found, there: Path | None, past: Past, moved: list[str], dry_run: bool
+) -> Arrival:
     """What becomes of a student's latest notebook, against what lies in `submitted/` already."""
     place = course.place("submitted", latest.student, name)
     if place.resolve() != (course.folder / "submitted").resolve() / latest.student / name:
         return _arrival(latest, UNUSABLE, f"{place} is a link or lies behind one; move it away")
+    when, why = latest.when or datetime.now(UTC), latest.why
     if there is not None:
         content = bytes_of(there, within=course.folder / "submitted")
-        if content == latest.content:
-            return _arrival(latest, UNCHANGED, latest.why)
         since = handed_in(course, name, latest.student)
-        if since is not None and latest.when is not None and since > latest.when:
+        if content == latest.content:
+            if latest.time == WORKSHEET and since != when and past.source(since):
+                moved.append(f"{latest.student} ({when:%Y-%m-%d %H:%M} UTC)")
+                if not dry_run:
+                    write_whole(place / "timestamp.txt", stamp(when))
+            return _arrival(latest, UNCHANGED, why)
+        if since is not None and past.is_newer(since, latest):
             return _arrival(latest, OLDER, "what lies in submitted/ is newer")
+        if since is not None and since > when:
+            why = f"{why} taken as newer than what lay in submitted/: one of them says no time; both are remembered"
+            when = since if latest.time == GUESSED else when
         if isinstance(content, bytes) and not dry_run:
             keep(course, name, latest.student, content)
     if not dry_run:
-        write_whole(place / "timestamp.txt", stamp(latest.when or datetime.now(UTC)))
+        write_whole(place / "timestamp.txt", stamp(when))
         write_whole(course.notebook("submitted", latest.student, name), latest.content)
-    return _arrival(latest, ACCEPTED, latest.why)
+    return _arrival(replace(latest, when=when), ACCEPTED, why.strip())
 
 
 def _arrival(found: Found, outcome: str, why: str) -> Arrival:
     number = f"{found.lms.lms} {found.lms.number}" if found.lms else ""
     when = stamp(found.when) if found.when else ""
-    return Arrival(found.student, found.member.name, when, outcome, why, digest_of(found.content), number)
+    return Arrival(
+        found.student, found.member.name, when, outcome, why, digest_of(found.content), number, found.time
+    )

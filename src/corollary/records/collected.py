@@ -12,11 +12,13 @@ from corollary.atomic import write_whole
 from corollary.records.files import Course
 
 ACCEPTED, UNCHANGED, OLDER, UNUSABLE, NOBODY = "accepted", "unchanged", "older", "unusable", "nobody's"
+WORKSHEET, GUESSED = "worksheet", "guessed"  # where a time is from; "" for what the file or its archive says
 
 
 class Arrival(msgspec.Struct, frozen=True):
     """One file: whose ("" when nobody knows), where it lay, when it was handed in (UTC, or "" when that is unknown), what became
-    of it, why, and the digest of its content ("" when it was not read). `number` is what an LMS knows the student by."""
+    of it, why, and the digest of its content ("" when it was not read). `number` is what an LMS knows the student by; `time` is where
+    `when` is from: Moodle's WORKSHEET, or GUESSED."""
 
     student: str
     file: str
@@ -25,6 +27,7 @@ class Arrival(msgspec.Struct, frozen=True):
     why: str = ""
     digest: str = ""
     number: str = ""
+    time: str = ""
 
     def __post_init__(self) -> None:
         for field in ("student", "file", "why", "number"):
@@ -50,17 +53,23 @@ def read_arrivals(course: Course, set_name: str) -> tuple[Arrival, ...]:
 
 
 def remember(course: Course, set_name: str, arrivals: Iterable[Arrival]) -> None:
-    """Adds what came; what came before with the same content and outcome is not written twice."""
+    """Adds what came; what came before with the same content and outcome is not written twice, unless its time is another."""
     known = read_arrivals(course, set_name)
-    seen = {(each.student, each.file, each.digest, each.outcome) for each in known}
+    seen = {_identity(each) for each in known}
     new = [
         each for each in arrivals
-        if each.outcome != UNCHANGED and (each.student, each.file, each.digest, each.outcome) not in seen
+        if (each.outcome != UNCHANGED or each.time == WORKSHEET) and _identity(each) not in seen
     ]  # fmt: skip
     if new:
         write_whole(
             course.record("collected", f"{set_name}.json"), msgspec.json.encode([*known, *new]), mode=0o600
         )
+
+
+def _identity(each: Arrival) -> tuple[str, ...]:
+    outcome = ACCEPTED if each.outcome == UNCHANGED else each.outcome
+    when = each.when if each.time and outcome == ACCEPTED else ""
+    return each.student, each.file, each.digest, outcome, when
 
 
 def keep(course: Course, set_name: str, student: str, content: bytes) -> None:
