@@ -64,7 +64,9 @@ class OwnerCollector(FileNameCollectorPlugin):
         )
         lms = lms_name(parts)
         owner = directory.of_lms(lms) if lms else directory.of_parts(parts, name)
-        if owner is None and says.student in {each.id for each in roster}:
+        known = says.student in {each.id for each in roster}
+        # A name of somebody else's outweighs what the notebook says of itself.
+        if owner is None and known and (lms is None or directory.admits(lms, says.student)):
             owner = says.student
         if owner is None:
             self.log.warning("nobody knows whose %s is", submitted_file)
