@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import os
 import shutil
+import socket
+import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
 from hypothesis import settings
@@ -44,6 +50,40 @@ def chromium():
         browser = player.chromium.launch(executable_path=program, args=[*quiet.split(), alone])
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def jupyter():
+    """A function that starts a Jupyter of a kind (`lab`, `server`) on a folder of notebooks, and gives its address while it is
+    needed; its own files lie in another folder."""
+
+    @contextmanager
+    def started(kind: str, root: Path, own: Path, *options: str) -> Iterator[str]:
+        with socket.create_server(("127.0.0.1", 0)) as found:
+            port = found.getsockname()[1]
+        command = [str(Path(sys.executable).parent / "jupyter"), kind, "--no-browser", "--allow-root"]
+        served = [f"--port={port}", f"--ServerApp.root_dir={root}", "--IdentityProvider.token=", *options]
+        places = {name: str(own / name) for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "IPYTHONDIR")}
+        log = own / "jupyter.log"
+        with log.open("w") as written:
+            server = subprocess.Popen(
+                [*command, *served], cwd=root, env=os.environ | places, stdout=written, stderr=written
+            )
+        address = f"http://127.0.0.1:{port}"
+        try:
+            while True:
+                try:
+                    urlopen(f"{address}/api").close()
+                    break
+                except OSError:
+                    assert server.poll() is None, log.read_text()
+                    time.sleep(0.2)
+            yield address
+        finally:
+            server.terminate()
+            server.wait()
+
+    return started
 
 
 @pytest.fixture

@@ -9,18 +9,15 @@ import json
 import os
 import re
 import shutil
-import socket
 import sqlite3
 import subprocess
 import sys
 import time
 import zipfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from urllib.request import urlopen
 
 import pytest
 
@@ -256,9 +253,12 @@ def test_marks_are_fair_to_everybody(graded: dict[str, Any]) -> None:
     assert "1005" not in graded
 
 
-def test_marks_by_hand_are_everywhere_at_once(term: Term, graded: dict[str, Any], chromium: Any) -> None:
+def test_marks_by_hand_are_everywhere_at_once(
+    term: Term, graded: dict[str, Any], chromium: Any, jupyter: Any
+) -> None:
     """Ada's in formgrader, in a browser; Dev's by the command."""
-    with formgrader(term) as address:
+    extension = "--ServerApp.jpserver_extensions={'nbgrader.server_extensions.formgrader': True}"
+    with jupyter("server", term.course, term.folder, extension) as address:
         page = chromium.new_page()
         page.goto(f"{address}/formgrader/submissions/{submitted_notebook(term, '1001')}/")
         page.wait_for_selector("#S12_1_d")
@@ -381,39 +381,3 @@ GRADE = "from grade g join base_cell c on g.cell_id = c.id where g.notebook_id =
 
 def manual_score(term: Term, student: str, cell: str) -> float | None:
     return query(term, f"select g.manual_score {GRADE}", submitted_notebook(term, student), cell)
-
-
-@contextmanager
-def formgrader(term: Term) -> Iterator[str]:
-    """The address of a Jupyter server in the course's folder, with nbgrader's formgrader in it."""
-    with socket.create_server(("127.0.0.1", 0)) as found:
-        port = found.getsockname()[1]
-    extension = "--ServerApp.jpserver_extensions={'nbgrader.server_extensions.formgrader': True}"
-    options = [
-        f"--port={port}",
-        f"--ServerApp.root_dir={term.course}",
-        "--IdentityProvider.token=",
-        "--allow-root",
-    ]
-    places = {
-        name: str(term.folder / name) for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "IPYTHONDIR")
-    }
-    log = term.folder / "jupyter.log"
-    with log.open("w") as written:
-        server = subprocess.Popen(
-            [str(BIN / "jupyter"), "server", "--no-browser", *options, extension],
-            cwd=term.course, env=ENVIRONMENT | places, stdout=written, stderr=written,
-        )  # fmt: skip
-    address = f"http://127.0.0.1:{port}"
-    try:
-        while True:
-            try:
-                urlopen(f"{address}/api").close()
-                break
-            except OSError:
-                assert server.poll() is None, log.read_text()
-                time.sleep(0.2)
-        yield address
-    finally:
-        server.terminate()
-        server.wait()

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-import socket
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
-from urllib.request import urlopen
 
 import pytest
 
@@ -76,31 +73,11 @@ def test_answers_are_marked_with_the_keyboard_alone(address: str, marked_course:
 
 
 @pytest.fixture
-def formgrader(marked_course: Course, tmp_path: Path) -> Iterator[str]:
+def formgrader(marked_course: Course, tmp_path: Path, jupyter) -> Iterator[str]:
     """The address of a Jupyter with formgrader in the course's folder."""
-    with socket.create_server(("127.0.0.1", 0)) as found:
-        port = found.getsockname()[1]
-    places = {name: str(tmp_path / name) for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "IPYTHONDIR")}
     extension = "--ServerApp.jpserver_extensions={'nbgrader.server_extensions.formgrader': True}"
-    with (tmp_path / "log").open("w") as log:
-        server = subprocess.Popen(
-            [str(BIN / "jupyter"), "server", "--no-browser", f"--port={port}", "--IdentityProvider.token=",
-             "--allow-root", extension],
-            cwd=marked_course.folder, env=os.environ | places, stdout=log, stderr=log,
-        )  # fmt: skip
-    address = f"http://127.0.0.1:{port}"
-    try:
-        while True:
-            try:
-                urlopen(f"{address}/api").close()
-                break
-            except OSError:
-                assert server.poll() is None, (tmp_path / "log").read_text()
-                time.sleep(0.2)
+    with jupyter("server", marked_course.folder, tmp_path, extension) as address:
         yield address
-    finally:
-        server.terminate()
-        server.wait()
 
 
 def test_what_is_given_in_formgrader_is_in_the_report_at_once(

@@ -4,13 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import os
-import socket
-import subprocess
-import sys
-import time
-from pathlib import Path
-from urllib.request import urlopen
 
 import pytest
 from PIL import Image
@@ -28,46 +21,15 @@ THEMES = {"JupyterLab Light": (0.9, 1.0), "JupyterLab Dark": (0.0, 0.15)}
 
 
 @pytest.fixture(scope="module")
-def lab(tmp_path_factory):
+def lab(tmp_path_factory, jupyter):
     """The address of a JupyterLab with one student's sheet in it, and the folder of its settings."""
     folder = tmp_path_factory.mktemp("lab")
     (folder / "work").mkdir()
     momentum = find_set(chapter_bank(), "momentum_1")
     sheet = worksheet(momentum, Student("ada", "Ada"), [chapter(problem) for problem in momentum.problems])
     (folder / "work" / "sheet.ipynb").write_text(file_text(notebook(sheet)), encoding="utf-8")
-    with socket.create_server(("127.0.0.1", 0)) as found:
-        port = found.getsockname()[1]
-    options = [
-        f"--port={port}",
-        f"--ServerApp.root_dir={folder / 'work'}",
-        "--IdentityProvider.token=",
-        "--allow-root",
-    ]
-    places = {name: str(folder / name) for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "IPYTHONDIR")}
-    with (folder / "log").open("w") as log:
-        server = subprocess.Popen(
-            [str(Path(sys.executable).parent / "jupyter"), "lab", "--no-browser", *options],
-            env=os.environ | places,
-            stdout=log,
-            stderr=log,
-        )
-    try:
-        _answers(f"http://127.0.0.1:{port}/api", server, folder / "log")
-        yield f"http://127.0.0.1:{port}/lab/tree/sheet.ipynb?reset", folder / "JUPYTER_CONFIG_DIR"
-    finally:
-        server.terminate()
-        server.wait()
-
-
-def _answers(address: str, server: subprocess.Popen, log: Path) -> None:
-    while True:
-        try:
-            urlopen(address).close()
-        except OSError:
-            assert server.poll() is None, log.read_text()
-            time.sleep(0.2)
-        else:
-            return
+    with jupyter("lab", folder / "work", folder) as address:
+        yield f"{address}/lab/tree/sheet.ipynb?reset", folder / "JUPYTER_CONFIG_DIR"
 
 
 @pytest.mark.parametrize("theme", THEMES)
