@@ -12,7 +12,8 @@ from pkgutil import iter_modules
 from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
-from corollary.scenes.run import BadSetting, Run
+from corollary.scenes.independent import independent
+from corollary.scenes.run import NEVER_PART, BadSetting, Run, components
 
 
 class Library(Mapping[str, SceneDefinition]):
@@ -39,10 +40,15 @@ class Library(Mapping[str, SceneDefinition]):
 SCENES = Library()
 
 
-def run(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> Run:
-    """Play a ready-made scene with the least model that answers.
+def run(
+    name: str, settings: Mapping[str, object], tolerance: float = 1e-12, *, second_way: bool = False
+) -> Run:
+    """Play a ready-made scene with the least model that answers; what confirms a formula asks for its `second_way`, which shares none.
 
-    Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale.
+    By the second way only those values are there that it gives.
+
+    Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale. A value that
+    no double holds, or that does not exist (how long a contact lasts that never ends), is left out, and a warning says so.
     Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not conserved.
     """
     if name not in SCENES:
@@ -51,15 +57,36 @@ def run(name: str, settings: Mapping[str, object], tolerance: float = 1e-12) -> 
         )
     if not (math.isfinite(tolerance) and 1e-15 <= tolerance <= 0.1):
         raise BadSetting(
-            f"{name}: a tolerance of {tolerance:g} cannot be kept; ask for one between 1e-15 and 0.1."
+            f"{name}: a tolerance of {tolerance:g} cannot be held; ask for one between 1e-15 and 0.1."
         )
     scene = SCENES[name]
     settled = settle(name, scene.settings, settings)
     begin = time.perf_counter()
     try:
-        found = scene.play(settled, tolerance)
+        found = independent(name, settled, tolerance) if second_way else None
+        if found is None:
+            found = scene.play(settled, tolerance)
     except (OverflowError, ZeroDivisionError):
         raise BadSetting(
             f"{name}: with these settings numbers leave the range of a computer; choose milder ones."
         ) from None
-    return replace(found, scene=name, settings=settled, seconds=time.perf_counter() - begin)
+    return replace(_finite(name, found), scene=name, settings=settled, seconds=time.perf_counter() - begin)
+
+
+def _finite(scene: str, found: Run) -> Run:
+    """Without the values that are no numbers of a computer, and with a warning for each. Raises BadSetting when none is left."""
+    finite = {
+        name: each
+        for name, each in found.measured.items()
+        if all(map(math.isfinite, (*components(each.value), *components(each.error))))
+    }
+    lost = [name for name in found.measured if name not in finite]
+    if not finite:
+        raise BadSetting(
+            f"{scene}: with these settings numbers leave the range of a computer; choose milder ones."
+        )
+    if found.outcome == "sticks" and "duration" in lost:
+        lost.remove("duration")
+        found = replace(found, warnings=(*found.warnings, NEVER_PART))
+    warnings = tuple(f"{name} is beyond the numbers of a computer." for name in lost)
+    return replace(found, measured=finite, warnings=(*found.warnings, *warnings))

@@ -6,16 +6,16 @@ import math
 from collections.abc import Collection
 from dataclasses import replace
 
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.conserved import impulses, momentum
+from corollary.formula.ball import Ball
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.well import Well
-from corollary.scenes.integrate.equations_of_motion import energy
-from corollary.scenes.library import atom, spheres
+from corollary.scenes.library import atom
+from corollary.scenes.library.spheres import collided
 from corollary.scenes.models.central import orbit
-from corollary.scenes.run import Observable, Observed, Run
-from corollary.scenes.scene import Scene, start_of
+from corollary.scenes.models.certain import Balls, Evaluated, found, sign
+from corollary.scenes.run import BadSetting, Observable, Observed, Run
+from corollary.scenes.scene import Scene
 
 OF_A_PAIR = {
     Observable.VELOCITIES,
@@ -40,37 +40,40 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
     reach = a.radius + b.radius
     match scene.forces:
         case (Contact() as contact,) if (
-            reach > 0.0 and not math.isinf(a.mass) and not math.isinf(b.mass) and a.place != b.place
+            reach > 0.0
+            and not contact.rubs_surfaces
+            and contact.chosen is None
+            and not (a.spin or b.spin or scene.passes)
+            and not math.isinf(a.mass)
+            and not math.isinf(b.mass)
+            and a.place != b.place
         ):
             pass
         case _:
             return None
-    settings: dict[str, Observed] = {
-        "mA": a.mass,
-        "mB": b.mass,
-        "R": 0.5 * reach,
-        "k": contact.k,
-        "q": contact.q,
-        "eta": contact.eta,
-        "dx": b.place[0] - a.place[0],
-        "dy": b.place[1] - a.place[1],
-        "vA": a.velocity,
-        "vB": b.velocity,
-    }
-    played = spheres.play(settings, tolerance)
-    velocities = played.observed["velocities"]
-    assert isinstance(velocities, tuple)
-    start = start_of(scene)
-    after = [*start[:4], *velocities]
-    # Once the spheres are apart nothing is stored, and while they stick it has faded.
-    apart = replace(scene, forces=())
-    known = played.observed | {
-        "impulse": impulses(scene, start, after),
-        "momentum": momentum(scene, 0.0, after),
-        "energy": energy(apart, 0.0, after),
-    }
-    error = max(played.errors["velocities"], ROUNDING)
-    return _observed_only(replace(played, observed=known, errors=dict.fromkeys(known, error)), observe)
+    (ax, ay), (bx, by) = a.place, b.place
+    try:
+        run = collided(
+            a.mass,
+            b.mass,
+            reach,
+            contact,
+            (bx - ax, by - ay),
+            _plane(a.velocity),
+            _plane(b.velocity),
+            tolerance,
+        )
+    except OverflowError:
+        raise BadSetting(
+            f"{scene.name}: with these numbers the range of a computer is left; choose milder ones."
+        ) from None
+    return replace(run, measured=run.measured | {"impulse": run.measured["impulses"]}).only(
+        o.value for o in observe
+    )
+
+
+def _plane(vector: tuple[float, ...]) -> tuple[float, float]:
+    return vector[0], vector[1]
 
 
 def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -111,7 +114,7 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
             fits = set(observe) <= observable and isinstance(gone, float) and until >= gone
         case _:
             fits = set(observe) <= {Observable.VELOCITIES}
-    return _observed_only(played, observe) if fits else None
+    return played.only(o.value for o in observe) if fits else None
 
 
 def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -128,31 +131,30 @@ def round_a_centre(scene: Scene, observe: Collection[Observable], tolerance: flo
         case _:
             return None
     (x, y), (u, v) = (*body.place, 0.0)[:2], (*body.velocity, 0.0)[:2]
-    r = math.hypot(x, y)
-    found = orbit(strength / body.mass, r, (x * u + y * v) / r, (x * v - y * u) / r)
-    if found is None:
+    run = found(lambda: _orbit(strength, body.mass, (x, y), (u, v)))
+    if run.outcome == "missed":
         return None
-    if math.isinf(found.period):
+    if run.outcome == "escaped":
         # It turns once at most; when, no closed form says.
-        if scene.until is not None or Observable.PERIOD in observe:
-            return None
-        turns: Observed = (found.nearest,) if x * u + y * v < 0.0 else ()
-        known: dict[str, Observed] = {"turning_points": turns}
-        why = "it comes and goes: energy and angular momentum give the nearest distance, the root of a quadratic"
-        return _observed_only(
-            Run(known, dict.fromkeys(known, 4.0 * ROUNDING), "conservation", why, 0, "escaped"), observe
-        )
-    if scene.until is not None and scene.until < SEEN * found.period:
+        return None if scene.until is not None or Observable.PERIOD in observe else run
+    period = run.observed["period"]
+    if scene.until is not None and isinstance(period, float) and scene.until < SEEN * period:
         return None
-    known = {"turning_points": (found.nearest, found.farthest), "period": found.period}
+    return run.only(o.value for o in observe)
+
+
+def _orbit(
+    strength: float, mass: float, place: tuple[float, float], velocity: tuple[float, float]
+) -> Evaluated:
+    """As a run; missed when the body meets the centre."""
+    seen = orbit(strength, mass, place, velocity)
+    if seen is None:
+        return Evaluated("missed", {}, "conservation", "it meets the centre")
+    if seen.farthest is None or seen.period is None:
+        (x, y), (u, v) = (tuple(map(Ball, each)) for each in (place, velocity))
+        turns = (seen.nearest,) if sign(x * u + y * v) < 0 else ()
+        why = "it comes and goes: energy and angular momentum give the nearest distance, the root of a quadratic"
+        return Evaluated("escaped", {"turning_points": turns}, "conservation", why)
     why = "bound to a fixed centre: energy and angular momentum give the orbit, Kepler's third law its period"
-    return _observed_only(
-        Run(known, dict.fromkeys(known, 8.0 * ROUNDING), "conservation", why, 0, "bound"), observe
-    )
-
-
-def _observed_only(played: Run, observe: Collection[Observable]) -> Run:
-    names = [o.value for o in observe]
-    return replace(
-        played, observed={n: played.observed[n] for n in names}, errors={n: played.errors[n] for n in names}
-    )
+    values: dict[str, Balls] = {"turning_points": (seen.nearest, seen.farthest), "period": seen.period}
+    return Evaluated("bound", values, "conservation", why)

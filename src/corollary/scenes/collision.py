@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.integrate import regularised
-from corollary.scenes.models.bounce import contact_time, largest_overlap
-from corollary.scenes.models.dashpot import damped_spring
-from corollary.scenes.row import RowOfBodies, RowResult, energy, natural_units, reduced_mass
+from corollary.scenes.row import RowOfBodies, RowResult, energy, natural_units
 from corollary.scenes.run import BadSetting, GuardFailed, Model
 
 # What rounding leaves of a closed formula.
 ROUNDING = 2e-15
+# Two runs may agree by chance: so many times their difference holds in all but one value of a thousand (benchmarks/calibration.py).
+SAFE = 10.0
 # In longer rows of springs a sum of normal modes costs more than steps.
 MOST_FOR_NORMAL_MODES = 20
 COMPILED = "COROLLARY_COMPILED"
@@ -40,30 +40,9 @@ def collide(line: RowOfBodies, tolerance: float) -> Collided:
 
     Raises GuardFailed when no run keeps momentum and energy, BadSetting when compiled steps are asked for and numba is missing.
     """
-    if _one_free_contact(line):
-        return _two_bodies(line)
-    if _one_damped_spring(line):
-        return _spring_and_dashpot(line)
     if _springs(line) and len(line.masses) <= MOST_FOR_NORMAL_MODES:
         return _by_normal_modes(line)
     return _integrated(line, tolerance)
-
-
-def _one_free_contact(line: RowOfBodies) -> bool:
-    return (
-        len(line.masses) == 2 and line.contacts[0].eta == 0.0 and line.weight == 0.0 and line.gaps[0] >= 0.0
-    )
-
-
-def _one_damped_spring(line: RowOfBodies) -> bool:
-    return (
-        len(line.masses) == 2
-        and line.contacts[0].q == 1.0
-        and line.contacts[0].eta > 0.0
-        and line.weight == 0.0
-        and line.gaps[0] >= 0.0
-        and line.velocities[0] > line.velocities[1]
-    )
 
 
 def _springs(line: RowOfBodies) -> bool:
@@ -73,7 +52,10 @@ def _springs(line: RowOfBodies) -> bool:
 def _by_normal_modes(line: RowOfBodies) -> Collided:
     from corollary.scenes.models import modal  # here, since it brings numpy, which most scenes never need
 
-    result = modal.collide(line)
+    try:
+        result = modal.collide(line)
+    except (ArithmeticError, ValueError) as lost:
+        raise GuardFailed(f"These masses are too unequal for normal modes in doubles: {lost}") from lost
     # Every opening or closing hands its rounding on to what follows.
     sure = dict.fromkeys(
         ("velocities", "overlaps", "forces"), ROUNDING * len(line.masses) * max(result.openings, 1)
@@ -104,61 +86,6 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
     return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 
 
-def _two_bodies(line: RowOfBodies) -> Collided:
-    (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
-    if u <= v:
-        return Collided(
-            RowResult((u, v), 0.0, (0.0,), (0.0,), "missed", 0),
-            {},
-            "conservation",
-            "the bodies never meet",
-            0,
-        )
-    mass, closing = reduced_mass(a, b), u - v
-    overlap = largest_overlap(mass, contact.k, contact.q, closing)
-    after = (u - 2.0 * mass / a * closing, v + 2.0 * mass / b * closing)
-    result = RowResult(
-        velocities=after,
-        duration=contact_time(mass, contact.k, contact.q, closing),
-        overlaps=(overlap,),
-        forces=(contact.k * overlap**contact.q,),
-        outcome="released",
-        evaluations=0,
-        openings=1,
-    )
-    why = "two bodies, no damping: momentum and energy give the velocities, Beta functions close the energy integral"
-    return Collided(
-        result,
-        dict.fromkeys(("velocities", "duration", "overlaps", "forces"), ROUNDING),
-        "quadrature",
-        why,
-        0,
-    )
-
-
-def _spring_and_dashpot(line: RowOfBodies) -> Collided:
-    (a, b), (u, v), (contact,) = line.masses, line.velocities, line.contacts
-    mass, closing = reduced_mass(a, b), u - v
-    found = damped_spring(mass, contact.k, contact.eta, closing)
-    change = (1.0 + found.restitution) * closing
-    result = RowResult(
-        velocities=(u - mass / a * change, v + mass / b * change),
-        duration=found.duration,
-        overlaps=(found.overlap,),
-        forces=(found.force,),
-        outcome="sticks" if found.sticks else "released",
-        evaluations=0,
-        openings=0 if found.sticks else 1,
-    )
-    why = "a spring with a dashpot: the swing fades as it goes, which is known exactly"
-    # Near critical damping the swing is slow, and what rounding leaves of the damping counts as often as it is slower.
-    share = 0.25 * contact.eta**2 / (contact.k * mass)
-    slow = 1.0 if found.sticks else 1.0 / (1.0 - share) if share < 1.0 else 1e15
-    sure = 4.0 * ROUNDING
-    errors = {"velocities": sure, "overlaps": sure, "forces": sure, "duration": min(sure * slow, 1.0)}
-    return Collided(result, errors, "piecewise exact", why, 0)
-
-
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
     follow = _follower(line)
@@ -179,7 +106,7 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
         "forces": _apart(coarse.forces, fine.forces) / units.force,
     }
     why = _reason(line)
-    errors = {name: max(e, ROUNDING) for name, e in error.items()}
+    errors = {name: max(SAFE * e, ROUNDING) for name, e in error.items()}
     return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
 
 

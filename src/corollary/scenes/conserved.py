@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 
-from corollary.scenes.integrate.equations_of_motion import energy, keeps_energy, kinetic, masses_at
+from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, masses_at
 from corollary.scenes.run import Observable, Observed
 from corollary.scenes.scene import Conserves, Scene, State, overlap, pairs, start_of, velocity
 

@@ -1,180 +1,232 @@
-"""What is observed of a motion that was integrated, looked up between its steps."""
+"""What is observed of a motion that was followed in time, with an error found from runs of other tolerances and other data."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
-from typing import assert_never
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from functools import lru_cache
 
-from corollary.scenes.conserved import impulses, momentum
-from corollary.scenes.integrate.contact_span import contact_span
-from corollary.scenes.integrate.equations_of_motion import energy, kinetic, masses_at
-from corollary.scenes.integrate.motion import Trajectory, integrate
-from corollary.scenes.run import BadSetting, GuardFailed, Observable, Observed, Outcome, Run
-from corollary.scenes.scene import Scene, overlap, pairs, place, start_of, velocity
+from corollary.scenes.motion.energy import kinetic
+from corollary.scenes.motion.follow import follow
+from corollary.scenes.motion.lookup import contact_span
+from corollary.scenes.motion.observe import look, outcome, state_at
+from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.run import (
+    BadSetting,
+    GuardFailed,
+    Measurement,
+    Observable,
+    Observed,
+    Run,
+    components,
+)
+from corollary.scenes.scene import Body, Scene, place, start_of, velocity
 
-Value = Callable[[Sequence[float]], float]
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+FINER = 20.0
+"""How much finer the run is whose values are given than the one it is compared with."""
+SAFETY = 1.5
+"""What the difference of the two is multiplied with: it is the coarser run's error, the finer's is a tenth of it or less."""
+FINEST = 2e-14
+COARSEST = 1e-6
+"""From here on steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
+BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
+CHANGED = 1e-7
+"""The relative change of the data with which the condition is found."""
+CHAOTIC = 1e6
+"""From this condition on a change of the data by CHANGED comes out as large as the value: it is said."""
+
+
+@lru_cache(maxsize=8)
+def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Trajectory | None]:
+    """A coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
+    tolerance = min(tolerance, COARSEST)
+    fine = max(tolerance / FINER, FINEST)
+    rough, right = follow(scene, max(tolerance, FINER * FINEST)), follow(scene, fine)
+    try:
+        other = follow(_changed(scene), max(tolerance, FINER * FINEST))
+    except (BadSetting, GuardFailed):
+        other = None
+    return rough, right, other
+
+
+@lru_cache(maxsize=8)
+def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
+    """Where a touch is missed or met by less than errors decide: the same with all touches a little later, and earlier."""
+    rough, right, _ = _paths(scene, tolerance)
+    if not (rough.grazes or right.grazes):
+        return ()
+    found: list[Trajectory | None] = []
+    for shift in (rough.near, -rough.near):
+        try:
+            found.append(follow(scene, min(max(tolerance, FINER * FINEST), COARSEST), shift=shift))
+        except (BadSetting, GuardFailed):
+            found.append(None)
+    return tuple(found)
+
+
+def _changed(scene: Scene) -> Scene:
+    """The same with velocities and spins changed a little, each in its own way; what is at rest stays at rest."""
+
+    def other(x: float, i: int) -> float:
+        return x * (1.0 + CHANGED * math.cos(1.0 + 2.4 * i))
+
+    bodies: list[Body] = []
+    for i, body in enumerate(scene.bodies):
+        if math.isinf(body.mass):
+            bodies.append(body)
+            continue
+        velocity = tuple(other(v, 3 * i + j) for j, v in enumerate(body.velocity))
+        bodies.append(
+            replace(body, velocity=velocity, spin=other(body.spin, 3 * i + 2), mass=other(body.mass, i + 7))
+        )
+    return replace(scene, bodies=tuple(bodies))
 
 
 def measured(
     scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float] = ()
 ) -> Run:
-    """Integrate twice, a finer run after a coarser; the difference is the error of the coarser. `times` (s) are a trajectory's."""
-    allowed = max(tolerance / 30.0, 1e-14)
-    coarse, fine = integrate(scene, max(tolerance, 1e-13)), integrate(scene, allowed)
-    observe = [o for o in Observable if o in observe]  # a set's order is another in every process
-    rough = {o.value: _look(scene, coarse, o, times) for o in observe}
-    observed = {o.value: _look(scene, fine, o, times) for o in observe}
-    # Two runs that took nearly the same steps agree better than either is right: some steps' allowed error is the least that is stated.
-    errors = {
-        name: max(_apart(rough[name], observed[name]), fine.dropped, 3.0 * allowed) for name in observed
-    }
-    span = contact_span(scene, fine) if Observable.DURATION in observe else None
-    if span is not None:
-        duration = Observable.DURATION.value
-        errors[duration] = max(
-            errors[duration], min(span.error_estimate / span.lasts, 1.0) if span.lasts else 1.0
+    """Follow the scene and look up what is asked; `times` (s) are a trajectory's.
+
+    The same paths serve whatever is asked. Errors are estimates: the difference of two runs, what rounding becomes under the
+    condition found by a third, and what is known of moments that are met slowly. Raises BadSetting for what a scene does not have,
+    GuardFailed as `follow` does.
+    """
+    rough, right, other = _paths(scene, tolerance)
+    shifted = _grazing(scene, tolerance)
+    sizes = _natural(scene, right)
+    found: dict[str, Measurement] = {}
+    warnings: list[str] = []
+    if right.rests:
+        times_over = "once" if len(right.rests) == 1 else f"{len(right.rests)} times"
+        warnings.append(
+            f"bounces without end (Zeno), {times_over}: the last of them are over at {right.rests[-1]:.6g} s"
         )
-    spent = coarse.evaluations + fine.evaluations
-    return Run(observed, errors, "integration", why, spent, _outcome(scene, fine))
+    same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
+    for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
+        value = look(scene, right, what, times)
+        size = max(
+            [abs(x) for x in components(value) if math.isfinite(x)] + [sizes.get(what, 0.0)], default=0.0
+        )
+        apart = _apart(look(scene, rough, what, times), value)
+        share = _shares(scene, rough, right, what, times, sizes)
+        condition = None
+        if other is not None and size:
+            try:
+                condition = max(_apart(look(scene, other, what, times), value), default=0.0) / size / CHANGED
+            except BadSetting:  # with the data changed a little there is none
+                condition = math.inf
+            if not math.isfinite(condition):  # or another number of them: more than this is not known
+                condition = 1.0 / CHANGED
+        rounding = 2.3e-16 * (4.0 + math.sqrt(len(right.stretches)) + 4.0 * (condition or 1.0)) * size
+        # Each touch is met within some roundings of a place.
+        rounding += 1e-14 * len(right.happenings) * max(condition or 1.0, 1.0) * size
+        # One that cannot be followed leaves nothing certain.
+        beside = [_apart(look(scene, path, what, times), value) if path else (size,) for path in shifted]
+        extra = _extra(scene, right, what) + max((max(each, default=0.0) for each in beside), default=0.0)
+        least = 0.2 * max(tolerance / FINER, FINEST) * size + rounding + extra
+        errors = tuple(
+            SAFETY * each
+            + least
+            + (share[i] if len(share) == len(apart) and what in BY_BODY else 0.3 * max(share) * size)
+            for i, each in enumerate(apart)
+        )
+        error: Observed = errors if isinstance(value, tuple) else errors[0]
+        found[what.value] = Measurement(value, error, "estimate", "integration", why, size, condition)
+    if not same and not right.rests:
+        warnings.append(
+            "two runs of different accuracy differ in the order of what happens: contacts all but coincide"
+        )
+    if shifted:
+        when = min(rough.grazes + right.grazes)
+        warnings.append(
+            f"a touch grazes soon after {when:.6g} s: whether it happens is within the error, and in the errors stated"
+        )
+    worst = max((m.condition or 0.0 for m in found.values()), default=0.0)
+    if worst > CHAOTIC:
+        warnings.append(
+            f"a small change of the data comes out {worst:.0e} times larger or more (chaos, or an edge): "
+            f"at most {max(16.0 - math.log10(worst), 0.0):.0f} digits can be had"
+        )
+    spent = rough.evaluations + right.evaluations + (other.evaluations if other else 0)
+    return Run(found, spent, outcome(scene, right), tuple(warnings))
 
 
-def _outcome(scene: Scene, path: Trajectory) -> Outcome:
-    if path.came_to_rest:
-        return "sticks"
-    if scene.until is not None:
-        return "escaped" if _beyond_every_edge(scene, path.state) else "bound"
-    return "released" if contact_span(scene, path) else "missed"
+def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
+    """Sizes of what can come out as zero: the largest there was on the way."""
+    states = [stretch.after for stretch in path.stretches] + [start_of(scene)]
+    count = scene.axes * len(scene.bodies)
+    fast = max(path.fast, *(abs(v) for y in states for v in y[count : 2 * count]))
+    long = max(path.long, *(abs(x) for y in states for x in y[:count]))
+    heavy = max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
+    hot = max(kinetic(scene, 0.0, y) for y in states)
+    return {
+        Observable.VELOCITIES: fast,
+        Observable.TRAJECTORY: long,
+        Observable.SPINS: max(
+            [abs(b.spin) for b in scene.bodies]
+            + [fast / b.radius for b in scene.bodies if b.radius > 0.0 and not math.isinf(b.mass)]
+        )
+        if scene.spins
+        else 0.0,
+        Observable.IMPULSE: heavy * fast,
+        Observable.MOMENTUM: heavy * fast,
+        Observable.ENERGY: hot,
+        Observable.ENERGY_RATIO: hot / (kinetic(scene, 0.0, start_of(scene)) or 1.0),
+    }
 
 
-def _beyond_every_edge(scene: Scene, state: Sequence[float]) -> bool:
-    """Whether forces of the scene have edges, and its bodies are beyond them on their way out."""
-    edges = [force.edge for force in scene.forces if math.isfinite(force.edge)]
-    places = [(place(scene, state, i), velocity(scene, state, i)) for i in range(len(scene.bodies))]
-    outward = all(sum(a * b for a, b in zip(x, v, strict=True)) > 0.0 for x, v in places)
-    return bool(edges) and outward and all(math.hypot(*x) >= edge for x, _ in places for edge in edges)
+def _shares(
+    scene: Scene,
+    rough: Trajectory,
+    right: Trajectory,
+    what: Observable,
+    times: Sequence[float],
+    sizes: dict[Observable, float],
+) -> list[float]:
+    """How far two runs are apart as a whole, body by body, in the unit of each number that is observed.
 
+    The error of a single component may pass through zero between two tolerances; that of a body's place and velocity together does
+    not. For what is not a number of each body: the largest, in units of the sizes of the scene.
+    """
+    long, fast, axes = sizes[Observable.TRAJECTORY], sizes[Observable.VELOCITIES], scene.axes
 
-def _apart(a: Observed, b: Observed) -> float:
-    rough, fine = (x if isinstance(x, tuple) else (x,) for x in (a, b))
-    size = max((abs(x) for x in fine), default=1.0) or 1.0
-    if len(rough) != len(fine):
-        return math.inf
-    return max((abs(x - y) / size for x, y in zip(rough, fine, strict=True) if x != y), default=2e-15)
+    def spread(time: float | None) -> list[float]:
+        first, second = (p.state if time is None else state_at(scene, p, time) for p in (rough, right))
+        return [
+            max(
+                math.dist(place(scene, first, i), place(scene, second, i)) / long,
+                math.dist(velocity(scene, first, i), velocity(scene, second, i)) / fast,
+            )
+            for i in range(len(scene.bodies))
+        ]
 
-
-def _look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float]) -> Observed:
     match what:
         case Observable.VELOCITIES:
-            return tuple(v for i in range(len(scene.bodies)) for v in velocity(scene, path.state, i))
-        case Observable.ENERGY_RATIO:
-            before = kinetic(scene, 0.0, start_of(scene))
-            return kinetic(scene, path.time, path.state) / before if before else math.inf
-        case Observable.LARGEST_OVERLAP:
-            return max(
-                [
-                    0.0,
-                    *(
-                        _largest(path, lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
-                        for a, b in pairs(scene)
-                    ),
-                ]
-            )
-        case Observable.PEAK_FORCE:
-            return _peak_force(scene, path)
-        case Observable.DURATION:
-            span = contact_span(scene, path)
-            return span.lasts if span else 0.0
-        case Observable.TURNING_POINTS:
-            turns = _turns(scene, path)
-            return (
-                tuple(sorted({min(turns, key=lambda t: t[1])[1], max(turns, key=lambda t: t[1])[1]}))
-                if turns
-                else ()
-            )
-        case Observable.PERIOD:
-            inner = [time for time, _, inward in _turns(scene, path) if inward]
-            if len(inner) < 2:
-                raise BadSetting(
-                    f"{scene.name}: the distance did not return twice before until = {scene.until} s."
-                )
-            return (inner[-1] - inner[0]) / (len(inner) - 1)
-        case Observable.IMPULSE:
-            if masses_at(scene, 1.0) != masses_at(scene, 0.0):
-                raise BadSetting(
-                    f"{scene.name}: the impulse on a body whose mass changes is not its change of momentum; ask for velocities."
-                )
-            return impulses(scene, start_of(scene), path.state)
-        case Observable.MOMENTUM:
-            return momentum(scene, path.time, path.state)
-        case Observable.ENERGY:
-            return energy(scene, path.time, path.state)
+            return [each * fast for each in spread(None) for _ in range(axes)]
         case Observable.TRAJECTORY:
-            return tuple(
-                x for time in times for x in _state_at(scene, path, time)[: scene.axes * len(scene.bodies)]
-            )
+            return [each * long for time in times for each in spread(time) for _ in range(axes)]
+        case Observable.IMPULSE:
+            loose = [(b.mass, s) for b, s in zip(scene.bodies, spread(None), strict=True)]
+            return [m * s * fast for m, s in loose if not math.isinf(m) for _ in range(axes)]
         case _:
-            assert_never(what)
+            return [max(spread(None))]
 
 
-def _state_at(scene: Scene, path: Trajectory, time: float) -> Sequence[float]:
-    """The state at any time from the start on; after the end of a motion that no time ends, bodies go on straight."""
-    if time <= path.time:
-        return path.at(time) if path.steps else path.state
-    half = scene.axes * len(scene.bodies)
-    places, velocities = path.state[:half], path.state[half:]
-    if path.came_to_rest and any(velocities):
-        raise GuardFailed(
-            f"{scene.name}: a body came to rest at {path.time:.6g} s while others moved; ask for earlier times only."
-        )
-    return [*(x + v * (time - path.time) for x, v in zip(places, velocities, strict=True)), *velocities]
+def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
+    """What is known beside the difference of runs: touches met slowly, bounces still going on at the end."""
+    if what is Observable.DURATION:
+        span = contact_span(path)
+        return span.slack if span else 0.0
+    if what in (Observable.VELOCITIES, Observable.SPINS):
+        return path.dropped
+    if what in (Observable.IMPULSE, Observable.MOMENTUM):
+        return path.dropped * max((b.mass for b in scene.bodies if not math.isinf(b.mass)), default=0.0)
+    return 0.0
 
 
-def _peak_force(scene: Scene, path: Trajectory) -> float:
-    values: list[Value] = [
-        lambda y, f=f, a=a, b=b: math.hypot(*f.between(scene, y, a, b))
-        for f in scene.contacts
-        for a, b in pairs(scene)
-    ]
-    return max((_largest(path, value) for value in values), default=0.0)
-
-
-def _largest(path: Trajectory, value: Value) -> float:
-    """The largest value at any moment: the best step's neighbourhood, narrowed by golden sections."""
-    samples = [value(step.before) for step in path.steps] + [value(path.state)]
-    best = max(range(len(samples)), key=samples.__getitem__)
-    top = samples[best]
-    for step in path.steps[max(best - 1, 0) : best + 1]:
-        left, right = 0.0, 1.0
-        while right - left > 1e-8:
-            a, b = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
-            left, right = (left, b) if value(step.part_way(a)) > value(step.part_way(b)) else (a, right)
-        top = max(top, value(step.part_way(0.5 * (left + right))))
-    return top
-
-
-def _turns(scene: Scene, path: Trajectory) -> list[tuple[float, float, bool]]:
-    """Times and distances from the origin at which the first body turns, and whether it had come inward."""
-
-    def along(y: Sequence[float]) -> float:
-        return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
-
-    found: list[tuple[float, float, bool]] = []
-    last = 0.0
-    for step in path.steps:
-        before, after = along(step.before), along(step.after)
-        if last * before < 0.0:  # turned in no time, by a wall or the hard core
-            found.append((step.x, math.hypot(*place(scene, step.before, 0)), last < 0.0))
-        last = after
-        if before * after >= 0.0 and not (before == 0.0 and not found and step is path.steps[0]):
-            continue
-        left, right = 0.0, 1.0
-        if before == 0.0:
-            right = 0.0
-        while right - left > 1e-15:
-            middle = 0.5 * (left + right)
-            left, right = (middle, right) if along(step.part_way(middle)) * before > 0.0 else (left, middle)
-        r = math.hypot(*place(scene, step.part_way(right), 0))
-        found.append((step.x + right * step.h, r, before < 0.0 or (before == 0.0 and after > 0.0)))
-    return found
+def _apart(a: Observed, b: Observed) -> tuple[float, ...]:
+    first, second = components(a), components(b)
+    if len(first) != len(second):
+        return (math.inf,) * len(second)
+    return tuple(abs(x - y) if x != y else 0.0 for x, y in zip(first, second, strict=True))

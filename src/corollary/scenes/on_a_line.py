@@ -6,13 +6,14 @@ import math
 from collections.abc import Collection, Sequence
 from itertools import pairwise
 
-from corollary.scenes.collision import ROUNDING, Collided, collide
+from corollary.scenes.collision import Collided, collide
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.models.bounce import largest_overlap
+from corollary.scenes.models.certain import found
 from corollary.scenes.models.pair import refuse_too_soft
-from corollary.scenes.row import RowOfBodies, reduced_mass
-from corollary.scenes.run import Observable, Observed, Run
+from corollary.scenes.models.two_bodies import collision
+from corollary.scenes.row import RowOfBodies
+from corollary.scenes.run import Observable, Observed, Run, by_relative_errors, components
 from corollary.scenes.scene import Scene
 
 OF_BODIES_ALONE = {Observable.IMPULSE, Observable.MOMENTUM, Observable.ENERGY}
@@ -26,22 +27,17 @@ def on_a_line(scene: Scene, observe: Collection[Observable], tolerance: float) -
     line = as_line(scene)
     if line is None or not set(observe) <= (ALONE_ON_A_LINE if line.weight == 0.0 else ON_A_LINE):
         return None
-    two = len(line.masses) == 2 and line.gaps[0] >= 0.0
-    if two and set(observe) <= BEFORE_AND_AFTER and line.weight == 0.0 and line.contacts[0].eta == 0.0:
-        if line.velocities[0] > line.velocities[1]:
-            closing = line.velocities[0] - line.velocities[1]
-            _refuse_too_soft(
-                scene,
-                (
-                    largest_overlap(
-                        reduced_mass(*line.masses), line.contacts[0].k, line.contacts[0].q, closing
-                    ),
-                ),
-            )
-        return _conserved(line, observe)
-    found = collide(line, tolerance)
-    _refuse_too_soft(scene, found.result.overlaps)
-    return _collided(line, found, observe)
+    contact = line.contacts[0]
+    touching = len(line.masses) == 2 and line.gaps[0] >= 0.0 and line.weight == 0.0
+    if touching and (contact.eta == 0.0 or contact.q == 1.0):
+        (a, b), (u, v) = line.masses, line.velocities
+        run = found(lambda: collision((a, b), (u, v), contact))
+        depth = run.observed["largest_overlap"]
+        _refuse_too_soft(scene, components(depth))
+        return run.only(o.value for o in observe)
+    result = collide(line, tolerance)
+    _refuse_too_soft(scene, result.result.overlaps)
+    return _collided(line, result, observe)
 
 
 def _refuse_too_soft(scene: Scene, overlaps: Sequence[float]) -> None:
@@ -61,6 +57,8 @@ def as_line(scene: Scene) -> RowOfBodies | None:
     ):
         return None
     contacts = [force for force in scene.forces if isinstance(force, Contact)]
+    if any(contact.chosen is not None for contact in contacts) or scene.passes:
+        return None
     weight = math.fsum(force.g for force in scene.forces if isinstance(force, Weight))
     row = sorted(scene.bodies, key=lambda body: body.place)
     walls = [i for i, body in enumerate(row) if math.isinf(body.mass)]
@@ -91,21 +89,16 @@ def _alone(line: RowOfBodies, after: tuple[float, ...]) -> dict[Observable, Obse
     }
 
 
-def _conserved(line: RowOfBodies, observe: Collection[Observable]) -> Run:
-    (a, b), (u, v) = line.masses, line.velocities
-    mass, meet = reduced_mass(a, b), u > v
-    after = (u - 2.0 * mass / a * (u - v), v + 2.0 * mass / b * (u - v)) if meet else (u, v)
-    before = _kinetic(line, line.velocities)
-    known: dict[Observable, Observed] = {
-        Observable.VELOCITIES: after,
-        Observable.ENERGY_RATIO: _kinetic(line, after) / before if before else 1.0,
-        **_alone(line, after),
+def _scales(line: RowOfBodies) -> dict[str, float]:
+    """The sizes that rounding and steps are a share of: what came in, not what is left of it."""
+    fast = max(map(abs, line.velocities))
+    heavy = max(m for m in line.masses if not math.isinf(m))
+    return {
+        "velocities": fast,
+        "impulse": heavy * fast,
+        "momentum": heavy * fast,
+        "energy_ratio": 1.0,
     }
-    observed = {o.value: known[o] for o in observe}
-    why = "only velocities before and after one undamped collision are asked: momentum and energy give them"
-    return Run(
-        observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, "released" if meet else "missed"
-    )
 
 
 def _collided(line: RowOfBodies, found: Collided, observe: Collection[Observable]) -> Run:
@@ -124,4 +117,6 @@ def _collided(line: RowOfBodies, found: Collided, observe: Collection[Observable
     }
     observed = {o.value: known[o][0] for o in observe}
     errors = {o.value: found.errors.get(known[o][1], 0.0) for o in observe}
-    return Run(observed, errors, found.model, found.why, found.spent, result.outcome)
+    return by_relative_errors(
+        observed, errors, found.model, found.why, found.spent, result.outcome, _scales(line)
+    )

@@ -7,17 +7,25 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from corollary.scenes.closed_forms import in_a_plane, in_a_well, round_a_centre
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.conserved import conserved, parts_undamped
-from corollary.scenes.integrate.motion import never_touch
-from corollary.scenes.measure import measured
+from corollary.scenes.motion.energy import never_meets
 from corollary.scenes.on_a_line import on_a_line
-from corollary.scenes.run import BadSetting, Model, Observable, Observed, Outcome, Run
-from corollary.scenes.scene import Scene
+from corollary.scenes.run import (
+    DEARER,
+    BadSetting,
+    Model,
+    Observable,
+    Observed,
+    Outcome,
+    Run,
+    by_relative_errors,
+)
+from corollary.scenes.scene import Scene, start_of
 
 # Of a trajectory for which no times are asked.
 POINTS = 101
@@ -25,35 +33,77 @@ POINTS = 101
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """`why` is one line; `play` does what was planned."""
+    """`models` says for each observable which model gives it; `model` and `why` are those of the dearest. `play` does what was planned."""
 
     model: Model
     why: str
     play: Callable[[], Run]
+    models: Mapping[str, Model]
 
 
 def plan(
     scene: Scene, observe: Collection[Observable], tolerance: float = 1e-10, times: Sequence[float] = ()
 ) -> Plan:
-    """Choose the least model that gives everything asked for; `times` (s) are those of a trajectory.
+    """Choose for everything asked for the least model that gives it; `times` (s) are those of a trajectory.
 
-    Raises BadSetting when no model does.
+    One observable that needs more does not make the others dearer. Raises BadSetting when no model gives one.
     """
     if not observe:
         names = ", ".join(o.value for o in Observable)
         raise BadSetting(f"{scene.name}: nothing is to be observed; name at least one of {names}.")
     times = _times(scene, observe, times)
-    known = conserved(scene, observe)
-    left = [o for o in observe if o not in known]
-    if not left and (scene.until is not None or parts_undamped(scene)):
-        why = "all that is asked is conserved: the start says it"
-        return Plan("conservation", why, lambda: _at_the_start(scene, known, why))
-    for special_case in (on_a_line, in_a_plane, in_a_well, round_a_centre):
-        found = special_case(scene, observe, tolerance)
-        if found is not None:
-            return Plan(found.model, found.why, lambda found=found: found)
+    wanted = [o for o in Observable if o in observe]  # a set's order is another in every process
+    cheap = _cheap(scene, wanted, tolerance)
+    left = [o for o in wanted if o.value not in {name for run in cheap for name in run.measured}]
     why = "no integral of the motion gives what is asked: Newton's second law, step by step"
-    return Plan("integration", why, lambda: measured(scene, observe, tolerance, why, times))
+    models: dict[str, Model] = {name: each.model for run in cheap for name, each in run.measured.items()}
+    models |= {o.value: "integration" for o in left}
+
+    def follow() -> Run:
+        runs = [*cheap, _followed(scene, left, tolerance, why, times)] if left else cheap
+        return _together(runs, [o.value for o in wanted])
+
+    if left:
+        return Plan("integration", why, follow, models)
+    found = _together(cheap, list(models))
+    return Plan(found.model, found.why, follow, models)
+
+
+def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list[Run]:
+    """What is conserved, and what closed forms and collisions on a line or of a pair give: all at once where they can, else one by one."""
+    known = conserved(scene, wanted)
+    if scene.until is None and not parts_undamped(scene):
+        known = {}
+    if len(known) == len(wanted):
+        return [_at_the_start(scene, known)]
+    for special_case in (on_a_line, in_a_plane, in_a_well, round_a_centre):
+        found = special_case(scene, wanted, tolerance)
+        if found is not None:
+            return [found]
+    left = [o for o in wanted if o not in known]
+    runs = [_at_the_start(scene, known)] if known else []
+    for special_case in (on_a_line, in_a_plane, in_a_well, round_a_centre):
+        singly = (
+            [o for o in left if special_case(scene, [o], tolerance) is not None] if len(wanted) > 1 else []
+        )
+        found = special_case(scene, singly, tolerance) if singly else None
+        if found is not None:
+            runs.append(found)
+            left = [o for o in left if o not in singly]
+    return runs
+
+
+def _together(runs: Sequence[Run], names: Sequence[str]) -> Run:
+    """Runs of several models as one; how the scene ended says the dearest of them."""
+    measured = {name: each for run in runs for name, each in run.measured.items()}
+    warnings = tuple(dict.fromkeys(warning for run in runs for warning in run.warnings))
+    dearest = max(runs, key=lambda run: DEARER.index(run.model))
+    return Run(
+        {name: measured[name] for name in names},
+        sum(run.evaluations for run in runs),
+        dearest.outcome,
+        warnings,
+    )
 
 
 def play(
@@ -63,6 +113,16 @@ def play(
     begin = time.perf_counter()
     found = plan(scene, observe, tolerance, times).play()
     return replace(found, scene=scene.name, seconds=time.perf_counter() - begin)
+
+
+def _followed(
+    scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float]
+) -> Run:
+    from corollary.scenes.measure import (
+        measured,
+    )  # here, since it brings scipy, which cheaper models never need
+
+    return measured(scene, observe, tolerance, why, times)
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:
@@ -83,9 +143,12 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
     return tuple(times)
 
 
-def _at_the_start(scene: Scene, known: dict[Observable, Observed], why: str) -> Run:
+def _at_the_start(scene: Scene, known: dict[Observable, Observed]) -> Run:
     observed = {o.value: value for o, value in known.items()}
     outcome: Outcome = (
-        "bound" if scene.until is not None else ("missed" if never_touch(scene) else "released")
+        "bound"
+        if scene.until is not None
+        else ("missed" if never_meets(scene, start_of(scene)) else "released")
     )
-    return Run(observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, outcome)
+    why = "all that is asked is conserved: the start says it"
+    return by_relative_errors(observed, dict.fromkeys(observed, ROUNDING), "conservation", why, 0, outcome)

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Literal
 
 Model = Literal["conservation", "quadrature", "piecewise exact", "integration"]
 Outcome = Literal["released", "sticks", "missed", "bound", "escaped"]
 Observed = float | tuple[float, ...]
+ErrorKind = Literal["bound", "estimate"]
+
+DEARER: tuple[Model, ...] = ("conservation", "quadrature", "piecewise exact", "integration")
+"""The models, each dearer than those before it."""
+
+NEVER_PART = "They never part: the contact has no duration."
 
 
 class BadSetting(ValueError):
@@ -24,6 +31,7 @@ class Observable(Enum):
     """Each is defined so exactly that two programs must agree on it; the value is the name under which a run reports it."""
 
     VELOCITIES = "velocities"
+    SPINS = "spins"
     DURATION = "duration"
     LARGEST_OVERLAP = "largest_overlap"
     PEAK_FORCE = "peak_force"
@@ -38,6 +46,7 @@ class Observable(Enum):
 
 MEANING: dict[Observable, str] = {
     Observable.VELOCITIES: "of every body at the end: after the last opening, or at the time asked for (m/s)",
+    Observable.SPINS: "of every body at the end (rad/s, counter-clockwise); zero for bodies that nothing turns",
     Observable.DURATION: "from the moment of the first touch to that of the last opening (s), not counted in samples",
     Observable.LARGEST_OVERLAP: "the largest there is at any moment between any two bodies, none if they never touch (m)",
     Observable.PEAK_FORCE: "the largest contact force there is at any moment between any two bodies, drag included (N)",
@@ -53,25 +62,127 @@ MEANING: dict[Observable, str] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Run:
-    """One scene, played.
+class Measurement:
+    """One observed value (SI), and how sure it is.
 
-    `observed` is in SI. `errors` gives for each observed value the estimate of its error in units of its natural scale (the first
-    speed, the time of contact, …), and `error` is the largest of them. `evaluations` counts the forces evaluated, those for the
-    error estimate included. `scene`, `settings` and `seconds` are filled in by who had it played.
+    `error` is absolute, in the value's own unit, one for each of its components. `error_is` says whether it is proven ("bound") or
+    found by comparing runs ("estimate"). `size` is what a relative error refers to: the largest component, or the scene's natural
+    scale where that is larger. `condition` says how much larger a small change of the data comes out in the value, both relative to their
+    size; none where it was not looked for. Raises GuardFailed for a value that is not a number.
     """
 
-    observed: dict[str, Observed]
-    errors: dict[str, float]
+    value: Observed
+    error: Observed
+    error_is: ErrorKind
     model: Model
     why: str
+    size: float
+    condition: float | None = None
+
+    def __post_init__(self) -> None:
+        if any(math.isnan(x) for x in (*components(self.value), *components(self.error))):
+            raise GuardFailed("What came out is not a number: these settings are beyond what doubles hold.")
+
+    @property
+    def relative_error(self) -> float:
+        """The largest error of a component in units of `size`."""
+        largest = max(components(self.error), default=0.0)
+        return largest / self.size if largest else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One scene, played: what was observed by name, and how it ended.
+
+    `evaluations` counts the forces evaluated, those for the error estimate included. `warnings` are sentences about what makes the
+    values uncertain: a grazing hit, contacts that all but coincide, chaos. `scene`, `settings` and `seconds` are filled in by who
+    had it played.
+    """
+
+    measured: dict[str, Measurement]
     evaluations: int
     outcome: Outcome
+    warnings: tuple[str, ...] = ()
     scene: str = ""
     settings: Mapping[str, Observed] = field(default_factory=dict[str, Observed])
     seconds: float = 0.0
 
     @property
+    def observed(self) -> dict[str, Observed]:
+        """The values alone, by name."""
+        return {name: each.value for name, each in self.measured.items()}
+
+    @property
+    def errors(self) -> dict[str, Observed]:
+        """The absolute errors (SI) alone, by name, shaped as the values."""
+        return {name: each.error for name, each in self.measured.items()}
+
+    @property
     def error(self) -> float:
-        """The largest of the errors; nan when nothing was observed."""
-        return max(self.errors.values(), default=float("nan"))
+        """The largest of the relative errors; nan when nothing was observed."""
+        return max((each.relative_error for each in self.measured.values()), default=float("nan"))
+
+    @property
+    def error_is(self) -> ErrorKind:
+        """A bound if every error is one."""
+        return "bound" if all(each.error_is == "bound" for each in self.measured.values()) else "estimate"
+
+    @property
+    def _dearest(self) -> Measurement | None:
+        return max(self.measured.values(), key=lambda each: DEARER.index(each.model), default=None)
+
+    @property
+    def model(self) -> Model:
+        """The dearest model that any of the values needed."""
+        return self._dearest.model if self._dearest else "conservation"
+
+    @property
+    def why(self) -> str:
+        """One line: why that model."""
+        return self._dearest.why if self._dearest else "nothing was observed"
+
+    def relative_error(self, name: str) -> float:
+        """The error of one observed value in units of its size."""
+        return self.measured[name].relative_error
+
+    def only(self, names: Iterable[str]) -> Run:
+        """The same run, with some of its values; those that it has not (the duration of a contact that never ends) are left out."""
+        return replace(self, measured={name: self.measured[name] for name in names if name in self.measured})
+
+
+def components(value: Observed) -> tuple[float, ...]:
+    """The numbers a value consists of."""
+    return value if isinstance(value, tuple) else (value,)
+
+
+def measurement(
+    value: Observed,
+    relative: float,
+    model: Model,
+    why: str,
+    scale: float = 0.0,
+    error_is: ErrorKind = "estimate",
+) -> Measurement:
+    """A value of which a relative error is known: in units of its largest component, or of `scale` (SI) where that is larger."""
+    size = max((abs(x) for x in components(value) if math.isfinite(x)), default=0.0)
+    size = max(size, scale)
+    error: Observed = (relative * size,) * len(value) if isinstance(value, tuple) else relative * size
+    return Measurement(value, error, error_is, model, why, size)
+
+
+def by_relative_errors(
+    observed: Mapping[str, Observed],
+    errors: Mapping[str, float],
+    model: Model,
+    why: str,
+    evaluations: int,
+    outcome: Outcome,
+    scales: Mapping[str, float] | None = None,
+) -> Run:
+    """A run of one model whose errors are known relative to the size of the values, or to the `scales` (SI) given for some."""
+    scales = scales or {}
+    measured = {
+        name: measurement(value, errors[name], model, why, scales.get(name, 0.0))
+        for name, value in observed.items()
+    }
+    return Run(measured, evaluations, outcome)

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from enum import Flag
 
+from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.run import BadSetting
-
-State = Sequence[float]
 
 
 class Conserves(Flag):
@@ -26,21 +25,34 @@ class Conserves(Flag):
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """SI; `place` and `velocity` have one or two components. A body of infinite mass is a wall: it keeps its velocity."""
+    """SI; `place` and `velocity` have one or two components. A body of infinite mass is a wall: it keeps its velocity.
+
+    In a plane a body with a radius can spin: `spin` in rad/s, counter-clockwise, `inertia` about its centre in kg m^2, that of a solid
+    sphere unless another is given.
+    """
 
     mass: float
     place: tuple[float, ...]
     velocity: tuple[float, ...]
     radius: float = 0.0
     name: str = ""
+    spin: float = 0.0
+    inertia: float | None = None
+
+    @property
+    def resists_spin(self) -> float:
+        """The moment of inertia (kg m^2): infinite for a point and for a wall, which nothing turns."""
+        if self.inertia is not None:
+            return self.inertia
+        return 0.4 * self.mass * self.radius**2 if self.radius > 0.0 else math.inf
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Where the law of motion changes: `value` of a state (continuous) changes its sign.
+    """Where the law of motion changes: `value` of a state (smooth) changes its sign.
 
-    A step ends just beyond. With `turn`, which gives the new velocity of `body`, the event acts in no time at all, as a hard wall
-    does: the step then ends just before, where `value` is still positive. A body that is turned to rest ends the motion.
+    A step ends just beyond. With `turn`, which gives the new velocity of `body`, the event acts in no time at all where `value` falls
+    through zero.
     """
 
     value: Callable[[State], float]
@@ -73,6 +85,20 @@ class Force(ABC):
         """Everything that begins or ends at a place or a velocity."""
         return ()
 
+    def act_at(
+        self, scene: Scene, time: float, state: State, masses: Sequence[float], since: State
+    ) -> Iterable[tuple[int, Sequence[float]]]:
+        """The same for a force that depends on the time (s), too; this is what is asked for."""
+        return self.act(scene, state, masses, since)
+
+    def constraints(self, scene: Scene) -> Iterable[Constraint]:
+        """What it holds: rods, strings, walls."""
+        return ()
+
+    def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterable[Rub]:
+        """Where it rubs, if there is dry friction in it; `held` are its own constraints."""
+        return ()
+
     @property
     def conserves(self) -> Conserves:
         return Conserves.NOTHING
@@ -88,13 +114,36 @@ class Force(ABC):
         return ()
 
     @property
+    def rubs_surfaces(self) -> bool:
+        """Whether it makes bodies spin."""
+        return False
+
+    @property
+    def does_no_work_at_rest(self) -> bool:
+        """Whether it takes no energy while nothing hits and nothing slips, though it does when something does."""
+        return False
+
+    @property
     def edge(self) -> float:
         """The distance (m) from the origin beyond which it does nothing."""
         return math.inf
 
 
 class ContactForce(Force, ABC):
-    """A force between any two bodies that overlap; a scene with no other force ends when nothing touches and nothing will."""
+    """A force between two bodies that overlap; a scene with no other force ends when nothing touches and nothing will."""
+
+    def serves(self, scene: Scene) -> Collection[tuple[int, int]]:
+        """The pairs of bodies it acts between: those of its own choice, or all that no other contact has chosen."""
+        mine = self.between_bodies
+        if mine is not None:
+            return [(min(pair), max(pair)) for pair in mine]
+        others = {(min(pair), max(pair)) for other in scene.contacts for pair in other.between_bodies or ()}
+        return [pair for pair in pairs(scene) if pair not in others]
+
+    @property
+    def between_bodies(self) -> tuple[tuple[int, int], ...] | None:
+        """The pairs of bodies it is chosen for; none when it acts between any."""
+        return None
 
     @abstractmethod
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
@@ -103,25 +152,25 @@ class ContactForce(Force, ABC):
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State
     ) -> Iterator[tuple[int, Sequence[float]]]:
-        for a, b in pairs(scene):
+        for a, b in self.serves(scene):
             yield from opposite(a, b, self.between(scene, state, a, b))
-
-    def events(self, scene: Scene) -> Iterator[Event]:
-        for a, b in pairs(scene):
-            yield Event(lambda y, a=a, b=b: overlap(scene, y, a, b)[0])
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
     """`until` is a time in s; without it the scene ends when nothing touches and nothing will.
 
-    Raises BadSetting when bodies and forces do not fit together.
+    Two bodies with radii that overlap although no contact acts between them are refused while the scene runs, unless `passes` names
+    them. Raises BadSetting when bodies and forces do not fit together.
     """
 
     bodies: tuple[Body, ...]
     forces: tuple[Force, ...]
     until: float | None = None
     name: str = "scene"
+    passes: tuple[tuple[int, int], ...] = ()
+    spins: bool = field(init=False, repr=False, compare=False, default=False)
+    """Whether anything spins or can be made to: the state then has a spin for each body at its end."""
 
     def __post_init__(self) -> None:
         axes = {len(vector) for body in self.bodies for vector in (body.place, body.velocity)}
@@ -139,6 +188,9 @@ class Scene:
                 raise BadSetting(
                     f"{self.name}: {force} names a body that is not there; they are counted from 0."
                 )
+        rubbed = any(force.rubs_surfaces for force in self.forces)
+        turned = any(b.spin or (rubbed and not math.isinf(b.resists_spin)) for b in self.bodies)
+        object.__setattr__(self, "spins", self.axes == 2 and turned)
         if self.until is not None and not self.until > 0.0:
             raise BadSetting(f"{self.name}: until = {self.until} s must be more than zero.")
 
@@ -171,9 +223,12 @@ class Scene:
 
 def start_of(scene: Scene) -> list[float]:
     """The state at time zero."""
-    return [x for body in scene.bodies for x in body.place] + [
-        v for body in scene.bodies for v in body.velocity
-    ]
+    spins = [body.spin for body in scene.bodies] if scene.spins else []
+    return (
+        [x for body in scene.bodies for x in body.place]
+        + [v for body in scene.bodies for v in body.velocity]
+        + spins
+    )
 
 
 def place(scene: Scene, state: State, i: int) -> State:

@@ -10,7 +10,7 @@ from corollary.scenes import catalogue, library
 from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.library.ball_on_floor import OVERDAMPED
-from corollary.scenes.models.bounce import deepest
+from corollary.scenes.models.bounce import depth_of
 from corollary.scenes.run import BadSetting
 
 
@@ -140,7 +140,7 @@ def test_a_ball_that_sinks_into_honey_stays():
 def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
     """`share` in units of the critical damping of the stiffest place met, which is at least the true one."""
     m, k, v = 0.1, 1e6 * 1e-3 ** (1.5 - q), 2.8
-    deep = deepest(Contact(k, q), m, v, g)
+    deep = depth_of(Contact(k, q), m, v, g)
     found = run(
         "ball_on_floor",
         {
@@ -152,7 +152,8 @@ def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
             "eta": 2.0 * share * math.sqrt(q * k * m * deep ** (q - 1.0)),
         },
     )
-    assert found.outcome == "sticks" or share < 1.0
+    # A spring at its critical damping: whether it is that or just below, the rounding of eta decides.
+    assert found.outcome == "sticks" or share < 1.0 or (share == 1.0 == q and g == 0.0)
     assert not any(
         math.isnan(x)
         for value in found.observed.values()
@@ -160,14 +161,14 @@ def test_a_ball_at_and_beyond_critical_damping_ends_with_a_name(q, g, share):
     )
     if found.outcome == "sticks":
         assert found.observed["rebound_speed"] == 0.0
-        assert math.isinf(found.observed["duration"])
+        assert "duration" not in found.observed
         assert found.observed["largest_overlap"] >= (m * g / k) ** (1.0 / q) * (1.0 - 1e-9)
 
 
 @pytest.mark.parametrize("g", [0.0, 9.8])
 def test_honey_is_continuous_with_what_is_followed_in_steps(g):
     m, k, v = 0.1, 1e6, 2.8
-    edge = OVERDAMPED * math.sqrt(k * m * deepest(Contact(k), m, v, g) ** 0.5)
+    edge = OVERDAMPED * math.sqrt(k * m * depth_of(Contact(k), m, v, g) ** 0.5)
     stepped, closed = (
         run("ball_on_floor", {"g": g, "v0": -v, "y0": 0.02, "eta": part * edge})
         for part in (1.0 - 1e-12, 1.0 + 1e-9)
@@ -175,7 +176,7 @@ def test_honey_is_continuous_with_what_is_followed_in_steps(g):
     assert (stepped.model, closed.model) == ("integration", "conservation")
     for name in ("largest_overlap", "peak_force"):
         assert closed.observed[name] == pytest.approx(
-            stepped.observed[name], rel=3.0 * closed.errors[name] + 3e-9
+            stepped.observed[name], rel=3.0 * closed.relative_error(name) + 3e-9
         )
 
 
@@ -220,17 +221,17 @@ def test_a_rockets_puffs_bracket_the_steady_burn(puffs, ratio):
     found = run("rocket", {"m0": 100.0 * ratio, "m1": 100.0, "v_rel": 1.0, "N": puffs})
     least, most = found.observed["bracket"]
     assert least < math.log(ratio) < most
-    assert abs(found.observed["velocities"][0] - math.log(ratio)) <= found.errors["velocities"]
+    assert abs(found.observed["velocities"][0] - math.log(ratio)) <= found.errors["velocities"][0]
     assert most - least <= (ratio - 1.0) ** 2 / ratio / puffs * (1.0 + 1e-9)
 
 
 FALLING = """
 from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.run import Run
+from corollary.scenes.run import by_relative_errors
 
 def play(settings, tolerance):
     speed = one(settings, "g") * one(settings, "t")
-    return Run({"velocities": (-speed,)}, {"velocities": 2e-15}, "conservation", "it falls freely", 0, "escaped")
+    return by_relative_errors({"velocities": (-speed,)}, {"velocities": 2e-15}, "conservation", "it falls freely", 0, "escaped")
 
 SCENE = SceneDefinition(
     "a stone falls",

@@ -46,6 +46,6 @@ def test_the_swing_during_the_touch_stays_within_the_error_stated(k):
     found = run("pendulum_block", {"k": k})
     true = swinging_hit(k)
     off = math.dist(true, found.observed["velocities"]) / found.observed["speed_before"]
-    assert 1e-3 * found.errors["velocities"] < off < found.errors["velocities"]
+    assert 1e-3 * found.relative_error("velocities") < off < found.relative_error("velocities")
     height = (true[0] ** 2 / 19.6 - found.observed["height"]) / 1.0
-    assert abs(height) < found.errors["height"]
+    assert abs(height) < found.relative_error("height")

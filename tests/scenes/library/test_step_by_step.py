@@ -36,7 +36,7 @@ def test_a_super_ball_with_a_gap_is_two_collisions(ma, part):
     v = math.sqrt(2 * 9.8)
     wanted = (v * (ma - 3 * mb) / (ma + mb), v * (3 * ma - mb) / (ma + mb))
     for seen, formula in zip(found.observed["velocities"], wanted, strict=True):
-        assert abs(seen - formula) < (found.errors["velocities"] + 1e-6) * v
+        assert abs(seen - formula) < (found.relative_error("velocities") + 1e-6) * v
 
 
 def test_without_a_gap_the_super_ball_is_something_else():

@@ -38,3 +38,21 @@ def test_the_touch_is_as_long_with_weight_as_without_but_for_what_weight_does_to
 def test_balls_so_soft_that_they_sink_in_as_deep_as_they_fell_are_refused():
     with pytest.raises(BadSetting, match="raise k"):
         run("super_ball", {"q": 1.0, "k": 10.0, "weighed": 1})
+
+
+@pytest.mark.parametrize("law", [{"q": 1.0, "k": 1e9}, {"q": 1.5, "k": 1e12}, {"q": 1.5, "k": 1e9}])
+@pytest.mark.parametrize("gap", [0.0, 1e-9, 1e-6])
+def test_with_weight_and_without_agree_within_what_leaving_it_out_may_do(law, gap):
+    """Balls without a gap touch as they fall: what counts begins at the floor."""
+    free, weighed = (run("super_ball", law | {"gap": gap, "weighed": w}) for w in (0, 1))
+    for name in ("velocities", "duration", "heights"):
+        values = (free.observed[name], weighed.observed[name], free.errors[name], weighed.errors[name])
+        for a, b, c, d in zip(*(x if isinstance(x, tuple) else (x,) for x in values), strict=True):
+            assert abs(a - b) <= c + d, name
+
+
+def test_no_gap_is_the_limit_of_a_small_one():
+    law = {"q": 1.0, "k": 1e9, "weighed": 1}
+    none, small = (run("super_ball", law | {"gap": gap}) for gap in (0.0, 1e-12))
+    assert none.observed["velocities"] == pytest.approx(small.observed["velocities"], rel=1e-6)
+    assert none.observed["duration"] == pytest.approx(small.observed["duration"], rel=1e-6)

@@ -20,8 +20,8 @@ def test_the_momentum_of_both_changes_by_the_impulse_of_their_weight(ma, mb, up,
     )
     x, y = found.observed["momentum_change"]
     pull = (ma + mb) * 9.8 * t
-    assert abs(y + pull) <= (3.0 * found.errors["momentum_change"] + 1e-13) * pull
-    assert abs(x) <= (3.0 * found.errors["momentum_change"] + 1e-13) * pull
+    assert abs(y + pull) <= (3.0 * found.relative_error("momentum_change") + 1e-13) * pull
+    assert abs(x) <= (3.0 * found.relative_error("momentum_change") + 1e-13) * pull
     assert found.observed["momentum"] == pytest.approx(
         (3.0 * ma - 0.75 * mb, 4.0 * ma + up * mb - pull), abs=1e-11
     )

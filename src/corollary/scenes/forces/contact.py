@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, ContactForce, Scene, State, overlap, pairs, seen_from
+from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.rows import spin, unit_row
+from corollary.scenes.scene import Conserves, ContactForce, Scene, overlap, seen_from
 
 
 @dataclass(frozen=True, slots=True)
 class Contact(ContactForce):
     """k in N/m^q, eta in kg/s; the push acts from zero overlap to zero overlap, as in the chapter's programs.
 
-    Source: equations (12.23), (12.119) and (12.137).
+    With `mu` (kinetic; `static` is the same where it is not given) surfaces rub at the contact, in a plane: the bodies are turned by it,
+    and roll on each other where it holds. `chosen` names the pairs of bodies it acts between; without it, it acts between all that no
+    other contact has chosen. Source: equations (12.23), (12.119) and (12.137).
     """
 
     k: float
     q: float = 1.5
     eta: float = 0.0
+    mu: float = 0.0
+    static: float | None = None
+    chosen: tuple[tuple[int, int], ...] | None = None
 
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
         """The push along the line of centres, the drag along the relative velocity."""
@@ -29,11 +37,65 @@ class Contact(ContactForce):
         return [spring * x / distance - self.eta * v for x, v in zip(apart, relative, strict=True)]
 
     def potential(self, scene: Scene, state: State) -> float:
-        return sum(stored(self, overlap(scene, state, a, b)[0]) for a, b in pairs(scene))
+        return sum(stored(self, overlap(scene, state, a, b)[0]) for a, b in self.serves(scene))
+
+    def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterator[Rub]:
+        """Where the surfaces of two bodies slip on each other; their arms end where they touch, so nothing turns by itself."""
+        if not self.rubs_surfaces or scene.axes != 2:
+            return
+        for a, b in self.serves(scene):
+
+            def seen(y: State, a: int = a, b: int = b) -> tuple[tuple[float, float], float, Sequence[float]]:
+                apart, relative = seen_from(scene, y, a, b)
+                r = math.hypot(*apart) or 1e-300
+                return (apart[0] / r, apart[1] / r), r, relative
+
+            reach = scene.bodies[a].radius + scene.bodies[b].radius
+            shares = scene.bodies[a].radius / reach, scene.bodies[b].radius / reach
+
+            def rows(
+                t: float, y: State, a: int = a, b: int = b, shares: tuple[float, float] = shares
+            ) -> list[list[float]]:
+                (nx, ny), r, _ = seen(y, a, b)
+                on_a = unit_row(scene, a, (-ny, nx), spin=shares[0] * r)
+                on_b = unit_row(scene, b, (ny, -nx), spin=shares[1] * r)
+                return [[x + z for x, z in zip(on_a, on_b, strict=True)]]
+
+            def drift(
+                t: float, y: State, a: int = a, b: int = b, shares: tuple[float, float] = shares
+            ) -> list[float]:
+                (nx, ny), r, (u, v) = seen(y, a, b)
+                turning, growing = (nx * v - ny * u) / r, nx * u + ny * v
+                spins = shares[0] * spin(scene, y, a) + shares[1] * spin(scene, y, b)
+                return [growing * (turning + spins)]
+
+            def pressing(t: float, y: State, a: int = a, b: int = b) -> float:
+                return push(self, max(overlap(scene, y, a, b)[0], 0.0), 0.0)
+
+            yield Rub(f"bodies {a} and {b}", (a, b), rows, drift, self.mu, self.held_by, normal=pressing)
+
+    @property
+    def held_by(self) -> float:
+        """The static coefficient of friction."""
+        return self.mu if self.static is None else self.static
+
+    @property
+    def rubs_surfaces(self) -> bool:
+        return self.held_by > 0.0
+
+    @property
+    def between_bodies(self) -> tuple[tuple[int, int], ...] | None:
+        return self.chosen
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return tuple(i for pair in self.chosen or () for i in pair)
 
     @property
     def conserves(self) -> Conserves:
-        return Conserves.MOMENTUM | (Conserves.NOTHING if self.eta else Conserves.ENERGY)
+        """Friction turns bodies, and while it holds it does no work; it is not watched for energy."""
+        lossy = bool(self.eta) or self.rubs_surfaces
+        return Conserves.MOMENTUM | (Conserves.NOTHING if lossy else Conserves.ENERGY)
 
 
 def push(contact: Contact, overlap: float, rate: float) -> float:

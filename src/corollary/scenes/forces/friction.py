@@ -1,4 +1,4 @@
-"""Kinetic friction on a level table, against the velocity until the body stops."""
+"""Dry friction on a level table or belt: static until it is overcome, kinetic while the body slips (Coulomb)."""
 
 from __future__ import annotations
 
@@ -6,33 +6,65 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Event, Force, Scene, State, velocity
+from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.rows import velocity_row
+from corollary.scenes.run import BadSetting
+from corollary.scenes.scene import Force, Scene
 
 
 @dataclass(frozen=True, slots=True)
 class Friction(Force):
-    """mu m g against the velocity of one body (by its place in the scene); none on a body at rest."""
+    """mu m g against the velocity of one body (by its place in the scene) relative to a `belt` (m/s).
+
+    At rest on it the body is held by up to `static` m g; `static` is mu where it is not given. Raises BadSetting for a static
+    coefficient below the kinetic one, or either below zero.
+    """
 
     body: int
     mu: float
     g: float = 9.8
+    static: float | None = None
+    belt: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.mu < 0.0 or self.held_by < self.mu:
+            raise BadSetting(
+                f"Friction with mu = {self.mu:g} and static = {self.held_by:g}: both are zero or more, the static one not the smaller."
+            )
+
+    @property
+    def held_by(self) -> float:
+        """The static coefficient."""
+        return self.mu if self.static is None else self.static
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
-        own, mass = velocity(scene, state, self.body), masses[self.body]
-        speed = math.hypot(*own)
-        yield self.body, [-self.mu * mass * self.g * v / speed if speed else 0.0 for v in own]
+    ) -> tuple[tuple[int, Sequence[float]], ...]:
+        """Nothing by itself: what it does follows from whether the body sticks."""
+        return ()
 
-    def events(self, scene: Scene) -> Iterator[Event]:
-        """It ends when the velocity has turned against the one the body set out with."""
-        start = scene.bodies[self.body].velocity
-        if not math.isinf(scene.bodies[self.body].mass):
-            yield Event(
-                lambda y: sum(a * b for a, b in zip(start, velocity(scene, y, self.body), strict=True)),
-                self.body,
-                lambda _: [0.0] * scene.axes,
-            )
+    def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterator[Rub]:
+        body = scene.bodies[self.body]
+        if math.isinf(body.mass):
+            return
+        rows = [velocity_row(scene, self.body, axis) for axis in range(scene.axes)]
+        belt = tuple(self.belt) or (0.0,) * scene.axes
+        weight = body.mass * self.g
+        name = f"{body.name or f'body {self.body}'} on the table"
+        yield Rub(
+            name,
+            (self.body,),
+            lambda t, y: rows,
+            lambda t, y: [0.0] * len(rows),
+            self.mu,
+            self.held_by,
+            belt,
+            lambda t, y: weight,
+        )
+
+    @property
+    def does_no_work_at_rest(self) -> bool:
+        return not any(self.belt)
 
     @property
     def bodies(self) -> tuple[int, ...]:

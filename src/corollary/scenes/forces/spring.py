@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Force, Scene, State, opposite, seen_from
+from corollary.scenes.scene import Conserves, Event, Force, Scene, State, opposite, seen_from
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +23,10 @@ class Spring(Force):
     ) -> Sequence[tuple[int, Sequence[float]]]:
         apart, relative = seen_from(scene, state, *self.ends)
         long = math.hypot(*apart)
+        if scene.axes == 1 and self.length:
+            # On a line it jumps where the bodies change sides: through a step it keeps the side it began on.
+            side = seen_from(scene, since, *self.ends)[0][0]
+            long = math.copysign(1.0, side) * apart[0] if side else long
         if long == 0.0:
             return ()
         growing = sum(x * v for x, v in zip(apart, relative, strict=True)) / long
@@ -33,6 +37,11 @@ class Spring(Force):
         """Zero at the length at rest."""
         apart, _ = seen_from(scene, state, *self.ends)
         return 0.5 * self.k * (math.hypot(*apart) - self.length) ** 2
+
+    def events(self, scene: Scene) -> Iterator[Event]:
+        """On a line: the bodies change sides."""
+        if scene.axes == 1 and self.length:
+            yield Event(lambda y: seen_from(scene, y, *self.ends)[0][0])
 
     @property
     def conserves(self) -> Conserves:

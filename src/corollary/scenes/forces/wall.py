@@ -1,42 +1,112 @@
-"""A hard wall that a body bounces off at once, with a coefficient of restitution (equation 12.60)."""
+"""A hard wall, at rest or moving: bodies bounce off it at once (equation 12.60), or rest, slide and roll on it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Event, Force, Scene, State, bounced, place, velocity
+from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.rows import unit_row
+from corollary.scenes.run import BadSetting
+from corollary.scenes.scene import Conserves, Force, Scene, place
+
+Shift = Callable[[float], tuple[float, float, float]]
 
 
 @dataclass(frozen=True, slots=True)
 class HardWall(Force):
-    """The plane normal . place = offset; bodies stay on the side the unit vector `normal` points to."""
+    """The plane normal . place = offset; bodies stay on the side the unit vector `normal` points to.
+
+    `mu` is its kinetic, `static` its static friction (mu if not given), in a plane: a body with a radius is made to spin by it.
+    `velocity` (m/s) moves it along its normal; `moves` gives offset, velocity and acceleration at a time instead. `only` names the
+    bodies it is there for, all if none. Raises BadSetting when the normal is no unit vector, or a coefficient is out of range.
+    """
 
     normal: tuple[float, ...]
     offset: float = 0.0
     restitution: float = 1.0
+    mu: float = 0.0
+    static: float | None = None
+    velocity: float = 0.0
+    moves: Shift | None = None
+    only: tuple[int, ...] = ()
+
+    def __post_init__(self) -> None:
+        if abs(math.hypot(*self.normal) - 1.0) > 1e-9:
+            raise BadSetting(f"HardWall: normal = {self.normal} must have the length one.")
+        if not (0.0 <= self.restitution <= 1.0 and self.mu >= 0.0 and self.held_by >= self.mu):
+            raise BadSetting(
+                "HardWall: restitution lies between 0 and 1, mu is zero or more, static not less than mu."
+            )
+
+    @property
+    def held_by(self) -> float:
+        """The static coefficient."""
+        return self.mu if self.static is None else self.static
+
+    def at(self, time: float) -> tuple[float, float, float]:
+        """Offset (m), velocity and acceleration along the normal at a time."""
+        return self.moves(time) if self.moves else (self.offset + self.velocity * time, self.velocity, 0.0)
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State
     ) -> tuple[tuple[int, Sequence[float]], ...]:
-        """Nothing: it acts in no time at all, by its events."""
+        """Nothing by itself: it holds bodies back."""
         return ()
 
-    def events(self, scene: Scene) -> Iterator[Event]:
-        """A body's surface reaches the plane, and its velocity is turned round."""
-        for i, body in enumerate(scene.bodies):
-            if not math.isinf(body.mass):
-                yield Event(
-                    lambda y, i=i, radius=body.radius: self.clearance(place(scene, y, i), radius),
-                    i,
-                    lambda y, i=i: bounced(self.normal, velocity(scene, y, i), self.restitution),
-                )
+    def constraints(self, scene: Scene) -> Iterator[Constraint]:
+        for i in self._bodies(scene):
+            body, row = scene.bodies[i], unit_row(scene, i, self.normal)
+            yield Constraint(
+                f"{body.name or f'body {i}'} at the wall",
+                (i,),
+                lambda t, y, i=i, radius=body.radius: self.clearance(place(scene, y, i), radius, t),
+                lambda t, y, row=row: row,
+                lambda t, y: -self.at(t)[2],
+                lambda t: -self.at(t)[1],
+                self.restitution,
+            )
 
-    def clearance(self, place: Sequence[float], radius: float) -> float:
+    def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterator[Rub]:
+        """Where the surface of a body slips along the wall."""
+        if self.held_by == 0.0 or scene.axes != 2:
+            return
+        nx, ny = self.normal
+        for i, constraint in zip(self._bodies(scene), held, strict=True):
+            row = unit_row(scene, i, (ny, -nx), spin=scene.bodies[i].radius)
+            yield Rub(
+                constraint.name,
+                (i,),
+                lambda t, y, row=row: [row],
+                lambda t, y: [0.0],
+                self.mu,
+                self.held_by,
+                pressed=constraint,
+            )
+
+    def _bodies(self, scene: Scene) -> list[int]:
+        chosen = self.only or range(len(scene.bodies))
+        return [i for i in chosen if not math.isinf(scene.bodies[i].mass)]
+
+    def clearance(self, place: Sequence[float], radius: float, time: float = 0.0) -> float:
         """How far (m) the surface of a body is from the wall; negative behind it."""
-        return sum(n * x for n, x in zip(self.normal, place, strict=True)) - self.offset - radius
+        return sum(n * x for n, x in zip(self.normal, place, strict=True)) - self.at(time)[0] - radius
+
+    @property
+    def does_no_work_at_rest(self) -> bool:
+        return self.moves is None and self.velocity == 0.0
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return self.only
+
+    @property
+    def rubs_surfaces(self) -> bool:
+        return self.held_by > 0.0
 
     @property
     def conserves(self) -> Conserves:
-        return Conserves.ENERGY if self.restitution == 1.0 else Conserves.NOTHING
+        moving = self.moves is not None or self.velocity != 0.0
+        elastic = self.restitution == 1.0 and self.held_by == 0.0 and not moving
+        return Conserves.ENERGY if elastic else Conserves.NOTHING

@@ -19,7 +19,7 @@ from corollary.scenes.models.pair import Pair, Parting, Touching, deepest, loade
 from corollary.scenes.models.sticking import never_faster
 from corollary.scenes.run import GuardFailed
 
-MOST_STEPS = 20_000
+MOST_STEPS = 3000
 # Places in the state: root of the overlap, its rate, share of the spin left, time, angle turned.
 W, P, SPIN, TIME, TURN = range(5)
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.flow import faded_time
+from corollary.scenes.definition import SceneDefinition, Setting
+from corollary.scenes.models.certain import Evaluated, balls, found
+from corollary.scenes.models.dashpot import fading_by
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -27,29 +26,24 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     The drop is dragged along by a dashpot. The relative velocity w obeys w' = F/m - (grip/mu) w, so it fades to F mu/(m grip): the
     force goes on to act on the body alone, and the drop lags behind by that much. The centre of mass gains F t/(m + dm).
     """
-    m, dm, v, u, force, t, dt = (one(settings, name) for name in ("m", "dm", "v", "u", "F", "t", "dt"))
-    total = m + dm
-    mu = m / total * dm
-    grip = faded_time(m, dm, 1.0) / dt
-    lag = force * mu / (m * grip)
-    left = lag + (v - u - lag) * math.exp(-grip / mu * t)
-    centre = m / total * v + dm / total * u + force / total * t
-    body, drop = centre + dm / total * left, centre - m / total * left
-    # The relative velocity only goes from the one to the other: the pull is largest at an end.
-    pulls = grip * abs(v - u), grip * abs(left)
-    observed: dict[str, Observed] = {
-        "velocities": (body, drop),
-        "momentum_change": m * (body - v) + dm * (drop - u),
-        "peak_force": max(pulls),
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m, dm, v, u, force, t, dt = balls(settings, "m", "dm", "v", "u", "F", "t", "dt")
+    total, rate = m + dm, fading_by() / dt
+    lag = force / (m * rate)
+    left = lag + (v - u - lag) * (-rate * t).exp()
+    centre = (m * v + dm * u + force * t) / total
+    grip = rate * m * dm / total
+    values = {
+        "velocities": (centre + dm / total * left, centre - m / total * left),
+        "momentum_change": force * t,
+        # The relative velocity only goes from the one to the other: the pull is largest at an end.
+        "peak_force": grip * abs(v - u).max(abs(left)),
     }
-    fastest = max(abs(body), abs(drop), abs(v), abs(u)) or 1.0
-    caught = 4.0 * ROUNDING + abs(left) / fastest
-    # A difference of momenta: rounding counts in units of the impulse, or of the momenta where there is none.
-    impulse = abs(force) * t
-    rounding = 4.0 * ROUNDING * (total * fastest / impulse if impulse else 1.0)
-    errors = {"velocities": caught, "momentum_change": rounding, "peak_force": 4.0 * ROUNDING}
     why = "a dashpot under a constant force moves both in closed form"
-    return Run(observed, errors, "piecewise exact", why, 0, "sticks")
+    return Evaluated("sticks", values, "piecewise exact", why)
 
 
 SCENE = SceneDefinition("a body takes up a small drop", SETTINGS, play)

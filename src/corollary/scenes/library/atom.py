@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.well import Well
-from corollary.scenes.models.central import Radial, radial, swept
+from corollary.scenes.models.central import Radial, radial
+from corollary.scenes.models.certain import Balls, Evaluated, found, sign
 from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
@@ -27,6 +28,8 @@ SETTINGS = (
     Setting("dimension", "1 for a line, 2 for a plane", "1", 2.0, least=1.0, most=2.0, whole=True),
 )
 
+GONE = "it starts at the edge on its way out: nothing acts beyond"
+
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Bound: period of the distance, its turning points, the angle turned in one period. Else: the velocity far away.
@@ -37,19 +40,12 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     if well.d >= well.b:
         raise BadSetting(f"atom: d = {well.d:g} m must be less than b = {well.b:g} m: the core has a size.")
     plane = one(settings, "dimension") == 2.0
-    (x, y), (u, v) = _start(settings, plane)
-    r = math.hypot(x, y) if plane else x
-    if r < well.wall:
+    place, velocity = _start(settings, plane)
+    if math.hypot(*place) < well.wall:
         raise BadSetting(
-            f"atom: r0 = {r:g} m is inside the core; start at b - d = {well.wall:g} m or beyond."
+            f"atom: r0 = {math.hypot(*place):g} m is inside the core; start at b - d = {well.wall:g} m or beyond."
         )
-    along, across = (x * u + y * v) / r, (x * v - y * u) / r
-    if r > well.edge:
-        return _from_outside(well, m, r, along, across, math.atan2(y, x), plane)
-    motion = radial(well, m, r, along, across)
-    if motion.square_of_speed(well.edge) > 0.0 and (motion.high > well.edge or r == well.edge):
-        return _leaves(well, motion, r, along, math.atan2(y, x), plane, 0.0)
-    return _bound(motion, plane)
+    return found(lambda: _motion(well, m, place, velocity, plane))
 
 
 def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -67,80 +63,87 @@ def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, 
     return (place[0], place[1]), (velocity[0], velocity[1])
 
 
-def _bound(motion: Radial, plane: bool) -> Run:
-    if motion.spin == 0.0:
-        period, angle, error_estimate, spent = 2.0 * math.pi / motion.frequency, 0.0, ROUNDING, 0
-    else:
-        half, half_angle, error_estimate, spent = swept(motion, 0.0, math.pi)
-        period, angle = 2.0 * half, 2.0 * half_angle
-    observed: dict[str, Observed] = {
-        "period": period,
+def _motion(
+    well: Well, mass: float, place: tuple[float, float], velocity: tuple[float, float], plane: bool
+) -> Evaluated:
+    m, (x, y), (u, v) = Ball(mass), map(Ball, place), map(Ball, velocity)
+    r = (x * x + y * y).sqrt() if place[1] else abs(x)
+    along, spin = (x * u + y * v) / r, x * v - y * u
+    at, edge = Ball.atan2(y, x), Ball(well.edge)
+    if sign(x * x + y * y - edge * edge) > 0:
+        return _from_outside(well, m, r, along, spin, at, plane)
+    motion = radial(well, m, r, along, spin)
+    # On the edge and not on its way in it is gone: nothing pulls beyond.
+    if sign(x * x + y * y - edge * edge) == 0 and sign(along) >= 0:
+        return Evaluated(
+            "escaped", _straight(at, along, spin / r, plane) | {"duration": Ball(0)}, "conservation", GONE
+        )
+    leaves = sign(motion.square_of_speed(edge)) > 0 and sign(motion.high - edge) > 0
+    return _leaves(well, motion, r, along, at, plane, Ball(0)) if leaves else _bound(motion, plane)
+
+
+def _bound(motion: Radial, plane: bool) -> Evaluated:
+    lasted, turned = (2 * each for each in motion.swept(Ball(0), Ball.pi()))
+    values: dict[str, Balls] = {
+        "period": lasted,
         "turning_points": (motion.low, motion.high),
-        "escapes": 0.0,
+        "escapes": Ball(0),
     }
     if plane:
-        observed["angle"] = angle
-    errors = dict.fromkeys(observed, max(4.0 * error_estimate, ROUNDING))
-    if motion.spin == 0.0:
+        values["angle"] = turned
+    if sign(motion.spin) == 0:
         why = "bound, on a line through the centre: a harmonic swing, known exactly"
-        return Run(observed, errors, "piecewise exact", why, spent, "bound")
+        return Evaluated("bound", values, "piecewise exact", why)
     why = "bound in a plane: energy and angular momentum leave two integrals between the turning points"
-    return Run(observed, errors, "quadrature", why, spent, "bound")
+    return Evaluated("bound", values, "quadrature", why)
 
 
 def _leaves(
-    well: Well, motion: Radial, r: float, along: float, angle: float, plane: bool, before: float
-) -> Run:
+    well: Well, motion: Radial, r: Ball, along: Ball, angle: Ball, plane: bool, before: Ball
+) -> Evaluated:
     """In to the core or the turning point if it moves inward, then out over the edge; nothing acts beyond."""
-    nearest = max(motion.low, well.wall)
-    begin, core, edge = motion.phase(r), motion.phase(nearest), motion.phase(well.edge)
-    inward = along < 0.0
-    legs = [swept(motion, core, begin), swept(motion, core, edge)] if inward else [swept(motion, begin, edge)]
-    time, turned = (math.fsum(leg[i] for leg in legs) for i in (0, 1))
-    error_estimate, spent = max(leg[2] for leg in legs), sum(leg[3] for leg in legs)
-    outward, across = math.sqrt(motion.square_of_speed(well.edge)), motion.spin / well.edge
-    c, s = math.cos(angle + turned), math.sin(angle + turned)
-    velocities = (outward * c - across * s, outward * s + across * c) if plane else (outward,)
-    observed: dict[str, Observed] = {
-        "velocities": velocities,
+    wall, edge = Ball(well.wall), Ball(well.edge)
+    nearest = wall if sign(motion.low - wall) < 0 else motion.low
+    begin, core, rim = motion.phase(r), motion.phase(nearest), motion.phase(edge)
+    inward = sign(along) < 0
+    legs = [motion.swept(core, begin), motion.swept(core, rim)] if inward else [motion.swept(begin, rim)]
+    time, turned = before, angle
+    for lasted, swept in legs:
+        time, turned = time + lasted, turned + swept
+    outward, across = motion.square_of_speed(edge).sqrt(), motion.spin / edge
+    c, s = turned.cos(), turned.sin()
+    values: dict[str, Balls] = {
+        "velocities": (outward * c - across * s, outward * s + across * c) if plane else (outward,),
         "turning_points": (nearest,) if inward else (),
-        "duration": before + time,
-        "escapes": 1.0,
+        "duration": time,
+        "escapes": Ball(1),
     }
     why = "it has the energy to leave: integrals of the energy give when and where, a straight line the rest"
-    return Run(
-        observed,
-        dict.fromkeys(observed, max(8.0 * error_estimate, ROUNDING)),
-        "quadrature",
-        why,
-        spent,
-        "escaped",
-    )
+    return Evaluated("escaped", values, "quadrature", why)
 
 
 def _from_outside(
-    well: Well, m: float, r: float, along: float, across: float, angle: float, plane: bool
-) -> Run:
+    well: Well, m: Ball, r: Ball, along: Ball, spin: Ball, angle: Ball, plane: bool
+) -> Evaluated:
     """A straight line until the edge of the well, if it is met at all."""
-    speed = math.hypot(along, across)
-    room = (well.edge * speed - r * abs(across)) * (well.edge * speed + r * abs(across))
-    if along >= 0.0 or room <= 0.0:
-        c, s = math.cos(angle), math.sin(angle)
-        velocities = (along * c - across * s, along * s + across * c) if plane else (along,)
-        observed: dict[str, Observed] = {"velocities": velocities, "turning_points": (), "escapes": 1.0}
-        return Run(
-            observed,
-            dict.fromkeys(observed, ROUNDING),
-            "conservation",
-            "it passes outside the well",
-            0,
-            "missed",
+    edge = Ball(well.edge)
+    square = along * along + (spin / r) ** 2
+    room = edge * edge * square - spin * spin
+    if sign(along) >= 0 or sign(room) <= 0:
+        return Evaluated(
+            "missed", _straight(angle, along, spin / r, plane), "conservation", "it passes outside the well"
         )
-    inward, way = math.sqrt(room) / well.edge, (r - well.edge) * (r + well.edge)
-    after = way / (-r * along + math.sqrt(room))
-    entered = angle + math.atan2(across * after, r + along * after)
-    motion = radial(well, m, well.edge, -inward, r * across / well.edge)
-    return _leaves(well, motion, well.edge, -inward, entered, plane, after)
+    inward, way = room.sqrt() / edge, (r - edge) * (r + edge)
+    after = way / (room.sqrt() - r * along)
+    entered = angle + Ball.atan2(spin / r * after, r + along * after)
+    return _leaves(well, radial(well, m, edge, -inward, spin), edge, -inward, entered, plane, after)
+
+
+def _straight(angle: Ball, along: Ball, across: Ball, plane: bool) -> dict[str, Balls]:
+    """What is seen of an atom on which nothing acts any more."""
+    c, s = angle.cos(), angle.sin()
+    velocities = (along * c - across * s, along * s + across * c) if plane else (along,)
+    return {"velocities": velocities, "turning_points": (), "escapes": Ball(1)}
 
 
 SCENE = SceneDefinition("an atom in a truncated harmonic well, on a line or in a plane", SETTINGS, play)

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
+from corollary.formula.ball import Ball
 from corollary.scenes.collision import ROUNDING, collide
 from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.bounce import bounce, deepest
+from corollary.scenes.models.bounce import bounce, depth_of
+from corollary.scenes.models.certain import Balls, Evaluated, balls, found
+from corollary.scenes.models.two_bodies import BETA, CONSERVED, FADES, damped, swings, undamped
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.run import NEVER_PART, BadSetting, Model, Observed, Run, by_relative_errors
 
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.1, above=0.0),
@@ -38,63 +42,105 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         raise BadSetting(
             f"ball_on_floor: y0 = {y0:g} m is inside the floor; the centre must start at R = {r:g} m or higher."
         )
-    square = v0 * v0 + 2.0 * g * (y0 - r)
-    if (v0 >= 0.0 and g == 0.0) or square == 0.0:
-        nothing: dict[str, Observed] = dict.fromkeys(
-            ("duration", "peak_force", "impulse", "largest_overlap"), 0.0
+    if v0 >= 0.0 and (g == 0.0 or (v0 == 0.0 and y0 == r)):
+        return found(lambda: _missed(Ball(v0)))
+    contact = Contact(k, q, eta)
+    if eta > 0.0 and not (g == 0.0 and q == 1.0):
+        return _damped(m, contact, math.sqrt(v0 * v0 + 2.0 * g * (y0 - r)), g, tolerance)
+    return found(lambda: _evaluated(settings, contact))
+
+
+def _missed(v0: Ball) -> Evaluated:
+    values: dict[str, Balls] = dict.fromkeys(
+        ("duration", "peak_force", "impulse", "largest_overlap"), Ball(0)
+    )
+    return Evaluated(
+        "missed", values | {"velocities": (v0,)}, "conservation", "the ball never meets the floor"
+    )
+
+
+def _evaluated(settings: Mapping[str, Observed], contact: Contact) -> Evaluated:
+    """Without damping; or a spring with a dashpot without weight."""
+    m, r, y0, v0, g = balls(settings, "m", "R", "y0", "v0", "g")
+    speed = (v0 * v0 + 2 * g * (y0 - r)).sqrt()
+    by: dict[str, tuple[Model, str]] = {}
+    if g > 0:
+        hit = bounce(contact, m, speed, g)
+        why = "one body, no damping: energy gives the deepest point, a rigorous integral over the energy the duration"
+    elif contact.eta == 0.0:
+        hit, why = undamped(m, Ball(contact.k), Ball(contact.q), speed), BETA
+    else:
+        hit, why = (
+            damped(
+                m, Ball(contact.k), Ball(contact.eta), speed, swings((math.inf, one(settings, "m")), contact)
+            ),
+            FADES,
         )
-        nothing["velocities"] = (v0,)
-        return Run(
-            nothing,
-            dict.fromkeys(nothing, 0.0),
-            "conservation",
-            "the ball never meets the floor",
-            0,
-            "missed",
-        )
-    speed = math.sqrt(square)
-    if eta > 0.0:
-        return _damped(m, Contact(k, q, eta), speed, g, tolerance)
-    found = bounce(Contact(k, q), m, speed, g)
-    observed: dict[str, Observed] = {
-        "velocities": (speed,),
-        "duration": found.duration,
-        "peak_force": found.force,
-        "impulse": 2.0 * m * speed + m * g * found.duration,
-        "largest_overlap": found.overlap,
-        "rebound_speed": speed,
-        "energy_ratio": 1.0,
+    if contact.eta == 0.0:
+        by = dict.fromkeys(("velocities", "rebound_speed", "energy_ratio"), ("conservation", CONSERVED))
+    back = hit.restitution
+    values: dict[str, Balls] = {
+        "velocities": (back * speed,),
+        "peak_force": hit.force,
+        "impulse": (1 + back) * m * speed + (m * g * hit.duration if hit.duration is not None else 0),
+        "largest_overlap": hit.overlap,
+        "rebound_speed": back * speed,
+        "energy_ratio": back * back,
     }
-    errors = dict.fromkeys(observed, ROUNDING) | {"duration": max(found.error_estimate, ROUNDING)}
-    why = "one body, no damping: energy gives the rebound and the deepest point, an integral over the energy the duration"
-    return Run(observed, errors, "quadrature", why, found.evaluations, "released")
+    if hit.duration is None:
+        return Evaluated("sticks", values, "piecewise exact", why, warnings=(NEVER_PART,))
+    model: Model = "quadrature" if contact.eta == 0.0 else "piecewise exact"
+    return Evaluated("released", values | {"duration": hit.duration}, model, why, by)
+
+
+def stepped(settings: Mapping[str, Observed], tolerance: float) -> Run | None:
+    """The same contact followed in steps, whatever else could be done; none where there is no contact."""
+    m, k, q, r, y0, v0, g, eta = (
+        one(settings, name) for name in ("m", "k", "q", "R", "y0", "v0", "g", "eta")
+    )
+    square = v0 * v0 + 2.0 * g * (y0 - r)
+    if square == 0.0 or (v0 >= 0.0 and g == 0.0):
+        return None
+    return _damped(m, Contact(k, q, eta), math.sqrt(square), g, tolerance)
 
 
 def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float) -> Run:
-    deep = deepest(contact, m, speed, g)
+    if not math.isfinite(speed):
+        raise OverflowError
+    deep = depth_of(contact, m, speed, g)
     thick = contact.eta / math.sqrt(contact.k * m * deep ** (contact.q - 1.0))
     if thick > OVERDAMPED and (contact.q > 1.0 or g > 0.0):
         change = 4.0 * math.log(thick) / thick**2 * (m * speed / contact.eta / deep) ** (contact.q - 1.0)
         return _overdamped(m, contact, speed, g, change)
     line = RowOfBodies((math.inf, m), (0.0, -speed), (0.0,), (contact,), weight=g)
-    found = collide(line, tolerance)
-    result, errors = found.result, found.errors
-    rebound = result.velocities[1]
+    collided = collide(line, tolerance)
+    result, errors = collided.result, collided.errors
+    rebound, lasts = result.velocities[1], result.duration if math.isfinite(result.duration) else 0.0
     observed: dict[str, Observed] = {
         "velocities": (rebound,),
         "duration": result.duration,
         "peak_force": result.forces[0],
-        "impulse": m * (rebound + speed) + (m * g * result.duration if g else 0.0),
+        "impulse": m * (rebound + speed) + m * g * lasts,
         "largest_overlap": result.overlaps[0],
         "rebound_speed": rebound,
         "energy_ratio": (rebound / speed) ** 2,
     }
-    of = {"duration": "duration", "peak_force": "forces", "largest_overlap": "overlaps"}
+    if result.outcome == "sticks" and g:
+        del observed["impulse"]  # weight goes on for ever
     sizes = {
-        name: errors[of.get(name, "velocities")] * (2.0 if name == "energy_ratio" else 1.0)
-        for name in observed
+        "velocities": errors["velocities"],
+        "rebound_speed": errors["velocities"],
+        "energy_ratio": 2.0 * errors["velocities"],
+        "duration": errors["duration"],
+        "peak_force": errors["forces"],
+        "largest_overlap": errors["overlaps"],
+        # Both a change of momentum and a time are in it.
+        "impulse": errors["velocities"] + errors["duration"] * g * lasts / speed,
     }
-    return Run(observed, sizes, found.model, found.why, found.spent, result.outcome)
+    scales = {"velocities": speed, "rebound_speed": speed, "impulse": m * speed, "energy_ratio": 1.0}
+    return by_relative_errors(
+        observed, sizes, collided.model, collided.why, collided.spent, result.outcome, scales
+    )
 
 
 def _overdamped(m: float, contact: Contact, speed: float, g: float, change: float) -> Run:
@@ -107,18 +153,19 @@ def _overdamped(m: float, contact: Contact, speed: float, g: float, change: floa
     stopped = m * speed / contact.eta
     observed: dict[str, Observed] = {
         "velocities": (0.0,),
-        "duration": math.inf,
         "peak_force": max(contact.eta * speed, m * g),
-        "impulse": math.inf if g else m * speed,
         "largest_overlap": max(rest, stopped),
         "rebound_speed": 0.0,
         "energy_ratio": 0.0,
     }
+    if not g:
+        observed["impulse"] = m * speed
     errors = dict.fromkeys(observed, ROUNDING)
     if stopped > rest:
         errors["largest_overlap"] = max(ROUNDING, change)
     why = "the damping is so much above the critical one that it alone decides"
-    return Run(observed, errors, "conservation", why, 0, "sticks")
+    overdamped = by_relative_errors(observed, errors, "conservation", why, 0, "sticks")
+    return replace(overdamped, warnings=(NEVER_PART,))
 
 
 SCENE = SceneDefinition("a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play)

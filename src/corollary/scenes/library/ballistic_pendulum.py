@@ -9,8 +9,7 @@ from corollary.scenes.collision import ROUNDING
 from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.integrate.controller import factor
 from corollary.scenes.integrate.step import EVALUATIONS, tried
-from corollary.scenes.models.flow import faded_time
-from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
 SETTINGS = (
     Setting("mA", "mass of the bullet", "kg", 0.01, above=0.0),
@@ -56,8 +55,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         "energy_change": both * g * height - 0.5 * bullet * v**2,
     }
     errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * error / common)
+    scales = {"energy_change": 0.5 * bullet * v**2}
     why = "a block that swings while a dashpot brakes the bullet in it: step by step; then energy for the rest of the swing"
-    return Run(observed, errors, "integration", why, rough[2] + spent, "sticks")
+    return by_relative_errors(observed, errors, "integration", why, rough[2] + spent, "sticks", scales)
 
 
 def _held_fast(settings: Mapping[str, Observed], tolerance: float) -> tuple[float, float, int]:
@@ -77,7 +77,9 @@ def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[fl
     way of the bullet, and for both along the arc, where the ropes do not pull.
     """
     bullet, block, v, length, g, dt = (one(settings, name) for name in ("mA", "mB", "v", "L", "g", "dt"))
-    grip, both = faded_time(bullet, block, 1.0) / dt, bullet + block
+    both = bullet + block
+    # A dashpot that leaves e^-40 of the bullet's motion in the block.
+    grip = 40.0 * bullet / both * block / dt
 
     def slope(_: float, state: Sequence[float]) -> list[float]:
         way, _, speed, inside = state

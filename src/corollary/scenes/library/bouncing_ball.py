@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.models.certain import Balls, Evaluated, balls, found
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -22,23 +22,29 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
 
     A ball with r < 1 bounces infinitely often in the time sqrt(2 h0/g) (1 + r)/(1 - r), `rests_after`.
     """
-    h0, r, g = (one(settings, name) for name in ("h0", "r", "g"))
-    speed = math.sqrt(2.0 * g * h0)
-    time = speed / g
-    heights: list[float] = []
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    h0, r, g = balls(settings, "h0", "r", "g")
+    fall, rebound, up = (2 * h0 / g).sqrt(), Ball(1), Ball(0)
+    heights: list[Ball] = []
     for bounce in range(round(one(settings, "n"))):
-        time += 2.0 * speed / g if bounce else 0.0
-        speed *= r
-        heights.append(speed * speed / (2.0 * g))
-    observed: dict[str, Observed] = {
+        up += 2 * rebound if bounce else 0
+        rebound *= r
+        heights.append(h0 * rebound * rebound)
+    values: dict[str, Balls] = {
         "heights": tuple(heights),
-        "rebound_speed": speed,
-        "duration": time,
-        "rests_after": math.sqrt(2.0 * h0 / g) * (1.0 + r) / (1.0 - r) if r < 1.0 else math.inf,
+        "rebound_speed": (2 * g * h0).sqrt() * rebound,
+        "duration": fall * (1 + up),
     }
+    if r < 1:
+        values["rests_after"] = fall * (1 + r) / (1 - r)
+    warnings = () if r < 1 else ("A ball that gives back all of its speed never comes to rest.",)
     why = "free fall from bounce to bounce is known exactly"
-    errors = dict.fromkeys(observed, ROUNDING * len(heights))
-    return Run(observed, errors, "piecewise exact", why, 0, "sticks" if r == 0.0 else "released")
+    return Evaluated(
+        "sticks" if r.is_zero() else "released", values, "piecewise exact", why, warnings=warnings
+    )
 
 
 SCENE = SceneDefinition("a ball bounces on a floor with a coefficient of restitution", SETTINGS, play)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.flow import Mover, faded_time, stopping, under_dashpot
+from corollary.scenes.definition import SceneDefinition, Setting
+from corollary.scenes.models.certain import Evaluated, balls, found
+from corollary.scenes.models.dashpot import faded, fading_by
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -22,25 +22,25 @@ SETTINGS = (
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """`distance` is how far the block slides on the rough region, `energy_change` that of the collision (J).
 
-    The bullet is braked by a dashpot that leaves less than 1e-17 of its velocity relative to the block; only then does the
-    rough region begin, as in the exercise.
+    The bullet is braked by a dashpot for the time dt, and then held fast; only then does the rough region begin, as in the exercise.
     """
-    m, block, v, mu, g, dt = (one(settings, name) for name in ("m", "M", "v", "mu", "g", "dt"))
-    grip = faded_time(m, block, 1.0) / dt
-    bullet, stuck = under_dashpot(Mover(0.0, v), Mover(0.0, 0.0), m, block, grip, dt)
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m, block, v, mu, g, dt = balls(settings, "m", "M", "v", "mu", "g", "dt")
     both = m + block
-    stop, slid = stopping(Mover(0.0, stuck.v), both, mu * both * g)
-    observed: dict[str, Observed] = {
-        "velocities": (bullet.v, stuck.v),
-        "energy_change": 0.5 * m * (bullet.v**2 - v**2) + 0.5 * block * stuck.v**2,
-        "distance": stop.x,
-        "duration": slid,
-        "depth": bullet.x - stuck.x,
-        "peak_force": grip * v,
+    common = m * v / both
+    values = {
+        "velocities": (common, common),
+        "energy_change": -v * v * m * block / (2 * both),
+        "distance": common * common / (2 * mu * g),
+        "duration": common / (mu * g),
+        "depth": v * (1 - faded()) * dt / fading_by(),
+        "peak_force": fading_by() * m * block / both * v / dt,
     }
-    errors = dict.fromkeys(observed, 2.0 * ROUNDING + 2.0 * abs(bullet.v - stuck.v) / stuck.v)
     why = "a dashpot, then constant friction: each moves the bodies in closed form"
-    return Run(observed, errors, "piecewise exact", why, 0, "sticks")
+    return Evaluated("sticks", values, "piecewise exact", why)
 
 
 SCENE = SceneDefinition("a bullet gets stuck in a block that slides to rest", SETTINGS, play)

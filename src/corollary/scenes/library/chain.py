@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
 from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.models.certain import Evaluated, balls, found
 from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
@@ -23,37 +22,26 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Impulse and work of the hand until the last link hangs, energy lost, and the mean force while one link is lifted about y.
 
     Every link jerks the hand with (m/N) v0, as momentum demands; between jerks the hand carries what hangs. Link i leaves the
-    heap when the length (i + 1/2) L/N is lifted.
+    heap when the length (i + 1/2) L/N is lifted, so that on the mean half of the chain hangs.
     """
-    m, length, v0, g, y = (one(settings, name) for name in ("m", "L", "v0", "g", "y"))
-    count = round(one(settings, "N"))
+    y, length = one(settings, "y"), one(settings, "L")
     if y > length:
         raise BadSetting(f"chain: y = {y:g} m is more than the chain is long ({length:g} m).")
-    link, beat = m / count, length / count / v0
-    jerks: list[float] = []
-    carried: list[float] = []
-    lost: list[float] = []
-    hanging = 0.0
-    for _ in range(count):
-        carried.append(hanging * g * 0.5 * beat)
-        jerks.append(link * v0)
-        lost.append(0.5 * link * v0 * v0)
-        hanging += link
-        carried.append(hanging * g * 0.5 * beat)
-    impulse = math.fsum(jerks) + math.fsum(carried)
-    # While one link is lifted about y there is one jerk, at j + 1/2; j links hang before it and one more after it.
-    lifted = y / length * count
-    j = math.floor(lifted)
-    mean_force = link * v0 / beat + link * g * (j * (j + 1 - lifted) + (j + 1) * (lifted - j))
-    observed: dict[str, Observed] = {
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m, length, v0, g, y = balls(settings, "m", "L", "v0", "g", "y")
+    impulse = m * v0 + m * g * length / (2 * v0)
+    # While one link is lifted about y there is one jerk, at j + 1/2; j links hang before it and one more after it: y/L N on the mean.
+    values = {
         "impulse": impulse,
-        "mean_force": mean_force,
+        "mean_force": m / length * v0 * v0 + m * g * y / length,
         "work": impulse * v0,
-        "energy_lost": math.fsum(lost),
+        "energy_lost": m * v0 * v0 / 2,
     }
-    errors = dict.fromkeys(observed, ROUNDING * math.sqrt(count))
     why = "links picked up one by one: momentum at every jerk, weight between; all sums are closed"
-    return Run(observed, errors, "piecewise exact", why, count, "released")
+    return Evaluated("released", values, "piecewise exact", why)
 
 
 SCENE = SceneDefinition("a chain lifted from a heap at constant speed", SETTINGS, play)

@@ -7,8 +7,10 @@ from collections.abc import Mapping
 from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.models.certain import found
+from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.run import BadSetting, Observed, Run, by_relative_errors
 
 SETTINGS = (
     Setting("N", "number of balls", "1", 3.0, least=2.0, most=200.0, whole=True),
@@ -32,6 +34,10 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
     if coming >= count:
         raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
+    if count == 2:
+        row(settings, "gaps", 1, "gaps")  # however far apart, the collision is the same
+        pair = found(lambda: collision((masses[0], masses[1]), (v0, 0.0), Contact(k, q)))
+        return pair.only(("velocities", "duration", "largest_overlap", "peak_force"))
     m = masses[0]
     length = (m * v0 / k * v0) ** (1.0 / (q + 1.0))
     line = RowOfBodies(
@@ -40,9 +46,9 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         gaps=tuple(gap / length for gap in row(settings, "gaps", count - 1, "gaps")),
         contacts=(Contact(1.0, q),) * (count - 1),
     )
-    found = collide(line, tolerance)
-    result = found.result
-    return Run(
+    collided = collide(line, tolerance)
+    result = collided.result
+    return by_relative_errors(
         observed={
             "velocities": tuple(v0 * v for v in result.velocities),
             "duration": result.duration * length / v0,
@@ -50,15 +56,16 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
             "peak_force": m * v0 * v0 / length * max(result.forces),
         },
         errors={
-            "velocities": found.errors["velocities"],
-            "duration": found.errors["duration"],
-            "largest_overlap": found.errors["overlaps"],
-            "peak_force": found.errors["forces"],
+            "velocities": collided.errors["velocities"],
+            "duration": collided.errors["duration"],
+            "largest_overlap": collided.errors["overlaps"],
+            "peak_force": collided.errors["forces"],
         },
-        model=found.model,
-        why=found.why,
-        evaluations=found.spent,
+        model=collided.model,
+        why=collided.why,
+        evaluations=collided.spent,
         outcome=result.outcome,
+        scales={"velocities": v0},
     )
 
 

@@ -8,7 +8,7 @@ from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
-from corollary.scenes.run import Observable, Observed, Run
+from corollary.scenes.run import Observable, Observed, Run, by_relative_errors
 from corollary.scenes.scene import Body, Scene
 
 SETTINGS = (
@@ -36,8 +36,12 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     assert isinstance(fall, tuple)
     assert isinstance(place, tuple)
     observed: dict[str, Observed] = {"velocities": (-fall[0],), "way": -place[0], "mass": m + rate * t}
-    errors = {"velocities": run.errors["velocities"], "way": run.errors["trajectory"], "mass": 2e-16}
-    return Run(observed, errors, run.model, run.why, run.evaluations, "bound")
+    errors = {
+        "velocities": run.relative_error("velocities"),
+        "way": run.relative_error("trajectory"),
+        "mass": 2e-16,
+    }
+    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, "bound")
 
 
 SCENE = SceneDefinition("a drop takes up vapour as it falls", SETTINGS, play)

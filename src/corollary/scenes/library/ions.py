@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.models.certain import Evaluated, balls, found
 from corollary.scenes.run import BadSetting, Observed, Run
 
 SETTINGS = (
@@ -24,20 +24,25 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
 
     mu v^2/2 + C/r0 = mu (s v)^2/(2 r^2) + C/r at the closest point, a quadratic in 1/r.
     """
-    strength, ma, mb, v, r0, s = (one(settings, name) for name in ("C", "mA", "mB", "v", "r0", "s"))
+    r0, s = one(settings, "r0"), one(settings, "s")
     if s >= r0:
         raise BadSetting(f"ions: s = {s:g} m must be less than r0 = {r0:g} m, for the ions come nearer.")
-    mu = ma / (ma + mb) * mb
-    energy, spin = 0.5 * mu * v * v + strength / r0, 0.5 * mu * (s * v) ** 2
-    nearest = (strength + math.sqrt(strength**2 + 4.0 * spin * energy)) / (2.0 * energy)
-    observed: dict[str, Observed] = {
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    strength, ma, mb, v, r0, s = balls(settings, "C", "mA", "mB", "v", "r0", "s")
+    mass = 1 / (1 / ma + 1 / mb)
+    energy, spin = mass * v * v / 2 + strength / r0, mass * (s * v) ** 2 / 2
+    nearest = (strength + (strength**2 + 4 * spin * energy).sqrt()) / (2 * energy)
+    values = {
         "turning_points": (nearest,),
         "peak_force": strength / nearest**2,
-        "far_speed": math.sqrt(2.0 * energy / mu),
-        "escapes": 1.0,
+        "far_speed": (2 * energy / mass).sqrt(),
+        "escapes": Ball(1),
     }
     why = "energy and angular momentum of the pair: the closest distance is the root of a quadratic"
-    return Run(observed, dict.fromkeys(observed, 4.0 * ROUNDING), "conservation", why, 0, "escaped")
+    return Evaluated("escaped", values, "conservation", why)
 
 
 SCENE = SceneDefinition("two ions repel each other and turn round", SETTINGS, play)

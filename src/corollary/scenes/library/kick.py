@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.gauss import integral
+from corollary.scenes.models.certain import ComplexBall, Evaluated, balls, found, integral
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -29,31 +28,28 @@ SETTINGS = (
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocity after the push, impulse, greatest force, and the way made meanwhile: Newton's second law, integrated."""
-    m, v0, force, dt, pulse = (one(settings, name) for name in ("m", "v0", "F", "dt", "pulse"))
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m, v0, force, dt, power = balls(settings, "m", "v0", "F", "dt", "pulse")
+    whole = round(one(settings, "pulse"))
     # The mean of sin^p over half a turn is Gamma((p + 1)/2) / (sqrt(pi) Gamma(p/2 + 1)).
-    peak = force * math.sqrt(math.pi) * math.gamma(0.5 * pulse + 1.0) / math.gamma(0.5 * (pulse + 1.0))
+    peak = force * Ball.pi().sqrt() * (power / 2 + 1).gamma() / ((power + 1) / 2).gamma()
 
-    def push(part: float) -> float:
-        return peak * math.sin(math.pi * part) ** pulse
+    def push(part: ComplexBall) -> ComplexBall:
+        return (Ball.pi() * part).sin() ** whole
 
-    impulse, error_estimate, first = integral(push, 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
-    arm, error_of_arm, second = (
-        integral(lambda part: push(part) * (1.0 - part), 0.0, 1.0, tolerance) if force else (0.0, 0.0, 0)
-    )
-    observed: dict[str, Observed] = {
-        "velocities": (v0 + impulse * dt / m,),
-        "impulse": impulse * dt,
+    impulse = peak * dt * integral(lambda part, _: push(part), Ball(0), Ball(1))
+    arm = peak * dt * dt * integral(lambda part, _: push(part) * (1 - part), Ball(0), Ball(1))
+    values = {
+        "velocities": (v0 + impulse / m,),
+        "impulse": impulse,
         "peak_force": peak,
-        "way": v0 * dt + arm * dt * dt / m,
-    }
-    errors = {
-        "velocities": error_estimate,
-        "impulse": error_estimate,
-        "peak_force": ROUNDING,
-        "way": error_of_arm,
+        "way": v0 * dt + arm / m,
     }
     why = "one body, a force given in time: the velocity is an integral over the force"
-    return Run(observed, errors, "quadrature", why, first + second, "released")
+    return Evaluated("released", values, "quadrature", why)
 
 
 SCENE = SceneDefinition("a body pushed for a short time by a force of given mean", SETTINGS, play)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
+from dataclasses import replace
 
-from corollary.scenes.collision import ROUNDING, collide
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.models.gauss import integral
-from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import Observed, Run
+from corollary.scenes.models.certain import Balls, Evaluated, balls, found
+from corollary.scenes.models.two_bodies import BETA, undamped
+from corollary.scenes.run import Observed, Run, by_relative_errors, components
 
 SETTINGS = (
     Setting("m", "mass of the sphere", "kg", 1.0, above=0.0),
@@ -27,25 +26,41 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     The work of weight along the arc gives the speed; the hit is a contact on a line, and what it neglects is the swing of the
     rope while it lasts: an angle v T / L.
     """
-    m, block, length, g, k = (one(settings, name) for name in ("m", "M", "L", "g", "k"))
-    work, error_estimate, spent = integral(lambda angle: m * g * length * math.cos(angle), 0.0, 0.5 * math.pi)
-    speed = math.sqrt(2.0 * work / m)
-    found = collide(RowOfBodies((m, block), (speed, 0.0), (0.0,), (Contact(k, 1.5),)), tolerance)
-    sphere, pushed = found.result.velocities
-    swung = speed * found.result.duration / length
-    observed: dict[str, Observed] = {
-        "speed_before": speed,
-        "velocities": (sphere, pushed),
-        "height": sphere * sphere / (2.0 * g),
-        "duration": found.result.duration,
-    }
+    speed, run = found(lambda: _speed(settings)), found(lambda: _evaluated(settings))
+    length, g = one(settings, "L"), one(settings, "g")
+    before, lasts = (
+        components(each.value)[0] for each in (speed.measured["speed_before"], run.measured["duration"])
+    )
     # The rope carries the weight on a circle, m (g + v^2/L), and leans by the angle swung: over the contact it takes at most
     # (g + v^2/L) swung T from the sphere's velocity, from the block's at most twice that, and from the height at most twice its share.
-    neglected = 2.0 * (g + speed**2 / length) * swung * found.result.duration / speed
-    errors = dict.fromkeys(observed, error_estimate + ROUNDING + neglected) | {
-        "speed_before": error_estimate + ROUNDING
+    neglected = 2.0 * (g + before**2 / length) * lasts * lasts / length
+    errors = {name: neglected + each.relative_error for name, each in run.measured.items()}
+    hit = run.measured["velocities"]
+    swung = by_relative_errors(
+        run.observed, errors, hit.model, hit.why, 0, run.outcome, {"velocities": before}
+    )
+    return replace(swung, measured=speed.measured | swung.measured)
+
+
+def _speed(settings: Mapping[str, Observed]) -> Evaluated:
+    length, g = balls(settings, "L", "g")
+    why = "from the horizontal to the bottom weight does the work m g L"
+    return Evaluated("released", {"speed_before": (2 * g * length).sqrt()}, "conservation", why)
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m, block, length, g, k = balls(settings, "m", "M", "L", "g", "k")
+    speed = (2 * g * length).sqrt()
+    mass = 1 / (1 / m + 1 / block)
+    hit = undamped(mass, k, Ball(1.5), speed)
+    sphere = speed * (m - block) / (m + block)
+    values: dict[str, Balls] = {
+        "velocities": (sphere, 2 * m / (m + block) * speed),
+        "height": sphere**2 / (2 * g),
     }
-    return Run(observed, errors, found.model, found.why, spent + found.spent, "released")
+    if hit.duration is not None:
+        values["duration"] = hit.duration
+    return Evaluated("released", values, "quadrature", BETA)
 
 
 SCENE = SceneDefinition("a pendulum hits a block at the bottom of its path", SETTINGS, play)

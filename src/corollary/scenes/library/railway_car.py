@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting
+from corollary.scenes.models.certain import Evaluated, balls, found
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -20,21 +19,20 @@ SETTINGS = (
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Mean pull, impulse and work in the time t, and the energy lost as every shovel of sand is brought to the car's speed."""
-    v, rate, u, t = (one(settings, name) for name in ("v", "R", "ux", "t"))
-    count = round(one(settings, "N"))
-    shovel = rate * t / count
-    impulse = math.fsum(shovel * (v - u) for _ in range(count))
-    gained = math.fsum(0.5 * shovel * (v * v - u * u) for _ in range(count))
-    observed: dict[str, Observed] = {
-        "mean_force": impulse / t,
-        "impulse": impulse,
-        "work": impulse * v,
-        "energy_lost": impulse * v - gained,
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    v, rate, u, t = balls(settings, "v", "R", "ux", "t")
+    sand = rate * t
+    values = {
+        "mean_force": rate * (v - u),
+        "impulse": sand * (v - u),
+        "work": sand * (v - u) * v,
+        "energy_lost": sand * (v - u) ** 2 / 2,
     }
     why = "every shovel is a perfectly inelastic collision with a car that is held at its speed"
-    return Run(
-        observed, dict.fromkeys(observed, ROUNDING * math.sqrt(count)), "conservation", why, count, "sticks"
-    )
+    return Evaluated("sticks", values, "conservation", why)
 
 
 SCENE = SceneDefinition("sand falls into a car that is pulled at constant speed", SETTINGS, play)

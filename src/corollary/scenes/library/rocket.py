@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.models.certain import Evaluated, balls, found
+from corollary.scenes.run import BadSetting, Observed, Run, components
 
 SETTINGS = (
     Setting("m0", "mass at the start", "kg", 1000.0, above=0.0),
@@ -18,23 +19,38 @@ SETTINGS = (
 
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
-    """`velocities` is the final velocity, between the two of `bracket`.
+    """`velocities` is the final velocity of a steady burn, somewhere between the two of `bracket`, which are its proven bounds.
 
     A puff that leaves with v_rel relative to the rocket after it gives dm v_rel / (mass before), relative to the rocket before it
     dm v_rel / (mass after). A steady burn lies between the two; their mean is off by a share of 1/N^2 only.
     """
-    m0, m1, v_rel, v0 = (one(settings, name) for name in ("m0", "m1", "v_rel", "v0"))
-    count = round(one(settings, "N"))
+    m0, m1 = one(settings, "m0"), one(settings, "m1")
     if m1 > m0:
         raise BadSetting(f"rocket: m1 = {m1:g} kg is more than m0 = {m0:g} kg; a rocket gets lighter.")
+    run = found(lambda: _evaluated(settings))
+    if "bracket" not in run.measured:
+        return run
+    bracket, middle = run.measured["bracket"], run.measured["velocities"]
+    least, most = components(bracket.value)
+    (value,) = components(middle.value)
+    widest = max(most - value, value - least) + 2.0 * sum(components(bracket.error))
+    size = max(middle.size, one(settings, "v_rel"))
+    return replace(run, measured=run.measured | {"velocities": replace(middle, error=(widest,), size=size)})
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m0, m1, v_rel, v0, count = balls(settings, "m0", "m1", "v_rel", "v0", "N")
     puff = (m0 - m1) / count
-    masses = [m0 - puff * i for i in range(count)] + [m1]
-    least = v0 + v_rel * math.fsum(puff / before for before in masses[:-1])
-    most = v0 + v_rel * math.fsum(puff / after for after in masses[1:])
-    observed: dict[str, Observed] = {"velocities": (0.5 * (least + most),), "bracket": (least, most)}
-    errors = {"velocities": max(0.5 * (most - least) / v_rel, 2e-15), "bracket": 2e-15 * math.sqrt(count)}
+    if puff.is_zero():
+        least = most = v0
+    else:
+        # The sums of 1/(a - i) over all puffs are differences of digamma functions.
+        least = v0 + v_rel * ((m0 / puff + 1).digamma() - (m1 / puff + 1).digamma())
+        most = v0 + v_rel * ((m0 / puff).digamma() - (m1 / puff).digamma())
     why = "momentum at every puff; exhaust measured before and after it brackets the steady burn"
-    return Run(observed, errors, "conservation", why, count, "escaped")
+    return Evaluated(
+        "escaped", {"velocities": ((least + most) / 2,), "bracket": (least, most)}, "conservation", why
+    )
 
 
 SCENE = SceneDefinition("a rocket that throws out its fuel in N puffs", SETTINGS, play)

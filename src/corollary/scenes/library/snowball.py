@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.flow import Mover, faded_time, under_dashpot, under_force
+from corollary.formula.ball import Ball
+from corollary.scenes.definition import SceneDefinition, Setting
+from corollary.scenes.models.certain import Evaluated, balls, found
+from corollary.scenes.models.dashpot import fading_by
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -30,27 +31,24 @@ SETTINGS = (
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities along the ice, toward the son. `velocities_after_throw` and `velocities` are (yours, your son's).
 
-    Thrown by a constant force between hand and ball (each feels it, oppositely); caught by a dashpot between ball and son that
-    leaves less than 1e-17 of the relative velocity. The ice carries what the throw does vertically.
+    Thrown by a constant force between hand and ball (each feels it, oppositely); caught by a dashpot between ball and son,
+    and then held fast. The ice carries what the throw does vertically.
     """
-    you, son, ball, v, theta, dt = (one(settings, name) for name in ("M", "Ms", "m", "v", "theta", "dt"))
-    level, up = v * math.cos(theta), v * math.sin(theta)
-    force = ball * level / dt
-    thrown, yours = (
-        under_force(Mover(0.0, 0.0), ball, force, dt),
-        under_force(Mover(0.0, 0.0), you, -force, dt),
-    )
-    grip = faded_time(ball, son, 1.0) / dt
-    caught, sons = under_dashpot(Mover(0.0, thrown.v), Mover(0.0, 0.0), ball, son, grip, dt)
-    observed: dict[str, Observed] = {
-        "momentum": (ball * thrown.v, ball * up),
-        "velocities_after_throw": (yours.v, 0.0),
-        "velocities": (yours.v, sons.v),
-        "peak_force": max(force, grip * thrown.v),
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    you, son, ball, v, theta, dt = balls(settings, "M", "Ms", "m", "v", "theta", "dt")
+    level, up = v * theta.cos(), v * theta.sin()
+    yours, both = -ball * level / you, ball + son
+    values = {
+        "momentum": (ball * level, ball * up),
+        "velocities_after_throw": (yours, Ball(0)),
+        "velocities": (yours, ball * level / both),
+        "peak_force": (ball * level / dt).max(fading_by() * ball * son / both * level / dt),
     }
-    errors = dict.fromkeys(observed, ROUNDING) | {"velocities": ROUNDING + abs(caught.v - sons.v) / level}
     why = "a constant force and a dashpot, one after the other: each moves the bodies in closed form"
-    return Run(observed, errors, "piecewise exact", why, 0, "sticks")
+    return Evaluated("sticks", values, "piecewise exact", why)
 
 
 SCENE = SceneDefinition("a snowball thrown and caught on ice", SETTINGS, play)

@@ -11,7 +11,15 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
 from corollary.scenes.row import RowOfBodies, RowResult
-from corollary.scenes.run import BadSetting, GuardFailed, Observable, Observed, Run
+from corollary.scenes.run import (
+    BadSetting,
+    GuardFailed,
+    Observable,
+    Observed,
+    Run,
+    by_relative_errors,
+    components,
+)
 from corollary.scenes.scene import Body, Scene
 
 SETTINGS = (
@@ -34,6 +42,8 @@ SETTINGS = (
 )
 # Longer than the collisions take without weight; it hastens or delays them by far less.
 AFTER_ALL = 1.05
+# As a share of the overlap, and what it does to velocities and times as a share of them: ten times as much at most.
+NO_GAP, BY_NO_GAP = 1e-11, 1e-10
 
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
@@ -63,7 +73,15 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         found.errors["duration"] + neglected,
         found.errors["forces"] + 2.0 * neglected,
     )
-    return Run(observed, errors, found.model, found.why, found.spent, found.result.outcome)
+    return by_relative_errors(
+        observed,
+        errors,
+        found.model,
+        found.why,
+        found.spent,
+        found.result.outcome,
+        {"velocities": speed, "heights": h0},
+    )
 
 
 def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
@@ -76,9 +94,11 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
         raise BadSetting(
             "super_ball: the balls are so soft that they sink in as deep as they fell; raise k, or drop them from higher."
         )
+    # Balls without a gap touch as they fall, but what counts begins at the floor: a gap of no account keeps them apart until then.
+    apart = max(gap, NO_GAP * lift)
     # As small as they may be without reaching through each other: places far larger than the overlaps would cost digits.
     radius = 4.0 * (lift + gap)
-    at_touch = 0.0, radius, 3.0 * radius + gap
+    at_touch = 0.0, radius, 3.0 * radius + apart
     # They are let go where they can be seen to touch: a little above the floor, and that much slower.
     early, begin = (
         -math.sqrt(speed**2 - 2.0 * g * lift),
@@ -88,7 +108,8 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
         Body(m, (y,), (early if y else 0.0,), radius if y else 0.0)
         for m, y in zip(line.masses, begin, strict=True)
     )
-    end = AFTER_ALL * free.duration + 2.0 * lift / speed
+    falls = 2.0 * lift / (speed - early)
+    end = AFTER_ALL * free.duration + falls + lift / speed
     balls = Scene(bodies, (line.contacts[0], Weight(g)), until=end, name="super_ball")
     seen = {Observable.VELOCITIES, Observable.DURATION, Observable.TRAJECTORY}
     run = measured(
@@ -98,7 +119,7 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
         "weight and both contacts at once: Newton's second law, step by step",
         times=(end,),
     )
-    velocities, places = run.observed.pop("velocities"), run.observed.pop("trajectory")
+    velocities, places = run.observed["velocities"], run.observed["trajectory"]
     assert isinstance(velocities, tuple)
     assert isinstance(places, tuple)
     if places[1] < radius or places[2] - places[1] < 2.0 * radius:
@@ -108,10 +129,21 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
     heights = tuple(
         y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True)
     )
-    observed: dict[str, Observed] = run.observed | {"velocities": velocities[1:], "heights": heights[1:]}
-    error = run.errors.pop("trajectory")
-    errors = run.errors | {"heights": 2.0 * run.errors["velocities"] + error * max(places) / max(heights[1:])}
-    return Run(observed, errors, run.model, run.why, run.evaluations, "released")
+    # From the last opening to the end they flew, and slowed down, freely.
+    lasts = components(run.observed["duration"])[0]
+    observed: dict[str, Observed] = {
+        "velocities": tuple(v + g * (end - falls - lasts) for v in velocities[1:]),
+        "heights": heights[1:],
+        "duration": run.observed["duration"],
+    }
+    off = BY_NO_GAP if apart > gap else 0.0
+    error = run.relative_error("velocities") + off
+    errors = {
+        "velocities": error,
+        "heights": 2.0 * error + run.relative_error("trajectory") * max(places) / max(heights[1:]),
+        "duration": run.relative_error("duration") + off,
+    }
+    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, "released")
 
 
 SCENE = SceneDefinition("a small ball on a large one, dropped together", SETTINGS, play)

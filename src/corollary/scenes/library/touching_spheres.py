@@ -10,7 +10,7 @@ from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
 from corollary.scenes.models.pair import refuse_too_soft
-from corollary.scenes.run import BadSetting, Observable, Observed, Run
+from corollary.scenes.run import BadSetting, Observable, Observed, Run, by_relative_errors
 from corollary.scenes.scene import Body, Scene
 
 SETTINGS = (
@@ -58,7 +58,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     assert isinstance(after, tuple)
     assert isinstance(overlap, float)
     refuse_too_soft(overlap, reach)
-    observed, errors = dict(run.observed), dict(run.errors)
+    observed, errors = run.observed, {name: each.relative_error for name, each in run.measured.items()}
     on_a, on_b = (
         (m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:]))
     )
@@ -72,7 +72,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     if g:
         observed["momentum_change"] = on_a[0] + on_b[0], on_a[1] + on_b[1]
         errors["momentum_change"] = _share(2.0 * error_estimate, observed["momentum_change"])
-    return Run(
+    return by_relative_errors(
         observed, errors, run.model, run.why, run.evaluations, "released" if overlap > 0.0 else "missed"
     )
 

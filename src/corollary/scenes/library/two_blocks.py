@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
+from dataclasses import replace
 
-from corollary.scenes.collision import ROUNDING, collide
+from corollary.formula.ball import Ball
 from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.forces.contact import Contact
-from corollary.scenes.row import RowOfBodies, reduced_mass
+from corollary.scenes.models.certain import Evaluated, balls, found
+from corollary.scenes.models.two_bodies import FADES, Hit, after, fading, inverse, missed
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -24,28 +24,35 @@ SETTINGS = (
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities after the contact, the impulse on B, and what is left of the kinetic energy.
 
-    A spring with a dashpot lets go with r = exp(-pi z / sqrt(1 - z^2)), z its share of critical damping, whatever the masses and
-    speeds; for r = 0 the damping is critical and the bodies stay together.
+    A spring with a dashpot lets go with r = exp(-pi fade), where the swing fades by exp(-fade) while it turns by one radian,
+    whatever the masses and speeds; for r = 0 the damping is critical and the bodies stay together.
     """
-    ma, mb, va, vb, r, k = (one(settings, name) for name in ("mA", "mB", "vA", "vB", "r", "k"))
-    log = -math.log(r) if r else math.inf
-    share = log / math.hypot(math.pi, log) if r else 1.0
-    eta = 2.0 * share * math.sqrt(k * reduced_mass(ma, mb)) * (1.0 if r else 1.0 + 1e-9)
-    found = collide(RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
-    result = found.result
-    a, b = result.velocities
-    before = ma * va * va + mb * vb * vb
-    observed: dict[str, Observed] = {
-        "velocities": (a, b),
-        "duration": result.duration,
-        "peak_force": result.forces[0],
-        "largest_overlap": result.overlaps[0],
-        "impulse": mb * (b - vb),
-        "energy_ratio": (ma * a * a + mb * b * b) / before if before else 1.0,
-    }
-    of = {"duration": "duration", "peak_force": "forces", "largest_overlap": "overlaps"}
-    errors = {name: found.errors.get(of.get(name, "velocities"), ROUNDING) for name in observed}
-    return Run(observed, errors, found.model, found.why, found.spent, result.outcome)
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    ma, mb, va, vb = (one(settings, name) for name in ("mA", "mB", "vA", "vB"))
+    r, k = balls(settings, "r", "k")
+    closing = Ball(va) - Ball(vb)
+    mass = 1 / (inverse(ma) + inverse(mb))
+    seen = (
+        after((ma, mb), (va, vb), _hit(r, k, mass, closing), FADES, FADES)
+        if closing > 0
+        else missed((ma, mb), (va, vb))
+    )
+    names = ("velocities", "duration", "peak_force", "largest_overlap", "energy_ratio")
+    values = {name: seen.values[name] for name in names if name in seen.values}
+    impulses = seen.values["impulse"]
+    assert isinstance(impulses, tuple)
+    return replace(seen, values=values | {"impulse": impulses[1]})
+
+
+def _hit(r: Ball, k: Ball, mass: Ball, closing: Ball) -> Hit:
+    if r > 0:
+        return replace(fading(mass, k, -r.log() / Ball.pi(), closing), restitution=r)
+    # Critical damping: x = closing t exp(-w t), pushed hardest at the touch.
+    w = (k / mass).sqrt()
+    return Hit(Ball(0), closing / w * Ball(-1).exp(), 2 * (k * mass).sqrt() * closing, None)
 
 
 SCENE = SceneDefinition("two bodies on a line with a coefficient of restitution", SETTINGS, play)

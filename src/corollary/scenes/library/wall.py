@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.collision import ROUNDING
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.flow import Mover, under_spring
+from corollary.formula.ball import Ball
+from corollary.scenes.definition import SceneDefinition, Setting
+from corollary.scenes.models.certain import Evaluated, balls, found
 from corollary.scenes.run import Observed, Run
 
 SETTINGS = (
@@ -28,27 +28,27 @@ SETTINGS = (
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Vectors are (along the wall, away from the wall). The wall has no friction and gives like a spring.
 
-    A spring's contact lasts half its period whatever the speed, so k = m (pi/dt)^2, and its motion is known exactly.
+    A spring's contact lasts half its period whatever the speed, so k = m (pi/dt)^2, and its motion is half a swing.
     """
-    m, v0, theta, dt = (one(settings, name) for name in ("m", "v0", "theta", "dt"))
-    along, into = v0 * math.cos(theta), v0 * math.sin(theta)
-    k = m * (math.pi / dt) ** 2
-    # Squeezed is negative: the ball comes with velocity -into and leaves when the spring is at rest length again.
-    deepest = under_spring(Mover(0.0, -into), m, k, 0.5 * dt)
-    after = under_spring(Mover(0.0, -into), m, k, dt)
-    change = (0.0, m * (after.v + into))
-    observed: dict[str, Observed] = {
-        "velocities": (along, after.v),
-        "momentum_change": change,
-        "impulse": (0.0 - change[0], -change[1]),
-        "mean_force": (change[0] / dt, change[1] / dt),
-        "peak_force": -k * deepest.x,
-        "largest_overlap": -deepest.x,
+    return found(lambda: _evaluated(settings))
+
+
+def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+    m, v0, theta, dt = balls(settings, "m", "v0", "theta", "dt")
+    along, into = v0 * theta.cos(), v0 * theta.sin()
+    change = 2 * m * into
+    values = {
+        "velocities": (along, into),
+        "momentum_change": (Ball(0), change),
+        "impulse": (Ball(0), -change),
+        "mean_force": (Ball(0), change / dt),
+        "peak_force": m * into * Ball.pi() / dt,
+        "largest_overlap": into * dt / Ball.pi(),
         "duration": dt,
-        "energy_ratio": (along**2 + after.v**2) / v0**2,
+        "energy_ratio": Ball(1),
     }
     why = "a smooth wall that gives like a spring: the motion into it is half a swing, known exactly"
-    return Run(observed, dict.fromkeys(observed, ROUNDING), "piecewise exact", why, 0, "released")
+    return Evaluated("released", values, "piecewise exact", why)
 
 
 SCENE = SceneDefinition("a ball reflected from a stiff smooth wall at an angle", SETTINGS, play)

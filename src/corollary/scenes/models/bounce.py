@@ -1,83 +1,61 @@
-"""One undamped contact by its energy integral: Beta functions close it without weight, a quadrature gives it on a floor with weight."""
+"""One undamped contact of a body that weight pulls on: its deepest point is a root of the energy, its duration a rigorous quadrature."""
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from flint import acb, arb
 
 from corollary.scenes.forces.contact import Contact, smoothing_power
-from corollary.scenes.models.gauss import integral
+from corollary.scenes.models.certain import double_of, geometric, integral, root
+from corollary.scenes.models.two_bodies import Hit, undamped
 
 
 def largest_overlap(m: float, k: float, q: float, v: float) -> float:
-    """The overlap (m) at which k overlap^q has stopped a (reduced) mass m that arrived at speed v.
-
-    Source: energy, m v^2 / 2 = k overlap^(q+1) / (q+1).
-    """
-    return (0.5 * (q + 1.0) * m * v * v / k) ** (1.0 / (q + 1.0))
-
-
-def duration_factor(q: float) -> float:
-    """Contact time in units of largest overlap over speed: pi for a spring, 2.943275… for Hertz contact."""
-    p = 1.0 / (q + 1.0)
-    return 2.0 * math.sqrt(math.pi) * math.exp(math.lgamma(1.0 + p) - math.lgamma(0.5 + p))
+    """The overlap (m) at which k overlap^q has stopped a (reduced) mass m that arrived at speed v."""
+    return double_of(lambda: undamped(arb(m), arb(k), arb(q), arb(v)).overlap)
 
 
 def contact_time(m: float, k: float, q: float, v: float) -> float:
     """How long (s) a (reduced) mass m touches when it arrives at speed v and is pushed back by k overlap^q."""
-    return duration_factor(q) * largest_overlap(m, k, q, v) / v
+    return double_of(lambda: undamped(arb(m), arb(k), arb(q), arb(v)).duration or arb(0))
 
 
-@dataclass(frozen=True, slots=True)
-class Bounce:
-    """`overlap` (m) is the largest, `force` (N) the floor's largest push, `duration` (s) that of the contact."""
-
-    overlap: float
-    force: float
-    duration: float
-    error_estimate: float
-    evaluations: int
+def depth_of(contact: Contact, m: float, v: float, g: float) -> float:
+    """The largest overlap (m) without damping, as a double; with weight where there is some."""
+    if g == 0.0:
+        return largest_overlap(m, contact.k, contact.q, v)
+    return double_of(lambda: deepest(contact, arb(m), arb(v), arb(g)))
 
 
-def deepest(contact: Contact, mass: float, speed: float, weight: float) -> float:
-    """The overlap where a ball that meets the floor at `speed` and is pulled on by `weight` (m/s^2) comes to rest."""
-    if weight == 0.0:
-        return largest_overlap(mass, contact.k, contact.q, speed)
-    # In units of the answer without weight: x^(q+1) = 1 + g x, increasing and convex beyond its root, so Newton falls onto it.
-    p, x = contact.q + 1.0, 2.0
-    unit = max(
-        largest_overlap(mass, contact.k, contact.q, speed),
-        (p * mass * weight / contact.k) ** (1.0 / contact.q),
-    )
-    stiff = 2.0 * contact.k * unit**p / (p * mass)
-    for _ in range(200):
-        step = (stiff * x**p - 2.0 * weight * unit * x - speed**2) / (
-            stiff * p * x ** (p - 1.0) - 2.0 * weight * unit
-        )
-        x -= step
-        if abs(step) <= 2e-16 * x:
-            break
-    return unit * x
+def deepest(contact: Contact, mass: arb, speed: arb, weight: arb) -> arb:
+    """The overlap where a body that meets the floor at `speed` and is pulled on by `weight` (m/s^2) comes to rest.
 
-
-def bounce(contact: Contact, mass: float, speed: float, weight: float) -> Bounce:
-    """The contact of a ball that meets the floor at `speed` (> 0).
-
-    speed^2 + 2 g overlap - 2 k overlap^(q+1) / ((q+1) m) is the square of the ball's speed; written as a difference from its zero
-    at the largest overlap D it loses no digits there. With overlap = D sin(angle)^s the integrand is smooth.
+    speed^2 + 2 g x = 2 k x^(q+1) / ((q+1) m): the root lies between the larger of those without either term on the left and its double.
     """
-    overlap = deepest(contact, mass, speed, weight)
-    force = contact.k * overlap**contact.q
-    if weight == 0.0:
-        return Bounce(overlap, force, contact_time(mass, contact.k, contact.q, speed), 1e-15, 0)
-    s, p = max(smoothing_power(contact), 2), contact.q + 1.0
-    stiff, fall = 2.0 * contact.k * overlap**p / (p * mass), 2.0 * weight * overlap
+    p = arb(contact.q) + 1
+    stiff = 2 * arb(contact.k) / (p * mass)
+    unit = ((speed * speed / stiff) ** (1 / p)).max((2 * weight / stiff) ** (1 / arb(contact.q)))
+    unit = unit.lower()
 
-    def per_angle(angle: float) -> float:
-        sine, cosine = math.sin(angle), math.cos(angle)
-        log = 0.5 * s * math.log1p(-cosine * cosine) if sine > 0.5 else s * math.log(sine)
-        square = -stiff * math.expm1(p * log) + fall * math.expm1(log)
-        return s * sine ** (s - 1) * cosine / math.sqrt(square)
+    def lacking(x: arb) -> arb:
+        return stiff * x**p - 2 * weight * x - speed * speed
 
-    value, error_estimate, spent = integral(per_angle, 0.0, 0.5 * math.pi)
-    return Bounce(overlap, force, 2.0 * overlap * value, error_estimate, spent)
+    return root(lacking, unit / 2, 2 * unit)
+
+
+def bounce(contact: Contact, mass: arb, speed: arb, weight: arb) -> Hit:
+    """The contact of a body that meets the floor at `speed` (> 0) and feels `weight` (> 0) meanwhile.
+
+    With x = X w^s and w = 1 - y^2, the square of the speed is y^2 times a sum of powers of w with positive coefficients: nothing
+    cancels, and the integrand is smooth at the deepest point X and at the touch.
+    """
+    s, q = max(smoothing_power(contact), 2), contact.q
+    top = deepest(contact, mass, speed, weight)
+    square, fall = acb(speed * speed), acb(2 * weight * top)
+
+    def per_y(y: acb, analytic: bool) -> acb:
+        w = 1 - y * y
+        rate = square * geometric(w, s * (q + 1.0), analytic) + fall * w**s * geometric(w, s * q, analytic)
+        return w ** (s - 1) / rate.sqrt(analytic=analytic)
+
+    duration = 4 * s * top * integral(per_y, arb(0), arb(1))
+    return Hit(arb(1), top, arb(contact.k) * top ** arb(q), duration)

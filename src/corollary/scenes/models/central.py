@@ -1,138 +1,132 @@
-"""Motion about a fixed centre: orbits under an inverse-square force in closed form, in a truncated harmonic well by quadrature."""
+"""Motion about a fixed centre: orbits under an inverse-square force in closed form, in a truncated harmonic well by rigorous quadrature."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
+from flint import acb, arb
+
+from corollary.formula.functions import ball_root
 from corollary.scenes.forces.well import Well
-from corollary.scenes.models.gauss import integral
+from corollary.scenes.models.certain import integral, root, sign
 
 
 @dataclass(frozen=True, slots=True)
 class Orbit:
-    """Distances (m) nearest to the centre and farthest from it, and the period (s); both infinite when the body escapes."""
+    """Distances (m) nearest to the centre and farthest from it, and the period (s); both none when the body escapes."""
 
-    nearest: float
-    farthest: float
-    period: float
+    nearest: arb
+    farthest: arb | None = None
+    period: arb | None = None
 
 
-def orbit(pull: float, r: float, along: float, across: float) -> Orbit | None:
-    """The orbit of a body at distance r with these velocities along the radius and across it; none when it meets the centre.
+def orbit(
+    strength: float, mass: float, place: tuple[float, float], velocity: tuple[float, float]
+) -> Orbit | None:
+    """The orbit of a body with this `strength` of attraction (N m^2, negative: repulsion); none when it meets the centre.
 
-    `pull` is the attraction in m^3/s^2 (strength over mass), negative for a repulsion. Energy and angular momentum make 1/r at the
-    turning points the roots of a quadratic; its discriminant is written as a sum of squares, so that a circle loses no digits.
+    Energy and angular momentum make 1/r at the turning points the roots of a quadratic; its discriminant is a sum of squares.
     """
-    spin = r * across
-    root = math.hypot(spin * along, spin * spin / r - pull)
-    double_energy = along * along + across * across - 2.0 * pull / r
-    if spin == 0.0 and pull > 0.0:
+    (x, y), (u, v) = ((arb(a), arb(b)) for a, b in (place, velocity))
+    pull, r = arb(strength) / arb(mass), (x * x + y * y).sqrt()
+    spin, along = x * v - y * u, (x * u + y * v) / r
+    if strength > 0.0 and sign(spin) == 0:
         return None
+    discriminant = (spin * along) ** 2 + (spin * spin / r - pull) ** 2
+    root_of_it = discriminant.sqrt() if sign(discriminant) else arb(0)
+    double_energy = u * u + v * v - 2 * pull / r
     # Of the two ways to write the root, the one that adds.
-    nearest = spin * spin / (pull + root) if pull > 0.0 else (root - pull) / double_energy
-    if double_energy >= 0.0:
-        return Orbit(nearest, math.inf, math.inf)
+    nearest = spin * spin / (pull + root_of_it) if strength > 0.0 else (root_of_it - pull) / double_energy
+    if strength <= 0.0 or not _bound(arb(strength), arb(mass), (x, y), (u, v)):
+        return Orbit(nearest)
     axis = -pull / double_energy
-    return Orbit(nearest, -(pull + root) / double_energy, 2.0 * math.pi * axis * math.sqrt(axis / pull))
+    return Orbit(nearest, -(pull + root_of_it) / double_energy, 2 * arb.pi() * axis * (axis / pull).sqrt())
+
+
+def _bound(strength: arb, mass: arb, place: tuple[arb, arb], velocity: tuple[arb, arb]) -> bool:
+    """Whether m v^2 < 2 strength / r, written without a root or a quotient so that a parabola is told exactly."""
+    square = velocity[0] ** 2 + velocity[1] ** 2
+    return sign((mass * square) ** 2 * (place[0] ** 2 + place[1] ** 2) - 4 * strength * strength) < 0
 
 
 @dataclass(frozen=True, slots=True)
 class Radial:
-    """Motion of the distance r at given energy and spin (angular momentum per mass) as if the well had no edge.
+    """Motion of the distance r at given energy and spin (angular momentum per mass) as if the well had no edge, in balls.
 
     `frequency` w is the angular one of a swing along a line. square_of_speed(r) = 2 E/m - w^2 (r-b)^2 - spin^2/r^2 is concave, so
     r stays between two roots `low` and `high`. Between them r^2 times that square is w^2 (r - low)(high - r)(r^2 + p r + s).
     """
 
     well: Well
-    frequency: float
-    spin: float
-    double_energy: float
-    low: float
-    high: float
+    frequency: arb
+    spin: arb
+    double_energy: arb
+    low: arb
+    high: arb
 
-    def square_of_speed(self, r: float) -> float:
+    def square_of_speed(self, r: arb) -> arb:
         """The square of dr/dt; negative where the atom cannot be."""
-        return self.double_energy - (self.frequency * (r - self.well.b)) ** 2 - (self.spin / r) ** 2
+        return self.double_energy - (self.frequency * (r - arb(self.well.b))) ** 2 - (self.spin / r) ** 2
 
-    def place(self, phase: float) -> float:
-        """r at a phase from 0 (at `low`) to pi (at `high`)."""
-        return self.low + (self.high - self.low) * math.sin(0.5 * phase) ** 2
+    def phase(self, r: arb) -> arb:
+        """From 0 (at `low`) to pi (at `high`)."""
+        if r is self.low or r is self.high:
+            return arb(0) if r is self.low else arb.pi()
+        behind, ahead = (ball_root(each.max(arb(0)), 2) for each in (r - self.low, self.high - r))
+        return 2 * arb.atan2(behind, ahead)
 
-    def phase(self, r: float) -> float:
-        share = (r - self.low) / (self.high - self.low) if self.high > self.low else 0.0
-        return 2.0 * math.asin(math.sqrt(min(max(share, 0.0), 1.0)))
+    def swept(self, start: arb, end: arb) -> tuple[arb, arb]:
+        """Time and angle between two phases."""
+        w = self.frequency
+        if sign(self.spin) == 0:
+            return (end - start) / w, arb(0)
+        low, wide = acb(self.low), acb(self.high - self.low)
+        p = acb(self.low + self.high - 2 * arb(self.well.b))
+        s = acb(self.spin**2 / (w * w * self.low * self.high))
 
-    def pace(self, phase: float) -> float:
-        """dt / d(phase), smooth at both turning points."""
-        w, r = self.frequency, self.place(phase)
-        p = self.low + self.high - 2.0 * self.well.b
-        s = self.spin**2 / (w * w * self.low * self.high)
-        return r / (w * math.sqrt(r * r + p * r + s))
+        def place(phase: acb) -> acb:
+            return low + wide * (phase / 2).sin() ** 2
 
-    def turn(self, phase: float) -> float:
-        """d(angle) / d(phase)."""
-        return self.spin / self.place(phase) ** 2 * self.pace(phase)
+        def pace(phase: acb, analytic: bool) -> acb:
+            r = place(phase)
+            return r / (r * r + p * r + s).sqrt(analytic=analytic)
+
+        def turn(phase: acb, analytic: bool) -> acb:
+            r = place(phase)
+            return 1 / (r * (r * r + p * r + s).sqrt(analytic=analytic))
+
+        return integral(pace, start, end) / w, self.spin * integral(turn, start, end) / w
 
 
-def radial(well: Well, m: float, r: float, along: float, across: float) -> Radial:
-    """The radial motion of an atom of mass m at distance r with these velocities along the radius and across it."""
-    w = math.sqrt(well.k / m)
-    spin = r * across
-    double = along**2 + across**2 + (w * (r - well.b)) ** 2
-    if spin == 0.0:
-        reach = math.sqrt(double) / w
-        return Radial(well, w, 0.0, double, well.b - reach, well.b + reach)
+def radial(well: Well, m: arb, r: arb, along: arb, spin: arb) -> Radial:
+    """The radial motion of an atom of mass m at distance r, with this velocity along the radius and angular momentum per mass."""
+    w, b = (arb(well.k) / m).sqrt(), arb(well.b)
+    double = along * along + (spin / r) ** 2 + (w * (r - b)) ** 2
+    reach = double.sqrt() / w if sign(double) else arb(0)
+    if sign(spin) == 0:
+        return Radial(well, w, arb(0), double, b - reach, b + reach)
+    near, far = (abs(spin) / double.sqrt()).lower() / 2, (b + 2 * reach).upper()
+    if sign(along) == 0:
+        return Radial(well, w, spin, double, *_turns(well, m, spin, r, near, far))
+    # r lies between the roots: the square of its speed is that of `along`.
     square = Radial(well, w, spin, double, r, r).square_of_speed
-    top, near, far = (
-        _circle(well.b, abs(spin) / w),
-        abs(spin) / math.sqrt(double),
-        well.b + math.sqrt(double) / w,
-    )
-    if along == 0.0:
-        # The start is one turning point; taken out of the square, what is left falls through zero once, at the other.
-        def left(x: float) -> float:
-            return (spin / (x * r)) ** 2 * (x + r) - w * w * (x + r - 2.0 * well.b)
-
-        other = _root(left, far, top) if r <= top else _root(lambda x: -left(x), min(near, top), top)
-        return Radial(well, w, spin, double, min(r, other), max(r, other))
-    return Radial(
-        well, w, spin, double, _root(square, min(near, top), top), _root(square, max(far, top), top)
-    )
+    return Radial(well, w, spin, double, root(square, near, r), -root(lambda x: square(-x), -far, -r))
 
 
-def _circle(b: float, area: float) -> float:
-    """The radius of the circle with this spin/w: r^3 (r - b) = area^2; beyond b the left side grows and is convex."""
-    target = area * area
-    r = b + min(target / b**3, target**0.25)
-    for _ in range(100):
-        step = (r**3 * (r - b) - target) / (r * r * (4.0 * r - 3.0 * b))
-        r -= step
-        if abs(step) <= 1e-16 * r:
-            break
-    return r
+def _turns(well: Well, m: arb, spin: arb, r: arb, near: arb, far: arb) -> tuple[arb, arb]:
+    """Both turning points of an atom that starts at one of them, r.
 
+    Taken out of the square of the speed, what is left falls through zero once, at the other.
+    """
 
-def _root(square: Callable[[float], float], outside: float, inside: float) -> float:
-    """Where the square of the speed is zero, between a place it is not above zero and one where it is not below; by halving."""
-    if square(inside) <= 0.0:
-        return inside
-    for _ in range(200):
-        middle = 0.5 * (outside + inside)
-        if middle in (outside, inside):
-            break
-        outside, inside = (outside, middle) if square(middle) > 0.0 else (middle, inside)
-    return inside
+    def left(x: arb) -> arb:
+        return arb(well.k) * (x + r - 2 * arb(well.b)) - m * (spin / (x * r)) ** 2 * (x + r)
 
-
-def swept(motion: Radial, start: float, end: float) -> tuple[float, float, float, int]:
-    """Time and angle between two phases, the error_estimate about them, and the evaluations spent."""
-    if start == end:
-        return 0.0, 0.0, 0.0, 0
-    time, error_estimate, spent = integral(motion.pace, start, end)
-    if motion.spin == 0.0:
-        return time, 0.0, error_estimate, spent
-    angle, error_of_angle, spent_too = integral(motion.turn, start, end)
-    return time, angle, max(error_estimate, error_of_angle), spent + spent_too
+    # Without a quotient, so that a circle is told exactly.
+    match sign(arb(well.k) * (r - arb(well.b)) * r**3 - m * spin * spin):
+        case 0:
+            return r, r
+        case -1:
+            return r, root(left, r, far)
+        case _:
+            return root(left, near, r), r

@@ -1,24 +1,43 @@
-"""Two spheres seen from one of them: where they meet, an undamped contact as two integrals, and what becomes of both velocities."""
+"""Two spheres seen from one of them: where they meet, an undamped contact as two rigorous integrals, and what becomes of both."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 
+from flint import acb, arb
+
+from corollary.formula.ball import MOST_BITS, precision_of
 from corollary.scenes.forces.contact import Contact, smoothing_power
-from corollary.scenes.models.gauss import integral
-from corollary.scenes.run import BadSetting
+from corollary.scenes.models.certain import (
+    FIRST_BITS,
+    Balls,
+    Evaluated,
+    MoreDigits,
+    double_of,
+    geometric,
+    integral,
+    root,
+    sign,
+)
+from corollary.scenes.run import BadSetting, GuardFailed, Model, Outcome
 
 Vector = tuple[float, float]
 
 # Centres nearer than this share of the reach: no contact law means anything there, and the turning, which grows as the inverse
 # square of the distance, would leave doubles less than the twelve digits that are promised.
 NEAREST = 1e-3
+PASS = "the spheres pass each other"
+NO_DAMPING = "no damping: energy and angular momentum of the pair leave two integrals"
+CONSERVATION: tuple[Model, str] = "conservation", "no damping: momentum and energy are as at the start"
 
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """B seen from A: `apart` (m) and `relative` velocity (m/s); they touch when closer than `reach` (the sum of the radii)."""
+    """B seen from A: `apart` (m) and `relative` velocity (m/s); they touch when closer than `reach` (the sum of the radii).
+
+    `exact_velocities` are those of A and B where their difference, rounded, is not enough.
+    """
 
     mass_a: float
     mass_b: float
@@ -26,6 +45,7 @@ class Pair:
     relative: Vector
     reach: float
     contact: Contact
+    exact_velocities: tuple[Vector, Vector] | None = None
 
     @property
     def mass(self) -> float:
@@ -59,7 +79,6 @@ class Parting:
     force: float
     sticks: bool
     evaluations: int
-    error_estimate: float = 2e-15
 
 
 def meet(pair: Pair) -> Touching | None:
@@ -67,23 +86,66 @@ def meet(pair: Pair) -> Touching | None:
 
     None, too, for two at rest with so little overlap that no double holds the speed it gives them.
     """
-    (x, y), (u, v) = pair.apart, pair.relative
-    spin, radial, distance = x * v - y * u, x * u + y * v, math.hypot(x, y)
-    if distance < pair.reach:
-        if radial == 0.0 and spin == 0.0 and loaded_speed(pair, pair.reach - distance) == 0.0:
-            return None
-        return Touching(math.atan2(y, x), pair.reach - distance, -radial / distance, spin, 0.0)
-    speed = math.hypot(u, v)
-    # (D - b)(D + b) and not D^2 - b^2: a grazing hit keeps its digits.
-    room = (pair.reach * speed - abs(spin)) * (pair.reach * speed + abs(spin))
-    if radial >= 0.0 or room <= 0.0:
+    bits = FIRST_BITS
+    while bits <= MOST_BITS:
+        with precision_of(bits):
+            try:
+                met = touch(pair)
+            except MoreDigits:
+                bits *= 2
+                continue
+            numbers = (
+                None
+                if met is None
+                else [float(each) for each in (met.angle(), met.overlap, met.inward, met.spin, met.after)]
+            )
+            break
+    else:
+        raise GuardFailed(
+            "Two spheres that graze each other by less than any digits tell; move one of them a little."
+        )
+    if numbers is None:
         return None
-    root = math.sqrt(room)
-    after = (distance - pair.reach) * (distance + pair.reach) / (-radial + root)
-    # Along and across the relative velocity; not apart + relative * after, which loses digits on a long way.
-    along, across = -root / speed, -spin / speed
-    angle = math.atan2(along * v + across * u, along * u - across * v)
-    return Touching(angle, 0.0, root / pair.reach, spin, after)
+    if not all(map(math.isfinite, numbers)):
+        raise OverflowError
+    found = Touching(*numbers)
+    at_rest = found.overlap > 0.0 and found.inward == 0.0 and found.spin == 0.0
+    return None if at_rest and loaded_speed(pair, found.overlap) == 0.0 else found
+
+
+@dataclass(frozen=True, slots=True)
+class Touch:
+    """As Touching, in balls; the direction as a vector."""
+
+    direction: tuple[arb, arb]
+    overlap: arb
+    inward: arb
+    spin: arb
+    after: arb
+
+    def angle(self) -> arb:
+        return arb.atan2(self.direction[1], self.direction[0])
+
+
+def touch(pair: Pair) -> Touch | None:
+    """The beginning of the contact in balls: what doubles are given is exact, and so is whether they meet. Raises MoreDigits."""
+    (x, y), (u, v) = ((arb(a), arb(b)) for a, b in (pair.apart, pair.relative))
+    if pair.exact_velocities is not None:
+        (ua, va), (ub, vb) = pair.exact_velocities
+        u, v = arb(ub) - arb(ua), arb(vb) - arb(va)
+    reach = arb(pair.reach)
+    spin, radial, square, speed = x * v - y * u, x * u + y * v, x * x + y * y, u * u + v * v
+    if sign(square - reach * reach) < 0:
+        distance = square.sqrt()
+        return Touch((x, y), reach - distance, -radial / distance, spin, arb(0))
+    room = reach * reach * speed - spin * spin
+    if sign(radial) >= 0 or sign(room) <= 0:
+        return None
+    root_of_room = room.sqrt()
+    after = (square - reach * reach) / (root_of_room - radial)
+    # Along and across the relative velocity.
+    along, across = -root_of_room, -spin
+    return Touch((along * u - across * v, along * v + across * u), arb(0), root_of_room / reach, spin, after)
 
 
 def loaded_speed(pair: Pair, overlap: float) -> float:
@@ -110,66 +172,120 @@ def refuse_too_soft(overlap: float, reach: float) -> None:
 
 
 def deepest(pair: Pair, met: Touching) -> float:
-    """The largest overlap of an undamped contact that begins at zero: by Newton's method, kept in its bracket.
+    """The largest overlap (m) of an undamped contact that begins at zero; the whole reach where the centres meet."""
+    return double_of(lambda: _deepest(pair, arb(met.inward), arb(met.spin)))
 
-    Energy: inward^2 = 2 k x^(q+1) / ((q+1) mass) + spin^2 (1/(D-x)^2 - 1/D^2).
-    """
-    d, p = pair.reach, pair.contact.q + 1.0
-    stiff, turning = 2.0 * pair.contact.k / (p * pair.mass), met.spin**2
 
-    def lacking(x: float) -> float:
+def _deepest(pair: Pair, inward: arb, spin: arb) -> arb:
+    """The root x of inward^2 = 2 k x^(q+1) / ((q+1) mass) + spin^2 (1/(D-x)^2 - 1/D^2)."""
+    d, p = arb(pair.reach), arb(pair.contact.q) + 1
+    stiff, turning = 2 * arb(pair.contact.k) / (p * _mass(pair)), spin * spin
+    high = (inward * inward / stiff) ** (1 / p)
+    nearest = d * (1 - arb(2) ** -20)
+    if not sign(turning):
+        return high if high < nearest else d
+    # Each term alone bounds the root; at an eighth of the least bound both together are still below the left side.
+    high = high.min(inward * inward * d**3 / (2 * turning)).min(nearest)
+
+    def lacking(x: arb) -> arb:
         r = d - x
-        return stiff * x**p + turning * x * (d + r) / (r * r * d * d) - met.inward**2
+        return stiff * x**p + turning * x * (d + r) / (r * r * d * d) - inward * inward
 
-    elastic = (met.inward**2 / stiff) ** (1.0 / p)
-    low, high = 0.0, min(elastic, d)
-    x = 0.5 * high if high == d else high
-    for _ in range(200):
-        r = d - x
-        value = lacking(x)
-        low, high = (x, high) if value < 0.0 else (low, x)
-        slope = stiff * p * x ** (p - 1.0) + 2.0 * turning / r**3
-        step = x - value / slope
-        step = step if low < step < high else 0.5 * (low + high)
-        if abs(step - x) <= 2e-16 * x:
-            return step
-        x = step
-    return x
+    most = (2 * high.upper()).min(nearest)
+    return root(lacking, high.lower() / 8, most) if lacking(most) > 0 else d
+
+
+def _mass(pair: Pair) -> arb:
+    return 1 / (1 / arb(pair.mass_a) + 1 / arb(pair.mass_b))
 
 
 def oblique(pair: Pair, met: Touching) -> Parting:
-    """The contact from its beginning to its end; by symmetry its second half mirrors the first.
-
-    The square of the radial speed is written as a difference from its zero at the largest overlap, so no digits are lost there;
-    with overlap = deepest sin(angle)^s the integrand is smooth. Raises BadSetting when the centres all but meet.
-    """
-    d, q = pair.reach, pair.contact.q
-    depth = deepest(pair, met)
-    refuse_too_soft(depth, d)
-    s, p = max(smoothing_power(pair.contact), 2), q + 1.0
-    stiff, turning, nearest = 2.0 * pair.contact.k / (p * pair.mass) * depth**p, met.spin**2, d - depth
-
-    def at(angle: float) -> tuple[float, float]:
-        """dt/d(angle), and the distance of the centres."""
-        sine, cosine = math.sin(angle), math.cos(angle)
-        log = 0.5 * s * math.log1p(-cosine * cosine) if sine > 0.5 else s * math.log(sine)
-        lacking = -math.expm1(log)
-        r = nearest + depth * lacking
-        square = -stiff * math.expm1(p * log) + turning * depth * lacking * (r + nearest) / (
-            nearest * nearest * r * r
-        )
-        return depth * s * sine ** (s - 1) * cosine / math.sqrt(square), r
-
-    def turning_rate(angle: float) -> float:
-        pace, r = at(angle)
-        return pace * met.spin / (r * r)
-
-    half, error_estimate, spent = integral(lambda angle: at(angle)[0], 0.0, 0.5 * math.pi)
-    turned, error_of_turn, spent_too = (
-        integral(turning_rate, 0.0, 0.5 * math.pi) if met.spin else (0.0, 0.0, 0)
+    """An undamped contact from its beginning to its end, as doubles. Raises BadSetting when the centres all but meet."""
+    overlap, turned, duration = (
+        double_of(lambda i=i: turned_and_lasted(pair, arb(met.inward), arb(met.spin))[i]) for i in range(3)
     )
-    force = pair.contact.k * depth**q
-    error_estimate = max(error_estimate, error_of_turn, 2e-15)
-    return Parting(
-        2.0 * turned, met.inward, met.spin, 2.0 * half, depth, force, False, spent + spent_too, error_estimate
+    refuse_too_soft(overlap, pair.reach)
+    force = pair.contact.k * overlap**pair.contact.q
+    return Parting(turned, met.inward, met.spin, duration, overlap, force, False, 0)
+
+
+def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb]:
+    """The largest overlap, the angle turned by the line of centres, and the duration of an undamped contact.
+
+    With overlap = X w^s and w = 1 - y^2 the square of the radial speed is y^2 times a sum of positive terms: nothing cancels, and
+    the integrands are smooth at the largest overlap X and at the touch. By symmetry the second half mirrors the first.
+    """
+    d, q, s = arb(pair.reach), pair.contact.q, max(smoothing_power(pair.contact), 2)
+    top = _deepest(pair, inward, spin)
+    refuse_too_soft(float(top), pair.reach)
+    near = acb(d - top)
+    stiff = acb(2 * arb(pair.contact.k) / ((arb(q) + 1) * _mass(pair)) * top ** (arb(q) + 1))
+    turning = acb(spin * spin * top)
+
+    def pace(y: acb, analytic: bool) -> tuple[acb, acb]:
+        """dt / dy over 4 s X, and the distance of the centres."""
+        w = 1 - y * y
+        r = d - top * w**s
+        rate = stiff * geometric(w, s * (q + 1.0), analytic)
+        rate += turning * geometric(w, float(s), analytic) * (r + near) / (near * near * r * r)
+        return w ** (s - 1) / rate.sqrt(analytic=analytic), r
+
+    def turning_rate(y: acb, analytic: bool) -> acb:
+        rate, r = pace(y, analytic)
+        return rate / (r * r)
+
+    lasted = 4 * s * top * integral(lambda y, analytic: pace(y, analytic)[0], arb(0), arb(1))
+    turned = 4 * s * top * spin * integral(turning_rate, arb(0), arb(1)) if sign(spin) else arb(0)
+    return top, turned, lasted
+
+
+def collision(pair: Pair, va: Vector, vb: Vector) -> Evaluated:
+    """Everything observed of two spheres that meet from outside without damping, or pass each other; `va`, `vb` are their velocities.
+
+    Raises BadSetting when the centres all but meet, MoreDigits for more digits.
+    """
+    a, b = tuple(map(arb, va)), tuple(map(arb, vb))
+    met = touch(pair)
+    if met is None:
+        return _seen(pair, "missed", (a, b), (arb(0), arb(0)), (arb(0), arb(0), arb(0)), PASS, "conservation")
+    top, turned, lasted = turned_and_lasted(pair, met.inward, met.spin)
+    c, s = turned.cos(), turned.sin()
+    x, y = met.direction
+    length = (x * x + y * y).sqrt()
+    nx, ny = (x * c - y * s) / length, (x * s + y * c) / length
+    across = met.spin / arb(pair.reach)
+    u, v = b[0] - a[0], b[1] - a[1]
+    change = met.inward * nx - across * ny - u, met.inward * ny + across * nx - v
+    force = arb(pair.contact.k) * top ** arb(pair.contact.q)
+    return _seen(pair, "released", (a, b), change, (top, force, lasted), NO_DAMPING, "quadrature")
+
+
+def _seen(
+    pair: Pair,
+    outcome: Outcome,
+    before: tuple[tuple[arb, ...], tuple[arb, ...]],
+    change: tuple[arb, arb],
+    contact: tuple[arb, arb, arb],
+    why: str,
+    model: Model,
+) -> Evaluated:
+    (ma, mb), mass, (a, b) = (arb(pair.mass_a), arb(pair.mass_b)), _mass(pair), before
+    impulse = tuple(mass * c for c in change)
+    then_a = tuple(v - j / ma for v, j in zip(a, impulse, strict=True))
+    then_b = tuple(v + j / mb for v, j in zip(b, impulse, strict=True))
+    had = (ma * (a[0] ** 2 + a[1] ** 2) + mb * (b[0] ** 2 + b[1] ** 2)) / 2
+    values: dict[str, Balls] = {
+        "velocities": (*then_a, *then_b),
+        "duration": contact[2],
+        "largest_overlap": contact[0],
+        "peak_force": contact[1],
+        "impulse": impulse,
+        # An undamped contact gives back what it took, whatever the quadratures say.
+        "energy_ratio": arb(1),
+        "impulses": (-impulse[0], -impulse[1], *impulse),
+        "momentum": tuple(ma * p + mb * q for p, q in zip(a, b, strict=True)),
+        "energy": had,
+    }
+    return Evaluated(
+        outcome, values, model, why, dict.fromkeys(("energy_ratio", "momentum", "energy"), CONSERVATION)
     )

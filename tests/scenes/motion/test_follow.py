@@ -7,10 +7,11 @@ import pytest
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.well import Well
-from corollary.scenes.integrate import motion
-from corollary.scenes.integrate.motion import integrate, never_touch
+from corollary.scenes.motion import steps
+from corollary.scenes.motion.energy import never_meets
+from corollary.scenes.motion.follow import follow
 from corollary.scenes.run import GuardFailed
-from corollary.scenes.scene import Body, Scene, velocity
+from corollary.scenes.scene import Body, Scene, start_of, velocity
 
 PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
 
@@ -19,7 +20,7 @@ PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 
 @pytest.mark.parametrize("tolerance", [1e-8, 1e-10, 1e-11, 1e-12, 1e-13])
 def test_a_contact_ends_as_exactly_as_it_was_followed(q, tolerance):
     k = 2e4 * 0.005 ** (1.5 - q)
-    path = integrate(Scene(PAIR, (Contact(k, q),)), tolerance)
+    path = follow(Scene(PAIR, (Contact(k, q),)), tolerance)
     exact = run("spheres", {"eta": 0.0, "q": q, "k": k}).observed["velocities"]
     found = (*velocity(Scene(PAIR, ()), path.state, 0), *velocity(Scene(PAIR, ()), path.state, 1))
     assert math.dist(found, exact) < 10.0 * tolerance
@@ -30,36 +31,41 @@ def test_a_contact_ends_as_exactly_as_it_was_followed(q, tolerance):
     ("place", "speed"), [((2.0, 0.3), (-5.0, 0.0)), ((1.0, 0.0), (0.0, 9.0)), ((2.0, 0.0), (-5.0, 0.0))]
 )
 def test_a_force_that_ends_at_an_edge_costs_no_accuracy(place, speed, tolerance):
-    path = integrate(Scene((Body(2.0, place, speed),), (Well(100.0, 1.0, 0.4),), until=2.0), tolerance)
+    path = follow(Scene((Body(2.0, place, speed),), (Well(100.0, 1.0, 0.4),), until=2.0), tolerance)
     exact = run("atom", {"r0": place, "v0": speed}).observed["velocities"]
     assert math.dist(path.state[2:], exact) < 50.0 * tolerance * math.hypot(*speed)
 
 
 def test_any_moment_can_be_looked_up():
-    path = integrate(Scene(PAIR, (Contact(2e4),)), 1e-12)
-    steps = path.steps
-    assert path.at(0.0) == list(steps[0].before)
-    for step in steps[1:]:
-        assert path.at(step.x) == pytest.approx(step.before, abs=1e-14)
-    assert path.at(0.5 * steps[0].h)[:2] == pytest.approx((0.5 * steps[0].h, 0.0), abs=1e-14)
+    path = follow(Scene(PAIR, (Contact(2e4),)), 1e-12)
+    stretches = path.stretches
+    assert path.at(0.0) == list(stretches[0].before)
+    for stretch in stretches[1:]:
+        assert path.at(stretch.begin) == pytest.approx(stretch.before, abs=1e-14)
+    half = 0.5 * stretches[0].lasts
+    assert path.at(half)[:2] == pytest.approx((half, 0.0), abs=1e-14)
+
+
+def _misses(scene):
+    return never_meets(scene, start_of(scene))
 
 
 def test_what_never_touches_is_seen_at_the_start():
-    assert not never_touch(Scene(PAIR, (Contact(1.0),)))
-    assert never_touch(Scene((PAIR[0], Body(0.1, (0.08, 0.041), (0.0, 0.0), 0.02)), (Contact(1.0),)))
+    assert not _misses(Scene(PAIR, (Contact(1.0),)))
+    assert _misses(Scene((PAIR[0], Body(0.1, (0.08, 0.041), (0.0, 0.0), 0.02)), (Contact(1.0),)))
 
 
 @pytest.mark.parametrize("wrong", [3e-5, -3e-5])
 def test_a_motion_whose_steps_are_wrong_is_not_handed_out(monkeypatch, wrong):
     """Each step makes all velocities a little too large or too small and does not know it: energy tells."""
-    right = motion.tried
 
-    def badly_tried(*arguments, **more):
-        step = right(*arguments, **more)
-        half = len(step.after) // 2
-        step.after[half:] = [v * (1.0 + wrong) for v in step.after[half:]]
-        return step
+    class Wrong(steps.DOP853):
+        def step(self):
+            message = super().step()
+            half = len(self.y) // 2
+            self.y[half:] *= 1.0 + wrong
+            return message
 
-    monkeypatch.setattr(motion, "tried", badly_tried)
+    monkeypatch.setattr(steps, "DOP853", Wrong)
     with pytest.raises(GuardFailed, match="the energy changed by"):
-        integrate(Scene(PAIR, (Contact(2e4),)), 1e-10)
+        follow(Scene(PAIR, (Contact(2e4),)), 1e-10)

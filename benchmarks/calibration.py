@@ -1,0 +1,308 @@
+"""How far the errors that ready scenes state can be trusted: random and extreme runs of each family against references.
+
+    python benchmarks/calibration.py --runs 500
+
+writes benchmarks/results/calibration.md: for each family the share of values whose true error is within the stated one, and the worst
+ratio of the two. Draws have a fixed seed; tests/extremes runs a share of them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import random
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+
+from corollary.scenes.catalogue import run
+from corollary.scenes.run import BadSetting, GuardFailed, Run, components
+
+RESULTS = Path(__file__).parent / "results" / "calibration.md"
+Reference = Mapping[str, tuple[Any, ...]]
+
+
+@dataclass(slots=True)
+class Family:
+    """`draw` gives settings, `reference` the true values of a run (in any number type)."""
+
+    name: str
+    scene: str
+    against: str
+    draw: Callable[[random.Random], dict[str, Any]]
+    reference: Callable[[dict[str, Any], Run], Reference]
+    tolerance: float = 1e-9
+    share: float = 1.0
+    digits: int = 50
+
+
+@dataclass(slots=True)
+class Tally:
+    """`worst` is the largest ratio of true to stated error, met with `settings`."""
+
+    runs: int = 0
+    refused: int = 0
+    values: int = 0
+    inside: int = 0
+    worst: float = 0.0
+    bounds: int = 0
+    settings: dict[str, Any] = field(default_factory=dict[str, Any])
+    seconds: float = 0.0
+
+
+def powers(rng: random.Random, low: float, high: float) -> float:
+    return 10.0 ** rng.uniform(low, high)
+
+
+def two_blocks(rng: random.Random) -> dict[str, Any]:
+    v = powers(rng, -100, 100)
+    return {
+        "mA": powers(rng, -100, 100),
+        "mB": powers(rng, -100, 100),
+        "vA": v,
+        "vB": rng.uniform(-3.0, 0.9999) * v,
+        "r": rng.choice([0.0, 1.0, rng.random()]),
+    }
+
+
+def of_two_blocks(given: dict[str, Any], _: Run) -> Reference:
+    a, b, u, v, r = (Fraction(given[name]) for name in ("mA", "mB", "vA", "vB", "r"))
+    impulse = (1 + r) * (u - v) * a * b / (a + b)
+    return {"velocities": (u - impulse / a, v + impulse / b), "impulse": (impulse,)}
+
+
+def bullet(rng: random.Random) -> dict[str, Any]:
+    return {name: powers(rng, -40, 40) for name in ("m", "M", "v", "mu", "g")}
+
+
+def of_bullet(given: dict[str, Any], _: Run) -> Reference:
+    m, block, v, mu, g = (Fraction(given[name]) for name in ("m", "M", "v", "mu", "g"))
+    common = m * v / (m + block)
+    lost = -m * block * v * v / (2 * (m + block))
+    return {"velocities": (common, common), "energy_change": (lost,), "distance": (common**2 / (2 * mu * g),)}
+
+
+def ball(rng: random.Random) -> dict[str, Any]:
+    span = rng.choice([2, 30])
+    given = {
+        "m": powers(rng, -span, span),
+        "k": powers(rng, -span, span),
+        "v0": -powers(rng, -span / 2, span / 2),
+    }
+    # Weight from nothing to what decides the contact.
+    return given | {"q": rng.choice([1.0, 1.5, 2.0, 3.0]), "g": powers(rng, -8, 3), "R": 1.0, "y0": 1.0}
+
+
+def of_ball(given: dict[str, Any], found: Run) -> Reference:
+    m, k, v, q, g = (mp.mpf(given[name]) for name in ("m", "k", "v0", "q", "g"))
+    v, p = -v, q + 1
+    stiff = 2 * k / (p * m)
+
+    def square(x: Any) -> Any:
+        return v**2 + 2 * g * x - stiff * x**p
+
+    top = 2 * max((v**2 / stiff) ** (1 / p), (2 * g / stiff) ** (1 / q))
+    for _ in range(200):
+        top -= square(top) / (2 * g - stiff * p * top**q)
+    # In units of top / v; x = top (1 - y^2) takes the singularity out, and so near to it that digits cancel it is a square itself.
+    slope = stiff * p * top**q - 2 * g
+
+    def pace(y: Any) -> Any:
+        return v * (2 * y / mp.sqrt(square(top * (1 - y * y))) if y > 1e-12 else 2 / mp.sqrt(top * slope))
+
+    if q == 1:
+        turning = mp.sqrt(k / m)  # a swing about the place where the spring carries the ball
+        lasts = 2 / turning * (mp.pi - mp.atan(turning * v / g))
+    else:
+        near = v / mp.sqrt(v**2 + 2 * g * top)  # weight makes the start steep, over so short a way
+        steep = [1 - near * 10**i for i in range(-2, 60) if near * 10**i < 0.05]
+        lasts = 2 * top / v * mp.quad(pace, [0, 0.3, 0.9, *reversed(steep), 1])
+    return {
+        "duration": (lasts,),
+        "impulse": (2 * m * v + m * g * lasts,),
+        "largest_overlap": (top,),
+        "peak_force": (k * top**q,),
+    }
+
+
+def spheres(rng: random.Random) -> dict[str, Any]:
+    share = rng.choice([rng.random(), 1.0 - powers(rng, -12, -3)])
+    speed = powers(rng, -3, 3)
+    return {
+        "mA": powers(rng, -6, 6),
+        "mB": powers(rng, -6, 6),
+        "R": 0.02,
+        "q": rng.choice([1.0, 1.5, 2.0]),
+        "k": 1e9,
+        "eta": 0.0,
+        "dx": 0.1,
+        "dy": 0.04 * share,
+        "vA": (speed, 0.0),
+    }
+
+
+def of_spheres(given: dict[str, Any], found: Run) -> Reference:
+    d, k, ma, mb = (mp.mpf(x) for x in (2 * given["R"], given["k"], given["mA"], given["mB"]))
+    v, p = mp.mpf(given["vA"][0]), mp.mpf(given["q"]) + 1
+    mu, spin = ma * mb / (ma + mb), v * mp.mpf(given["dy"])
+    root = mp.sqrt((d * v) ** 2 - spin**2)
+    inward, stiff = root / d, 2 * k / (p * mu)
+
+    def square(x: Any) -> Any:
+        return inward**2 - stiff * x**p - spin**2 * (1 / (d - x) ** 2 - 1 / d**2)
+
+    top = mp.mpf(components(found.observed["largest_overlap"])[0])
+    for _ in range(6):
+        top += square(top) / (stiff * p * top ** (p - 1) + 2 * spin**2 / (d - top) ** 3)
+    slope = stiff * p * top ** (p - 1) + 2 * spin**2 / (d - top) ** 3
+
+    def pace(y: Any) -> Any:  # in units of top / inward
+        return inward * (
+            2 * y / mp.sqrt(square(top * (1 - y * y))) if y > 1e-14 else 2 / mp.sqrt(top * slope)
+        )
+
+    pieces = [0, 0.5, 0.9, 1]
+    lasts = 2 * top / inward * mp.quad(pace, pieces)
+    turned = 2 * top / inward * mp.quad(lambda y: pace(y) * spin / (d - top * (1 - y * y)) ** 2, pieces)
+    angle, across = mp.atan2(spin, root) + turned, spin / d
+    change = (
+        inward * mp.cos(angle) - across * mp.sin(angle) + v,
+        inward * mp.sin(angle) + across * mp.cos(angle),
+    )
+    jx, jy = (mu * c for c in change)
+    return {
+        "velocities": (v - jx / ma, -jy / ma, jx / mb, jy / mb),
+        "impulse": (jx, jy),
+        "duration": (lasts,),
+        "largest_overlap": (top,),
+    }
+
+
+def damped_spheres(rng: random.Random) -> dict[str, Any]:
+    given = spheres(rng) | {"mA": powers(rng, -2, 0), "mB": powers(rng, -2, 0), "k": 2e4}
+    given["vA"] = (rng.uniform(0.1, 1.5), 0.0)
+    return given | {"eta": powers(rng, -6, 0.5)}
+
+
+def damped_ball(rng: random.Random) -> dict[str, Any]:
+    given = {"m": powers(rng, -2, 1), "k": powers(rng, 4, 8), "v0": -powers(rng, -1, 1), "R": 1.0, "y0": 1.0}
+    return given | {
+        "q": rng.choice([1.0, 1.5, 3.0]),
+        "g": rng.choice([0.0, 9.8]),
+        "eta": powers(rng, -4, 1.5),
+    }
+
+
+def three(rng: random.Random) -> dict[str, Any]:
+    masses = tuple(powers(rng, -2, 2) for _ in range(3))
+    return {"N": 3.0, "masses": masses, "q": rng.choice([1.0, 1.5, 2.0]), "gaps": rng.choice([0.0, 1e-4])}
+
+
+def finer(scene: str) -> Callable[[dict[str, Any], Run], Reference]:
+    """The same in the finest steps: they estimate the error of coarse ones, no more."""
+
+    def reference(given: dict[str, Any], found: Run) -> Reference:
+        fine = run(scene, given, 1e-14)
+        names = ("velocities", "duration", "largest_overlap", "peak_force")
+        return {name: components(fine.observed[name]) for name in names if name in found.observed}
+
+    return reference
+
+
+FAMILIES = (
+    Family("two blocks, masses 1e±100", "two_blocks", "exact fractions", two_blocks, of_two_blocks),
+    Family("bullet in a block, all 1e±40", "bullet_block", "exact fractions", bullet, of_bullet),
+    Family("ball on a floor with weight", "ball_on_floor", "mpmath, 50 digits", ball, of_ball, share=0.4),
+    Family(
+        "two spheres, half of them grazing",
+        "spheres",
+        "mpmath, 100 digits",
+        spheres,
+        of_spheres,
+        share=0.15,
+        digits=100,
+    ),
+    Family("two spheres, damped", "spheres", "finest steps", damped_spheres, finer("spheres"), share=0.4),
+    Family(
+        "ball on a floor, damped",
+        "ball_on_floor",
+        "finest steps",
+        damped_ball,
+        finer("ball_on_floor"),
+        share=0.4,
+    ),
+    Family("cradle of three, any masses", "cradle", "finest steps", three, finer("cradle"), share=0.4),
+)
+
+
+def ratios(family: Family, given: dict[str, Any], found: Run) -> Iterator[float]:
+    """For each value the true error over the stated one."""
+    for name, true in family.reference(given, found).items():
+        if name not in found.observed:
+            continue
+        for x, error, exact in zip(
+            components(found.observed[name]), components(found.errors[name]), true, strict=True
+        ):
+            off = abs(Fraction(x) - exact) if isinstance(exact, Fraction) else abs(mp.mpf(x) - mp.mpf(exact))
+            # What cannot be told from the last place of a double, or is below the least of them, is right.
+            yield (
+                0.0
+                if off == 0
+                else float(off / (Fraction(error) if isinstance(exact, Fraction) else mp.mpf(error)))
+                if error
+                else math.inf
+            )
+
+
+def calibrated(family: Family, runs: int) -> Tally:
+    """A family's draws, the same every time."""
+    rng, tally, begin = random.Random(family.name), Tally(), time.perf_counter()
+    mp.mp.dps = family.digits
+    for _ in range(max(1, round(runs * family.share))):
+        given = family.draw(rng)
+        tally.runs += 1
+        try:
+            found = run(family.scene, given, family.tolerance)
+            seen = list(ratios(family, given, found))
+        except (BadSetting, GuardFailed):
+            tally.refused += 1
+            continue
+        tally.bounds += found.error_is == "bound"
+        for ratio in seen:
+            tally.values += 1
+            tally.inside += ratio <= 1.0 + 1e-9
+            if ratio > tally.worst:
+                tally.worst, tally.settings = ratio, given
+    tally.seconds = time.perf_counter() - begin
+    return tally
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--runs", type=int, default=500)
+    runs = parser.parse_args().runs
+    lines = [
+        "# Stated against true errors of ready scenes",
+        "",
+        f"`python benchmarks/calibration.py --runs {runs}`: a value is inside when its true error is at most the stated one.",
+        "",
+        "| family | reference | runs | bounds | refused | values | inside | worst ratio |",
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |",
+    ]
+    for family in FAMILIES:
+        t = calibrated(family, runs)
+        share = t.inside / t.values if t.values else math.nan
+        lines.append(
+            f"| {family.name} | {family.against} | {t.runs} | {t.bounds} | {t.refused} | {t.values} | {share:.2%} | {t.worst:.2g} |"
+        )
+        print(lines[-1], f"{t.seconds:.0f} s", t.settings if t.worst > 1.001 else "", flush=True)
+        RESULTS.write_text("\n".join([*lines, ""]), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

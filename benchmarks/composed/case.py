@@ -1,0 +1,62 @@
+"""One composed scene, what is asked of it, and what must come out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from corollary.scenes.plan import play
+from corollary.scenes.run import BadSetting, GuardFailed, Observable, components
+from corollary.scenes.scene import Scene
+
+SHARP = 1e-6
+"""A value is right when the truth is within its stated error and that is no more than this part of its size."""
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """`truth` holds for each observable the reference values; nan where nothing is compared."""
+
+    family: str
+    scene: Scene
+    truth: Mapping[Observable, tuple[float, ...]]
+    times: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """`ratio` is the worst true error over the stated one; `outcome` what became of the case."""
+
+    case: Case
+    outcome: str
+    ratio: float
+    why: str
+    relative: float = 0.0
+
+
+def judged(case: Case, tolerance: float = 1e-10) -> Verdict:
+    """Play a case: right, honest (the truth lies within a larger stated error), refused, or wrong."""
+    try:
+        found = play(case.scene, set(case.truth), tolerance, case.times)
+    except (BadSetting, GuardFailed) as refused:
+        return Verdict(case, "refused", 0.0, str(refused))
+    ratio, sharp, why, relative = 0.0, True, "", 0.0
+    for what, truth in case.truth.items():
+        measured = found.measured[what.value]
+        values, errors = components(measured.value), components(measured.error)
+        if len(values) != len(truth):
+            return Verdict(case, "wrong", math.inf, f"{what.value}: {values} for {truth}")
+        for value, error, true in zip(values, errors, truth, strict=True):
+            if math.isnan(true):
+                continue
+            off = abs(value - true)
+            # References are doubles: a few roundings of their own size are theirs.
+            off = max(off - 4e-15 * max(abs(true), measured.size), 0.0)
+            here = off / error if error else (0.0 if off == 0.0 else math.inf)
+            relative = max(relative, error / max(measured.size, 1e-300))
+            sharp = sharp and error <= SHARP * max(measured.size, 1e-300)
+            if here > ratio:
+                ratio, why = here, f"{what.value}: {value!r} ± {error:.1e} for {true!r}"
+    outcome = "wrong" if ratio > 1.0 else "right" if sharp else "honest"
+    return Verdict(case, outcome, ratio, why, relative)

@@ -1,0 +1,80 @@
+"""How strongly a ready scene's values hang on its settings: runs with each of them moved a little say the condition, and what is near an edge."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from corollary.scenes.catalogue import SCENES, run
+from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, components
+
+MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
+SLOW = 0.05  # seconds: a run dearer than that is repeated once, with all settings moved together
+ILL = 1e6  # from this condition on it is worth a warning
+DIGITS = 15.95  # of a double
+
+
+def with_conditions(found: Run, tolerance: float) -> Run:
+    """The same run; each value with its condition, and warnings where it is large or another outcome is near.
+
+    The condition of a value is the largest of its relative changes over the change of one setting: with settings rounded to sixteen
+    digits, so many of the value's are lost as it has.
+    """
+    most = dict.fromkeys(found.measured, 0.0)
+    warnings: list[str] = []
+    for name, moved in _moved(found):
+        try:
+            other = run(found.scene, moved, tolerance)
+        except (BadSetting, GuardFailed):
+            continue
+        if other.outcome != found.outcome:
+            warnings.append(
+                f"{name} lies at an edge: changed by {MOVED:g} of itself it makes {other.outcome!r} of {found.outcome!r}."
+            )
+            continue
+        for value in most:
+            if value in other.measured:
+                most[value] = max(most[value], _change(found, other, value) / MOVED)
+    measured = {
+        name: replace(each, condition=max(each.condition or 0.0, most[name]))
+        for name, each in found.measured.items()
+    }
+    for name, condition in most.items():
+        if condition > ILL:
+            digits = max(0, math.floor(DIGITS - math.log10(condition)))
+            warnings.append(
+                f"{name} changes {condition:.0e} times as much as the settings (a grazing hit, contacts that all but coincide, or chaos): "
+                f"settings with sixteen digits give it no more than {digits}."
+            )
+    return replace(found, measured=measured, warnings=(*found.warnings, *warnings))
+
+
+def _moved(found: Run) -> Iterator[tuple[str, dict[str, object]]]:
+    numbers = [
+        each.name
+        for each in SCENES[found.scene].settings
+        if not each.whole and any(components(found.settings[each.name]))
+    ]
+    together = dict[str, object](found.settings)
+    for i, name in enumerate(numbers):
+        value = _times(found.settings[name], 1.0 - MOVED if i % 2 else 1.0 + MOVED)
+        together[name] = value
+        if found.seconds <= SLOW:
+            # Downward, so that a coefficient of restitution of one stays below its end.
+            yield name, {**found.settings, name: _times(found.settings[name], 1.0 - MOVED)}
+    if found.seconds > SLOW:
+        yield "One of the settings", together
+
+
+def _times(value: Observed, factor: float) -> Observed:
+    return tuple(factor * x for x in value) if isinstance(value, tuple) else factor * value
+
+
+def _change(found: Run, other: Run, name: str) -> float:
+    """The largest change of a component in units of the value's size."""
+    here, there = components(found.observed[name]), components(other.observed[name])
+    if len(here) != len(there):
+        return 0.0
+    size = max(found.measured[name].size, *map(abs, (*here, 0.0, 0.0)))
+    return max((abs(x - y) for x, y in zip(here, there, strict=True)), default=0.0) / size if size else 0.0

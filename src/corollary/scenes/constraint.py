@@ -1,0 +1,64 @@
+"""What holds bodies or rubs them: gaps that cannot be negative, and slips that dry friction brakes.
+
+Rows are over the generalized velocity: all velocities body after body, then all spins where bodies have any.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+State = Sequence[float]
+
+
+def still(time: float) -> float:
+    """The rate of change of a gap that no clock drives."""
+    return 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """A gap (m) that is never negative or, with `two_sided`, always zero; the bodies are held by a force along its row.
+
+    d(gap)/dt = row . velocity + driven, and d2(gap)/dt2 = row . acceleration + drift. What closes with a speed opens again with
+    `restitution` times that.
+    """
+
+    name: str
+    bodies: tuple[int, ...]
+    gap: Callable[[float, State], float]
+    row: Callable[[float, State], list[float]]
+    drift: Callable[[float, State], float]
+    driven: Callable[[float], float] = still
+    restitution: float = 0.0
+    two_sided: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Rub:
+    """Dry friction on a slip, rows . velocity - driven (m/s; one component, or two for a body on a table), by Coulomb's law.
+
+    While it slips the force is `kinetic` times the normal force against it; at rest it is whatever keeps it at rest, up to `static`
+    times that. The normal force is `normal` (N), or that of the constraint it is `pressed` by.
+    """
+
+    name: str
+    bodies: tuple[int, ...]
+    rows: Callable[[float, State], list[list[float]]]
+    drift: Callable[[float, State], list[float]]
+    kinetic: float
+    static: float
+    driven: tuple[float, ...] = (0.0,)
+    normal: Callable[[float, State], float] | None = None
+    pressed: Constraint | None = None
+
+
+def farther_off(constraint: Constraint, start: State, shift: float) -> Constraint:
+    """A wall (or the end of a string) that much farther off, if what it stops is not there from the start."""
+    if constraint.two_sided or constraint.gap(0.0, start) <= 2.0 * abs(shift):
+        return constraint
+
+    def gap(time: float, state: State) -> float:
+        return constraint.gap(time, state) + shift
+
+    return replace(constraint, gap=gap)

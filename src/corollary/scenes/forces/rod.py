@@ -1,0 +1,119 @@
+"""Rods and inextensible strings between two bodies: they hold a distance, or do not let it grow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from corollary.scenes.constraint import Constraint, State
+from corollary.scenes.rows import unit_row
+from corollary.scenes.run import BadSetting
+from corollary.scenes.scene import Conserves, Force, Scene, seen_from
+
+
+@dataclass(frozen=True, slots=True)
+class Rod(Force):
+    """A rigid rod without mass between the centres of two bodies (places in the scene); a nail is a body of infinite mass.
+
+    `length` (m) is the distance at the start if it is not given.
+    """
+
+    ends: tuple[int, int]
+    length: float | None = None
+
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> tuple[tuple[int, Sequence[float]], ...]:
+        """Nothing by itself: it holds."""
+        return ()
+
+    def constraints(self, scene: Scene) -> Iterator[Constraint]:
+        """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
+        length = _length(scene, self.ends, self.length)
+        name = f"the rod between {self.ends[0]} and {self.ends[1]}"
+        yield _distance(scene, name, self.ends, 1.0, -length, two_sided=True, restitution=0.0)
+
+    @property
+    def conserves(self) -> Conserves:
+        return Conserves.MOMENTUM | Conserves.ENERGY
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return self.ends
+
+
+@dataclass(frozen=True, slots=True)
+class String(Force):
+    """A string that cannot be stretched: slack, or taut and pulling. It jerks taut with `restitution` (0: it stays taut).
+
+    `length` (m) is the distance at the start if it is not given.
+    """
+
+    ends: tuple[int, int]
+    length: float | None = None
+    restitution: float = 0.0
+
+    def act(
+        self, scene: Scene, state: State, masses: Sequence[float], since: State
+    ) -> tuple[tuple[int, Sequence[float]], ...]:
+        """Nothing by itself: it holds while it is taut."""
+        return ()
+
+    def constraints(self, scene: Scene) -> Iterator[Constraint]:
+        """The slack: not negative. Raises BadSetting for bodies that start in the same place without a length given."""
+        length = _length(scene, self.ends, self.length)
+        name = f"the string between {self.ends[0]} and {self.ends[1]}"
+        yield _distance(scene, name, self.ends, -1.0, length, two_sided=False, restitution=self.restitution)
+
+    @property
+    def conserves(self) -> Conserves:
+        """A jerk that leaves it taut costs energy; what is watched begins anew after it."""
+        return Conserves.MOMENTUM | (Conserves.ENERGY if self.restitution == 1.0 else Conserves.NOTHING)
+
+    @property
+    def does_no_work_at_rest(self) -> bool:
+        return True
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return self.ends
+
+
+def _length(scene: Scene, ends: tuple[int, int], given: float | None) -> float:
+    a, b = (scene.bodies[i].place for i in ends)
+    length = math.dist(a, b) if given is None else given
+    if not length > 0.0:
+        raise BadSetting(f"{scene.name}: a rod or string between {ends} needs a length above zero.")
+    return length
+
+
+def _distance(
+    scene: Scene,
+    name: str,
+    ends: tuple[int, int],
+    sign: float,
+    beyond: float,
+    two_sided: bool,
+    restitution: float,
+) -> Constraint:
+    """sign * distance + beyond, as a gap."""
+    a, b = ends
+
+    def direction(y: State) -> tuple[list[float], float, list[float]]:
+        apart, relative = seen_from(scene, y, a, b)
+        r = math.hypot(*apart) or 1e-300
+        return [x / r for x in apart], r, relative
+
+    def row(t: float, y: State) -> list[float]:
+        unit = direction(y)[0]
+        on_b = unit_row(scene, b, [sign * u for u in unit])
+        return [x + z for x, z in zip(on_b, unit_row(scene, a, [-sign * u for u in unit]), strict=True)]
+
+    def drift(t: float, y: State) -> float:
+        unit, r, relative = direction(y)
+        along = sum(u * v for u, v in zip(unit, relative, strict=True))
+        return sign * (sum(v * v for v in relative) - along * along) / r
+
+    gap: Callable[[float, State], float] = lambda t, y: sign * direction(y)[1] + beyond  # noqa: E731
+    return Constraint(name, ends, gap, row, drift, restitution=restitution, two_sided=two_sided)

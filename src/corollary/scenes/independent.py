@@ -1,0 +1,272 @@
+"""Ready scenes found a second way, which shares no formula with the first: Newton's second law step by step, or bodies one after another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from corollary.scenes.collision import collide
+from corollary.scenes.collisions_in_turn import STEPS, Settings, chain, rocket, second_run
+from corollary.scenes.definition import one, row
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.inverse_square import InverseSquare
+from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.well import Well
+from corollary.scenes.row import RowOfBodies
+from corollary.scenes.run import BadSetting, Observable, Observed, Run, components
+from corollary.scenes.scene import Body, Force, Scene
+
+FADING = 40.0  # in powers of e, over the time that something gets stuck
+
+
+def _after(
+    bodies: Sequence[Body], forces: Sequence[Force], until: float, tolerance: float
+) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+    """Velocities and places at a time, and the relative error of the worse."""
+    from corollary.scenes.measure import measured  # here, since it brings scipy
+
+    seen = {Observable.VELOCITIES, Observable.TRAJECTORY}
+    run = measured(Scene(tuple(bodies), tuple(forces), until=until), seen, tolerance, STEPS, times=(until,))
+    velocities, places = (components(run.observed[name]) for name in ("velocities", "trajectory"))
+    return velocities, places, max(run.relative_error("velocities"), run.relative_error("trajectory"))
+
+
+def _braked(
+    a: Body, b: Body, dt: float, force: float, until: float, tolerance: float
+) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+    """Two bodies with a dashpot between them that fades their relative velocity by e^-40 in dt, and a force on the first."""
+    grip = FADING * a.mass / (a.mass + b.mass) * b.mass / dt
+    push = (ForceFunction(0, lambda t, x, v: (force,)),) if force else ()
+    velocities, places, error = _after((a, b), (Spring((0, 1), 0.0, damping=grip), *push), until, tolerance)
+    # After e^-40 they move as one: what is left between them is the error of so stiff a motion, which two runs may share.
+    pulled = force * b.mass / (a.mass + b.mass) / grip  # the force alone keeps them so far apart in velocity
+    left = abs(velocities[0] - velocities[1] - pulled) / max(abs(a.velocity[0]), abs(b.velocity[0]))
+    return velocities, places, max(error, left) if until >= dt else error
+
+
+def absorbed_drop(settings: Settings, tolerance: float) -> Run:
+    m, dm, v, u, force, t, dt = (one(settings, name) for name in ("m", "dm", "v", "u", "F", "t", "dt"))
+    # The dashpot's fading is followed only as long as it lasts; then they move as one.
+    way = 10.0 * (abs(v) + abs(u) + abs(force) / m * t) * max(t, dt) + 1.0
+    short = min(t, dt)
+    a, b = Body(m, (0.0,), (v,)), Body(dm, (way,), (u,))
+    (body, drop), _, error = _braked(a, b, dt, force, short, tolerance)
+    if t > short:
+        both = Body(m + dm, (0.0,), ((m * body + dm * drop) / (m + dm),))
+        push = (ForceFunction(0, lambda at, x, w: (force,)),)
+        (common,), _, more = _after((both,), push, t - short, tolerance)
+        lag = body - drop
+        body, drop, error = common + dm / (m + dm) * lag, common - m / (m + dm) * lag, max(error, more)
+    change = m * (body - v) + dm * (drop - u)
+    fastest = max(abs(body), abs(v), abs(drop), abs(u))
+    scales = {"velocities": fastest, "momentum_change": (m + dm) * fastest}
+    return second_run({"velocities": (body, drop), "momentum_change": change}, error, scales=scales)
+
+
+def bullet_block(settings: Settings, tolerance: float) -> Run:
+    m, block, v, mu, g, dt = (one(settings, name) for name in ("m", "M", "v", "mu", "g", "dt"))
+    a, b = Body(m, (0.0,), (v,)), Body(block, (10.0 * v * dt + 1.0,), (0.0,))
+    (bullet, stuck), _, error = _braked(a, b, dt, 0.0, dt, tolerance)
+    sliding = Body(m + block, (0.0,), (stuck,))
+    _, (way,), more = _after((sliding,), (Friction(0, mu, g),), 2.0 * stuck / (mu * g), tolerance)
+    lost = 0.5 * m * (bullet * bullet - v * v) + 0.5 * block * stuck * stuck
+    observed: dict[str, Observed] = {"velocities": (bullet, stuck), "energy_change": lost, "distance": way}
+    scales = {"velocities": v, "energy_change": m * v * v, "distance": 2.0 * way * v / stuck}
+    return second_run(observed, 2.0 * max(error, more), scales=scales)
+
+
+def snowball(settings: Settings, tolerance: float) -> Run:
+    you, son, ball, v, theta, dt = (one(settings, name) for name in ("M", "Ms", "m", "v", "theta", "dt"))
+    push = ball * v * math.cos(theta) / dt
+    forces = ForceFunction(0, lambda t, x, w: (push,)), ForceFunction(1, lambda t, x, w: (-push,))
+    thrower = Body(ball, (1.0,), (0.0,)), Body(you, (0.0,), (0.0,))
+    (level, yours), _, error = _after(thrower, forces, dt, tolerance)
+    a, b = Body(ball, (0.0,), (level,)), Body(son, (10.0 * v * dt + 1.0,), (0.0,))
+    (_, sons), _, more = _braked(a, b, dt, 0.0, dt, tolerance)
+    observed: dict[str, Observed] = {
+        "momentum": (ball * level, ball * v * math.sin(theta)),
+        "velocities_after_throw": (yours, 0.0),
+        "velocities": (yours, sons),
+    }
+    fastest = max(abs(level), abs(yours))
+    scales = {"velocities_after_throw": fastest, "velocities": fastest}
+    return second_run(observed, max(error, more), scales=scales)
+
+
+def kick(settings: Settings, tolerance: float) -> Run:
+    m, v0, force, dt = (one(settings, name) for name in ("m", "v0", "F", "dt"))
+    power = round(one(settings, "pulse"))
+    nodes = 1000
+    # The mean of the pulse by the trapezoidal rule, exact for so smooth a period.
+    mean = math.fsum(math.sin(math.pi * i / nodes) ** power for i in range(nodes)) / nodes
+    if power % 2:
+        mean = math.prod(2.0 * i / (2.0 * i + 1.0) for i in range(1, power // 2 + 1)) * 2.0 / math.pi
+    peak = force / mean
+    push = ForceFunction(0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,))
+    (after,), (way,), error = _after((Body(m, (0.0,), (v0,)),), (push,), dt, tolerance)
+    return second_run(
+        {"velocities": (after,), "impulse": m * (after - v0), "way": way, "peak_force": peak}, error
+    )
+
+
+def ions(settings: Settings, tolerance: float) -> Run:
+    from corollary.scenes.measure import measured
+
+    strength, ma, mb, v, r0, s = (one(settings, name) for name in ("C", "mA", "mB", "v", "r0", "s"))
+    mass = ma / (ma + mb) * mb
+    relative = Body(mass, (math.sqrt((r0 - s) * (r0 + s)), s), (-v, 0.0))
+    scene = Scene(
+        (relative, Body(math.inf, (0.0, 0.0), (0.0, 0.0))),
+        (InverseSquare((0, 1), -strength),),
+        until=4.0 * r0 / v,
+    )
+    run = measured(scene, {Observable.TURNING_POINTS}, tolerance, STEPS)
+    nearest = components(run.observed["turning_points"])[:1]
+    return second_run(
+        {"turning_points": nearest, "peak_force": strength / nearest[0] ** 2},
+        run.relative_error("turning_points"),
+    )
+
+
+def wall(settings: Settings, tolerance: float) -> Run:
+    m, v0, theta, dt = (one(settings, name) for name in ("m", "v0", "theta", "dt"))
+    along, into = v0 * math.cos(theta), v0 * math.sin(theta)
+    line = RowOfBodies((math.inf, m), (0.0, -into), (0.0,), (Contact(m * (math.pi / dt) ** 2, 1.0),))
+    found = collide(line, tolerance)
+    change = m * (found.result.velocities[1] + into)
+    observed: dict[str, Observed] = {
+        "velocities": (along, found.result.velocities[1]),
+        "momentum_change": (0.0, change),
+        "impulse": (0.0, -change),
+        "mean_force": (0.0, change / found.result.duration),
+        "duration": found.result.duration,
+    }
+    return second_run(observed, max(found.errors.values()), found.why, found.model)
+
+
+def pair(settings: Settings, tolerance: float) -> Run:
+    """A cradle of two balls."""
+    masses = row(settings, "masses", 2, "balls") if settings["masses"] else (one(settings, "m"),) * 2
+    contact = Contact(one(settings, "k"), one(settings, "q"))
+    v0 = one(settings, "v0")
+    found = collide(RowOfBodies(masses, (v0, 0.0), (0.0,), (contact,)), tolerance)
+    result = found.result
+    observed: dict[str, Observed] = {
+        "velocities": result.velocities,
+        "duration": result.duration,
+        "largest_overlap": result.overlaps[0],
+        "peak_force": result.forces[0],
+    }
+    return second_run(observed, max(found.errors.values()), found.why, found.model)
+
+
+def two_blocks(settings: Settings, tolerance: float) -> Run:
+    ma, mb, va, vb, r, k = (one(settings, name) for name in ("mA", "mB", "vA", "vB", "r", "k"))
+    log = -math.log(r) if r else math.inf
+    share = log / math.hypot(math.pi, log) if r else 1.0 + 1e-9
+    eta = 2.0 * share * math.sqrt(k * ma / (ma + mb) * mb)
+    found = collide(RowOfBodies((ma, mb), (va, vb), (0.0,), (Contact(k, 1.0, eta),)), tolerance)
+    a, b = found.result.velocities
+    observed: dict[str, Observed] = {"velocities": (a, b), "impulse": mb * (b - vb)}
+    return second_run(observed, max(found.errors.values(), default=0.0), found.why, found.model)
+
+
+def atom(settings: Settings, tolerance: float) -> Run:
+    from corollary.scenes.measure import measured
+
+    r, v, plane = settings["r0"], settings["v0"], one(settings, "dimension") == 2.0
+    place = (*components(r), 0.0)[:2]
+    velocity = components(v) if isinstance(v, tuple) else ((0.0, v) if plane else (v, 0.0))
+    m, well = one(settings, "m"), Well(*(one(settings, name) for name in ("k", "b", "d")))
+    axes = 2 if plane else 1
+    body = Body(m, tuple(place[:axes]), tuple((*velocity, 0.0)[:axes]))
+    swing, speed = 2.0 * math.pi * math.sqrt(m / well.k), math.hypot(*velocity) or 1.0
+    # A period is no longer than a swing on a line; it is seen when the distance has come back twice.
+    long = Scene((body,), (well,), until=3.2 * swing)
+    try:
+        run = measured(long, {Observable.PERIOD, Observable.TURNING_POINTS}, tolerance, STEPS)
+    except BadSetting:
+        gone = Scene((body,), (well,), until=4.0 * swing + 4.0 * (math.hypot(*place) + well.edge) / speed)
+        run = measured(gone, {Observable.VELOCITIES}, tolerance, STEPS)
+        observed: dict[str, Observed] = {"velocities": run.observed["velocities"], "escapes": 1.0}
+        return second_run(observed, run.relative_error("velocities"))
+    more: dict[str, Observed] = {"escapes": 0.0}
+    if plane:
+        # After a period the distance is the same, and the direction has turned.
+        times = 0.0, components(run.observed["period"])[0]
+        x, y, later_x, later_y = components(
+            measured(long, {Observable.TRAJECTORY}, tolerance, STEPS, times).observed["trajectory"]
+        )
+        more["angle"] = math.atan2(x * later_y - y * later_x, x * later_x + y * later_y) % (2.0 * math.pi)
+    return replace(run, measured=run.measured | second_run(more, run.error).measured)
+
+
+def railway_car(settings: Settings, tolerance: float) -> Run:
+    v, rate, u, t = (one(settings, name) for name in ("v", "R", "ux", "t"))
+    count = 1000
+    shovel, dt = rate * t / count, t / count
+    if shovel == 0.0:
+        return second_run(dict.fromkeys(("mean_force", "impulse", "work", "energy_lost"), 0.0), 0.0)
+    # One shovel that a dashpot brings to the speed of a car that nothing slows down.
+    sand, car = Body(shovel, (0.0,), (u,)), Body(math.inf, (10.0 * (abs(u) + abs(v)) * dt + 1.0,), (v,))
+    (after, _), _, error = _after(
+        (sand, car), (Spring((0, 1), 0.0, damping=FADING * shovel / dt),), dt, tolerance
+    )
+    impulse = count * shovel * (after - u)
+    lost = impulse * v - count * 0.5 * shovel * (after - u) * (after + u)
+    observed: dict[str, Observed] = {
+        "mean_force": impulse / t,
+        "impulse": impulse,
+        "work": impulse * v,
+        "energy_lost": lost,
+    }
+    fast = max(abs(u), abs(v))
+    mass = count * shovel
+    scales = {
+        "impulse": mass * fast,
+        "mean_force": mass * fast / t,
+        "work": mass * fast**2,
+        "energy_lost": mass * fast**2,
+    }
+    return second_run(observed, 4.0 * error, scales=scales)
+
+
+INDEPENDENT: dict[str, Callable[[Settings, float], Run]] = {
+    each.__name__: each
+    for each in (
+        absorbed_drop,
+        bullet_block,
+        snowball,
+        kick,
+        ions,
+        wall,
+        two_blocks,
+        atom,
+        railway_car,
+        chain,
+        rocket,
+    )
+}
+"""By scene. Those that are not here are followed step by step in any case, or told apart below."""
+
+
+def independent(scene: str, settings: Settings, tolerance: float) -> Run | None:
+    """What a scene gives by its second way; none where its first is one already, or there is no second.
+
+    Raises BadSetting and GuardFailed as the first way does.
+    """
+    if scene == "cradle" and one(settings, "N") == 2.0:
+        return pair(settings, tolerance)
+    if scene == "ball_on_floor" and one(settings, "eta") == 0.0:
+        from corollary.scenes.library.ball_on_floor import stepped
+
+        return stepped(settings, tolerance)
+    if scene == "spheres" and one(settings, "eta") == 0.0:
+        from corollary.scenes.library.spheres import stepped as stepped_pair
+
+        return stepped_pair(settings, tolerance)
+    second = INDEPENDENT.get(scene)
+    return second(settings, tolerance) if second else None

@@ -1,0 +1,168 @@
+"""Which contacts press and which surfaces stick: the first combination that obeys complementarity and Coulomb's law.
+
+The same conditions decide accelerations (multipliers are forces) and hits (they are impulses): J. J. Moreau, in Nonsmooth Mechanics
+and Applications (1988); D. E. Stewart, SIAM Rev. 42 (2000) 3.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from corollary.scenes.run import GuardFailed
+
+Array = NDArray[np.float64]
+Status = Literal["off", "on", "stick"] | tuple[float, ...]
+"""A constraint is off or on; a rub is off, sticks, or slips in a direction."""
+
+# A multiplier or an acceleration so small against the others is zero.
+NOISE = 1e-10
+MOST_COMBINATIONS = 3000
+
+
+@dataclass(slots=True)
+class Item:
+    """Something that may hold: `bias` is the acceleration (or velocity) along its rows if nothing held.
+
+    `pressed` is the item that presses a rub, by its place in the list, or `given` its normal force.
+    """
+
+    name: str
+    rows: Array
+    bias: Array
+    may: tuple[Status, ...]
+    rub: bool = False
+    two_sided: bool = False
+    pressed: int = -1
+    given: float = 0.0
+    kinetic: float = 0.0
+    static: float = 0.0
+
+
+@dataclass(slots=True)
+class Answer:
+    """For each item its multipliers and what is left along its rows; `total` is the generalized force (or impulse) of all."""
+
+    multipliers: list[Array]
+    left: list[Array]
+    total: Array
+
+
+def answer(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) -> Answer:
+    """The multipliers when each item has its status. `inverse` holds the inverse masses."""
+    size = len(inverse)
+    extra = np.zeros(size)
+    rows: list[Array] = []
+    columns: list[Array] = []
+    biases: list[float] = []
+    owners: list[int] = []
+    sliding: dict[int, Array] = {}
+    for item, status in zip(items, statuses, strict=True):
+        if isinstance(status, tuple):
+            force = -item.kinetic * (np.asarray(status) @ item.rows)
+            if item.pressed < 0:
+                extra += item.given * force
+            else:
+                sliding[item.pressed] = sliding.get(item.pressed, 0.0) + force
+    for i, (item, status) in enumerate(zip(items, statuses, strict=True)):
+        if status in ("on", "stick"):
+            for row, bias in zip(item.rows, item.bias, strict=True):
+                rows.append(row)
+                columns.append(row + sliding[i] if i in sliding else row)
+                biases.append(float(bias))
+                owners.append(i)
+    total, solved = extra, np.zeros(0)
+    if rows:
+        across, along = np.array(rows), np.array(columns)
+        if len(rows) == 1 and (size_of := float((across[0] * inverse) @ along[0])) > 0.0:
+            solved = np.array([-(biases[0] + float((across[0] * inverse) @ extra)) / size_of])
+            return _shared_out(items, owners, solved, extra + along[0] * solved[0], inverse)
+        matrix = (across * inverse) @ along.T
+        wanted = -(np.array(biases) + (across * inverse) @ extra)
+        try:
+            solved = np.linalg.solve(matrix, wanted)
+            if not np.allclose(matrix @ solved, wanted, rtol=1e-6, atol=1e-9 * np.abs(wanted).max()):
+                raise np.linalg.LinAlgError
+        except np.linalg.LinAlgError:
+            solved = np.linalg.lstsq(matrix, wanted, rcond=1e-12)[0]
+        total = extra + along.T @ solved
+    return _shared_out(items, owners, np.asarray(solved, dtype=np.float64), total, inverse)
+
+
+def _shared_out(
+    items: Sequence[Item], owners: Sequence[int], solved: Array, total: Array, inverse: Array
+) -> Answer:
+    multipliers: list[Array] = [np.zeros(len(item.rows)) for item in items]
+    filled = [0] * len(items)
+    for owner, z in zip(owners, solved, strict=True):
+        multipliers[owner][filled[owner]] = z
+        filled[owner] += 1
+    left = [item.bias + item.rows @ (inverse * total) for item in items]
+    return Answer(multipliers, left, total)
+
+
+def normal_force(items: Sequence[Item], found: Answer, i: int) -> float:
+    """What presses a rub."""
+    item = items[i]
+    return item.given if item.pressed < 0 else float(found.multipliers[item.pressed][0])
+
+
+def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, ...]:
+    """The first combination of statuses that is consistent: what presses and what sticks is tried first.
+
+    Raises GuardFailed when there is none, or when there are too many to try.
+    """
+    if math.prod(len(item.may) for item in items) > MOST_COMBINATIONS:
+        names = ", ".join(item.name for item in items)
+        raise GuardFailed(f"{where}: too many things rest on each other at once ({names}).")
+    for statuses in _combinations(items):
+        if _consistent(items, statuses, answer(items, statuses, inverse), inverse):
+            return statuses
+    names = ", ".join(item.name for item in items)
+    raise GuardFailed(
+        f"{where}: no forces of rigid bodies obey Coulomb's law here ({names}); give the contact a stiffness instead."
+    )
+
+
+def _combinations(items: Sequence[Item]) -> Iterator[tuple[Status, ...]]:
+    for statuses in product(*(item.may for item in items)):
+        # What nothing presses does not rub.
+        if all(
+            (status == "off") == (statuses[item.pressed] == "off")
+            for item, status in zip(items, statuses, strict=True)
+            if item.rub and item.pressed >= 0
+        ):
+            yield statuses
+
+
+def _consistent(items: Sequence[Item], statuses: Sequence[Status], found: Answer, inverse: Array) -> bool:
+    fast = max((float(np.abs(item.bias).max()) for item in items), default=0.0)
+    strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
+    strong = max(strong, *(item.given * item.static for item in items if item.rub), 0.0)
+    fast = max(fast, float(np.abs(inverse * found.total).max(initial=0.0)))
+    for i, (item, status) in enumerate(zip(items, statuses, strict=True)):
+        z, w = found.multipliers[i], found.left[i]
+        if item.rub:
+            press = normal_force(items, found, i)
+            if status == "stick":
+                if (
+                    np.abs(w).max() > 1e-6 * fast
+                    or float(np.linalg.norm(z)) > item.static * press + NOISE * strong
+                ):
+                    return False
+            elif isinstance(status, tuple) and "stick" in item.may and np.asarray(status) @ w < -NOISE * fast:
+                return False
+        elif item.two_sided:
+            continue
+        elif status == "on":
+            if z[0] < -NOISE * strong or abs(w[0]) > 1e-6 * fast:
+                return False
+        elif len(item.may) > 1 and w[0] < -NOISE * fast:
+            return False
+    return True

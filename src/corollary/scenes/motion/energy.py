@@ -1,0 +1,79 @@
+"""The energies of a scene, who conserves them, and whether its bodies will ever meet."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from corollary.scenes.constraint import State
+from corollary.scenes.rows import spin
+from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, velocity
+
+if TYPE_CHECKING:
+    from corollary.scenes.motion.system import Mode
+
+
+def masses_at(scene: Scene, time: float) -> list[float]:
+    """The masses (kg) after what has been burnt and taken up."""
+    masses = [body.mass for body in scene.bodies]
+    for force in scene.forces:
+        for i, rate in force.mass_rates:
+            masses[i] += rate * time
+    return masses
+
+
+def kinetic(scene: Scene, time: float, state: State) -> float:
+    """Kinetic energy (J) of the bodies that are not walls, their spins included."""
+    masses = masses_at(scene, time)
+    loose = [(i, m) for i, m in enumerate(masses) if not math.isinf(m)]
+    straight = sum(0.5 * m * math.hypot(*velocity(scene, state, i)) ** 2 for i, m in loose)
+    turning = [
+        0.5 * scene.bodies[i].resists_spin * spin(scene, state, i) ** 2
+        for i, _ in loose
+        if scene.spins and not math.isinf(scene.bodies[i].resists_spin)
+    ]
+    return straight + sum(turning)
+
+
+def energy(scene: Scene, time: float, state: State) -> float:
+    """Kinetic energy and the potential energy (J) of all forces that have one."""
+    stored = 0.0
+    for force in scene.forces:
+        stored += force.potential(scene, state)
+    return kinetic(scene, time, state) + stored
+
+
+def keeps_energy(scene: Scene, mode: Mode | None = None) -> bool:
+    """Whether no force and no moving wall takes or gives energy: at any time, or in a mode, between its hits."""
+    if not scene.walls_at_rest:
+        return False
+    if mode is None:
+        return Conserves.ENERGY in scene.conserves and not any(f.rubs_surfaces for f in scene.forces)
+    steady = all(isinstance(s, str) for s in mode.rubbed)
+    return steady and all(Conserves.ENERGY in force.conserves or _only_holds(force) for force in scene.forces)
+
+
+def _only_holds(force: Force) -> bool:
+    """A wall at rest, a string or a rub: it does no work while nothing hits or slips."""
+    return force.does_no_work_at_rest
+
+
+def never_meets(scene: Scene, state: State) -> bool:
+    """Whether nothing touches and no straight line leads to a touch."""
+    for force in scene.contacts:
+        for a, b in force.serves(scene):
+            depth, growing = overlap(scene, state, a, b)
+            if depth > 0.0 or (growing > 0.0 and _on_course(scene, state, a, b)):
+                return False
+    return True
+
+
+def _on_course(scene: Scene, state: State, a: int, b: int) -> bool:
+    apart, relative = seen_from(scene, state, a, b)
+    speed = math.hypot(*relative)
+    if speed == 0.0:
+        return False
+    along = sum(x * (v / speed) for x, v in zip(apart, relative, strict=True))
+    after = max(-along / speed, 0.0)
+    nearest = math.hypot(*(x + v * after for x, v in zip(apart, relative, strict=True)))
+    return nearest < scene.bodies[a].radius + scene.bodies[b].radius

@@ -1,0 +1,298 @@
+"""The one loop: scipy's steps in a mode until something happens, which is met exactly, and what holds after it."""
+
+# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from corollary.scenes.constraint import farther_off
+from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets
+from corollary.scenes.motion.guards import Guards
+from corollary.scenes.motion.modes import Moment
+from corollary.scenes.motion.path import Happening, Stretch, Trajectory
+from corollary.scenes.motion.sizes import sizes_of
+from corollary.scenes.motion.steps import Stepper
+from corollary.scenes.motion.system import Mode, Slope, System
+from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.scene import Scene, overlap, start_of
+
+# An overlap has to be so many roundings of a place deep.
+FINEST_OVERLAP = 1e4
+# A touch that errors of so many steps decide grazes.
+GRAZING = 100.0
+# So many happenings at one moment are no physics: forces that call each other out.
+MOST_AT_ONCE = 50
+Progress = Callable[[float], None]
+
+
+class Follower:
+    """A scene followed from its start to `until`, or until nothing touches and nothing will. See `follow`."""
+
+    def __init__(self, scene: Scene, tolerance: float, shift: float = 0.0) -> None:
+        self.scene, self.tolerance = scene, tolerance
+        self.system = System(scene)
+        if shift:
+            self.system.constraints = [
+                farther_off(c, start_of(scene), shift) for c in self.system.constraints
+            ]
+        if scene.until is None and not (scene.contacts == scene.forces and len(scene.bodies) > 1):
+            raise BadSetting(
+                f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
+            )
+        self.path = Trajectory(state=start_of(scene))
+        self.at_once = 0
+        self.sizes = sizes_of(self.system, tolerance, shift)
+        self.path.near = GRAZING * tolerance * self.sizes.place
+        self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
+        self.steps = Stepper(self.system, self.sizes, tolerance)
+        self._refuse_bad_start()
+        self.energy: float | None = None
+
+    def _refuse_bad_start(self) -> None:
+        y, sizes = self.path.state, self.sizes
+        if self.system.contacts and sizes.deep < FINEST_OVERLAP * math.ulp(sizes.long):
+            raise BadSetting(
+                f"{self.scene.name}: bodies squeeze each other by about {sizes.deep:.1g} m, which places of {sizes.long:.1g} m do not show. "
+                "Make contacts softer, or bodies less unequal, or move them nearer to the origin."
+            )
+        for constraint in self.system.constraints:
+            gap = constraint.gap(0.0, y)
+            if gap < -self.sizes.gap or (constraint.two_sided and gap > 1e-9 * self.sizes.long):
+                raise BadSetting(
+                    f"{self.scene.name}: {constraint.name} starts {abs(gap):.3g} m where it cannot be; move it."
+                )
+
+    def run(self, progress: Progress | None = None) -> Trajectory:
+        """The whole path. Raises GuardFailed when it cannot be followed, or something impossible happens on the way."""
+        scene, path = self.scene, self.path
+        mode = self._begin()
+        while not self._over():
+            before = path.time
+            mode = self._phase(mode)
+            self.at_once = self.at_once + 1 if path.time - before <= 1e-14 * max(path.time, 1e-300) else 0
+            if self.at_once > MOST_AT_ONCE:
+                raise GuardFailed(
+                    f"{scene.name}: at {path.time:.6g} s things happen without end and no time passes."
+                )
+            if progress and scene.until:
+                progress(path.time / scene.until)
+        path.mode, path.evaluations = mode, self.system.evaluations
+        return path
+
+    def _begin(self) -> Mode:
+        y = self.path.state
+        touching = tuple(self._touches_at_start(a, b) for _, a, b in self.system.contacts)
+        slope = self.system.gains(0.0, y, y)
+        sides: list[float] = []
+        for event in self.system.events:
+            value = event.value(y)
+            if value == 0.0:
+                count, h = self.system.count, 1e-8 * self.sizes.long / self.sizes.fast
+                ahead = [x + h * v for x, v in zip(y[:count], y[count:], strict=False)]
+                value = event.value([*ahead, *(v + h * a for v, a in zip(y[count:], slope, strict=True))])
+            sides.append(math.copysign(1.0, value))
+        return self._decide(Moment(self.system, 0.0, list(y), self.sizes), touching, tuple(sides))
+
+    def _touches_at_start(self, a: int, b: int) -> bool:
+        depth, growing = overlap(self.scene, self.path.state, a, b)
+        return depth > self.sizes.gap or (abs(depth) <= self.sizes.gap and growing > 0.0)
+
+    def _decide(self, moment: Moment, touching: tuple[bool, ...], sides: tuple[float, ...]) -> Mode:
+        path = self.path
+        try:
+            mode = moment.decided(touching, sides)
+        except GuardFailed as error:
+            raise GuardFailed(f"{self.scene.name}: {error}") from None
+        path.state = moment.y
+        if moment.dropped:
+            ends = path.time + moment.lasts
+            path.rests.append(ends)
+            if self.scene.until is not None and ends > self.scene.until:
+                path.dropped = max(path.dropped, moment.dropped)
+        if keeps_energy(self.scene, mode):
+            # Hits that cost energy are settled at once: what is watched is each stretch between them.
+            self.energy = energy(self.scene, path.time, path.state)
+        else:
+            self.energy = None
+        return mode
+
+    def _left(self) -> float:
+        return math.inf if self.scene.until is None else self.scene.until - self.path.time
+
+    def _over(self) -> bool:
+        if self.scene.until is not None:
+            return self._left() <= 1e-15 * self.scene.until
+        return never_meets(self.scene, self.path.state) or self._asleep()
+
+    def _asleep(self) -> bool:
+        """Whether damped contacts have used up what they had: bodies touch, but nothing moves or pushes any more."""
+        path = self.path
+        if not path.stretches or keeps_energy(self.scene, path.stretches[-1].mode):
+            return False
+        y = path.state
+        touching = [(a, b) for _, a, b in self.system.contacts if overlap(self.scene, y, a, b)[0] > 0.0]
+        slow = bool(touching) and all(
+            abs(overlap(self.scene, y, a, b)[1]) < self.tolerance * self.sizes.fast for a, b in touching
+        )
+        stored = energy(self.scene, path.time, y) - kinetic(self.scene, path.time, y)
+        path.settled = slow and stored <= self.tolerance**2 * kinetic(self.scene, 0.0, start_of(self.scene))
+        return path.settled
+
+    def _phase(self, mode: Mode) -> Mode:
+        """Steps in one mode until something happens; the mode after it."""
+        path, system = self.path, self.system
+        begun, since = path.time, list(path.state)
+        guards = Guards(system, mode, since, begun, self.sizes)
+        slope = system.slope(mode, since, begun)
+        solver = self.steps.solver(slope, since, self._left(), self.steps.first_step(mode, begun, since))
+        before, last = since, 0.0
+        while True:
+            self.steps.advance(solver, begun)
+            stretch = Stretch(
+                begun + last,
+                float(solver.t) - last,
+                before,
+                solver.y.tolist(),
+                mode,
+                since,
+                solver.dense_output(),
+                last,
+            )
+            met = self.steps.first_event(guards, stretch)
+            if self.steps.nearest < path.near:
+                path.grazes.append(stretch.begin)
+            if met is not None:
+                return self._met(guards, stretch, slope, *met)
+            self._add(stretch)
+            before, last = path.state, float(solver.t)
+            if solver.status == "finished":
+                path.time = self.scene.until if self.scene.until is not None else path.time
+                return mode
+            if self.scene.until is None and self._over():
+                return mode
+            if self.steps.too_slow(self._left(), stretch.lasts):
+                return mode
+            if self._drifted(mode):
+                moment = Moment(system, path.time, list(path.state), self.sizes, mode)
+                return self._decide(moment, mode.touching, mode.sides)
+
+    def _met(self, guards: Guards, stretch: Stretch, slope: Slope, index: int, part: float) -> Mode:
+        """Go to where a guard falls, exactly: the step is taken again to end there; then what follows from it."""
+        one, guard = guards.one(index), guards.names[index]
+        self.steps.steady = 0
+        lasts = self.steps.landing(one, stretch, slope, part)
+        pieces = self.steps.pieces(stretch, slope, lasts)
+        if guard.kind == "event":
+            # The law beyond is to be met by the next step: no event is left on its own edge.
+            ahead = 1e-16 * max(stretch.lasts, 1e-300)
+            while ahead < 1e-3 * stretch.lasts:
+                end = pieces[-1] if pieces else stretch
+                state = end.after if pieces else stretch.before
+                if one(stretch.begin + lasts, state) < 0.0:
+                    break
+                lasts, ahead = lasts + ahead, 4.0 * ahead
+                pieces = self.steps.pieces(stretch, slope, lasts)
+        for piece in pieces:
+            self._add(piece)
+        speed = self.steps.falling(one, stretch, part)
+        slack = (
+            (self.tolerance * self.sizes.place + 4.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
+        )
+        self.path.happenings.append(
+            Happening(f"{guard.kind} {guard.number}", self.path.time, len(self.path.stretches), slack)
+        )
+        return self._after(guards, index)
+
+    def _after(self, guards: Guards, index: int) -> Mode:
+        """What follows when a guard has fallen. Raises GuardFailed or BadSetting for what is impossible."""
+        path, mode, guard = self.path, guards.mode, guards.names[index]
+        touching, sides = list(mode.touching), list(mode.sides)
+        moment = Moment(self.system, path.time, list(path.state), self.sizes, mode)
+        match guard.kind:
+            case "touch":
+                touching[guard.number] = not touching[guard.number]
+            case "soft":
+                raise BadSetting(
+                    "The spheres are so soft that they pass through each other; raise k, or lower the speed."
+                )
+            case "overlap":
+                raise GuardFailed(
+                    f"{self.scene.name}: at {path.time:.6g} s {guard.name} begin to overlap and no contact acts between them. "
+                    "Give them one, or radius zero, or name them in passes=…"
+                )
+            case "event":
+                event = self.system.events[guard.number]
+                if event.turn is None:
+                    sides[guard.number] = -sides[guard.number]
+                else:
+                    self._turn(moment, guard.number)
+            case "release":
+                moment.barred_constraints = frozenset({guard.number})
+            case "break":
+                k = guard.number
+                _, forces, _ = self.system.held(path.time, path.state, guards.since, mode)
+                at = next(at for rub, at in guards.sticks if rub == k)
+                z = forces.multipliers[at]
+                size = float(np.linalg.norm(z)) or 1.0
+                moment.barred_rubs = {k: tuple((-z / size).tolist())}
+            case "hit" | "stop":
+                pass
+        return self._decide(moment, tuple(touching), tuple(sides))
+
+    def _turn(self, moment: Moment, number: int) -> None:
+        event, axes = self.system.events[number], self.scene.axes
+        start = self.system.count + axes * event.body
+        if event.turn is not None:
+            moment.y[start : start + axes] = event.turn(moment.y)
+
+    def _drifted(self, mode: Mode) -> bool:
+        """Whether steps have moved bodies off what holds them by more than is allowed to one."""
+        path = self.path
+        held = [c for c, s in zip(self.system.constraints, mode.held, strict=True) if s == "on"]
+        return any(
+            abs(c.gap(path.time, path.state)) > 0.1 * self.tolerance * self.sizes.place
+            or abs(self.system.rate(path.time, path.state, c)) > 0.1 * self.tolerance * self.sizes.fast
+            for c in held
+        )
+
+    def _add(self, stretch: Stretch) -> None:
+        path = self.path
+        path.stretches.append(stretch)
+        path.state = stretch.after
+        path.time = stretch.begin + stretch.lasts
+        if self.energy is None:
+            return
+        now = energy(self.scene, path.time, path.state)
+        light = min((b.mass for b in self.scene.bodies if not math.isinf(b.mass)), default=0.0)
+        size = max(abs(self.energy), kinetic(self.scene, path.time, path.state), light * self.sizes.fast**2)
+        allowed = 1e4 * self.tolerance * max(1.0, self.sizes.place / self.sizes.deep) + 1e-13 * len(
+            path.stretches
+        )
+        if abs(now - self.energy) > allowed * size:
+            raise GuardFailed(
+                f"{self.scene.name}: the energy changed by {(now - self.energy) / size:.1e} of itself; {allowed:.1e} is allowed."
+            )
+
+
+def follow(
+    scene: Scene, tolerance: float, progress: Progress | None = None, shift: float = 0.0
+) -> Trajectory:
+    """The scene from its start to `until`, or until nothing touches and nothing will.
+
+    With `shift` (m) every touch happens that much later, or earlier where it is negative: what a grazing touch depends on.
+    `tolerance` is the error allowed to a step, relative to the size of the velocities and of the places (or overlaps) in the scene.
+    Raises BadSetting for a start that is impossible, GuardFailed when energy is lost, bodies overlap without a force, no forces of
+    rigid bodies are consistent, or the end is not reached.
+    """
+    try:
+        return Follower(scene, tolerance, shift).run(progress)
+    except (OverflowError, ZeroDivisionError, ValueError, np.linalg.LinAlgError) as error:
+        if isinstance(error, BadSetting):
+            raise
+        raise GuardFailed(
+            f"{scene.name}: numbers leave the range of a computer on the way; choose milder masses, forces or speeds."
+        ) from None

@@ -1,0 +1,151 @@
+"""What ends a mode: functions of the state that are positive while it lasts, and fall through zero when something happens."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from corollary.scenes.constraint import State
+from corollary.scenes.motion.isolation import minima
+from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.system import Array, Mode, System
+from corollary.scenes.scene import pairs, seen_from
+
+Value = Callable[[float, State], float]
+Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
+# Centres nearer than this share of the reach: no contact law means anything there.
+NEAREST = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """`kind` and `number` say what happens when it falls: which contact, constraint, event or rub."""
+
+    kind: Kind
+    number: int
+    name: str
+
+
+class Guards:
+    """All guards of a mode, evaluated together."""
+
+    def __init__(self, system: System, mode: Mode, since: list[float], begun: float, sizes: Sizes) -> None:
+        self.system, self.mode, self.since, self.sizes = system, mode, since, sizes
+        scene = system.scene
+        self.names: list[Guard] = []
+        self.places: list[Value] = []
+        served = {(a, b) for _, a, b in system.contacts}
+        passing = {(min(p), max(p)) for p in scene.passes}
+        for j, (_, a, b) in enumerate(system.contacts):
+            reach = scene.bodies[a].radius + scene.bodies[b].radius
+            self._pair("touch", j, a, b, 1.0 if mode.touching[j] else -1.0, reach)
+            if mode.touching[j]:
+                self._pair("soft", j, a, b, -1.0, NEAREST * reach)
+        solid = [i for i, body in enumerate(scene.bodies) if body.radius > 0.0]
+        for a, b in pairs(scene):
+            if (a, b) not in served | passing and a in solid and b in solid:
+                self._pair("overlap", 0, a, b, -1.0, scene.bodies[a].radius + scene.bodies[b].radius)
+        for i, status in enumerate(mode.held):
+            constraint = system.constraints[i]
+            if status == "off" and not constraint.two_sided:
+                self._add(
+                    Guard("hit", i, constraint.name),
+                    lambda t, y, c=constraint: c.gap(t, y) + 16.0 * math.ulp(sizes.long),
+                )
+        for j, (side, event) in enumerate(zip(mode.sides, system.events, strict=True)):
+            self._add(
+                Guard("event", j, "an event"), lambda t, y, side=side, event=event: side * event.value(y)
+            )
+        for k, status in enumerate(mode.rubbed):
+            if isinstance(status, tuple):
+                self._slip(k, status)
+        held = [i for i, s in enumerate(mode.held) if s == "on"]
+        self.presses = [(i, at) for at, i in enumerate(held) if not system.constraints[i].two_sided]
+        active = [k for k, s in enumerate(mode.rubbed) if s != "off"]
+        self.sticks = [(k, len(held) + at) for at, k in enumerate(active) if mode.rubbed[k] == "stick"]
+        self.names += [Guard("release", i, system.constraints[i].name) for i, _ in self.presses]
+        self.names += [Guard("break", k, system.rubs[k].name) for k, _ in self.sticks]
+        self.strong = self._force_noise(begun) if self.presses or self.sticks else 0.0
+
+    def values(self, time: float, y: State) -> list[float]:
+        """All guards in a state, in the order of `names`."""
+        return [value(time, y) for value in self.places] + self._forces(time, y)
+
+    def nearest(self, values: Array) -> float:
+        """How little (m) bodies that may hit or touch, sampled over a step, miss each other by, or reach into each other in passing.
+
+        Only turning points within the step count: a gap that has just opened, or is about to close, does not graze.
+        """
+        chosen = [i for i, guard in enumerate(self.names) if guard.kind in ("hit", "touch")]
+        if not chosen:
+            return math.inf
+        least = math.inf
+        for gaps in values[chosen]:
+            if gaps.min() > 0.1 * np.ptp(gaps):
+                continue
+            for place, value in minima(gaps):
+                # What has just been let go opens with no speed: that is no touch.
+                if place > 1e-3 or abs(value) > 4.0 * abs(self.sizes.blur):
+                    least = min(least, abs(value))
+        return least
+
+    def one(self, index: int) -> Value:
+        """A single guard as a function of time and state."""
+        if index < len(self.places):
+            return self.places[index]
+        return lambda time, y: self._forces(time, y)[index - len(self.places)]
+
+    def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
+        def value(time: float, y: State) -> float:
+            square = sum(x * x for x in seen_from(self.system.scene, y, a, b)[0])
+            return sign * (reach * reach - square) / (2.0 * reach) + self.sizes.blur
+
+        self._add(Guard(kind, number, f"bodies {a} and {b}"), value)
+
+    def _slip(self, k: int, status: tuple[float, ...]) -> None:
+        system, guard = self.system, Guard("stop", k, self.system.rubs[k].name)
+
+        def along(time: float, y: State) -> float:
+            return sum(a * b for a, b in zip(status, system.slip(time, y, k), strict=True))
+
+        if len(status) == 1:
+            self._add(guard, lambda t, y: along(t, y) + 0.1 * self.sizes.speed)
+            return
+
+        def square(time: float, y: State) -> float:
+            return sum(v * v for v in system.slip(time, y, k))
+
+        # It is slow, or has turned by more than an eighth of a circle: its direction is looked at again.
+        self._add(guard, lambda t, y: square(t, y) - self.sizes.rest**2)
+        self._add(guard, lambda t, y: 2.0 * along(t, y) * abs(along(t, y)) - square(t, y))
+
+    def _add(self, guard: Guard, value: Value) -> None:
+        self.names.append(guard)
+        self.places.append(value)
+
+    def _forces(self, time: float, y: State) -> list[float]:
+        if not (self.presses or self.sticks):
+            return []
+        items, forces, _ = self.system.held(time, y, self.since, self.mode)
+        found = [float(forces.multipliers[at][0]) + self.strong for _, at in self.presses]
+        for _, at in self.sticks:
+            item = items[at]
+            press = item.given if item.pressed < 0 else float(forces.multipliers[item.pressed][0])
+            most = item.static * press
+            # Squares are as smooth as the forces; the sign of the normal force is not to be lost in one.
+            margin = math.copysign(most * most, most) - float(forces.multipliers[at] @ forces.multipliers[at])
+            found.append(margin + self.strong**2)
+        return found
+
+    def _force_noise(self, time: float) -> float:
+        """A force (N) too small to decide anything."""
+        items, found, gained = self.system.held(time, self.since, self.since, self.mode)
+        inverse = self.system.inverse(time)
+        strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
+        strong = max([strong, *(item.given * item.static for item in items)])
+        heavy = [abs(g) / w for g, w in zip(gained, inverse.tolist(), strict=True) if w]
+        return 1e-9 * max([strong, *heavy, 1e-300])

@@ -1,0 +1,288 @@
+"""What holds from a moment on: hits are settled first, then which contacts press and which surfaces stick, body by body."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from corollary.scenes.motion.complementarity import Item, Status, answer, settled
+from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.system import Array, Mode, System
+from corollary.scenes.run import GuardFailed
+
+
+@dataclass(slots=True)
+class Moment:
+    """A moment at which the law may change: the state is corrected in place, `mode` says what holds from then on.
+
+    `barred` are constraints that must let go and rubs that must slip (with the direction of the force that held them), because
+    that is why the moment came; `before` is the mode until then. `hits` counts what was hit, `dropped` is the speed (m/s) taken for none, and `lasts` how long (s)
+    the bounces that were left out would have taken.
+    """
+
+    system: System
+    time: float
+    y: list[float]
+    sizes: Sizes
+    before: Mode | None = None
+    barred_constraints: frozenset[int] = frozenset()
+    barred_rubs: dict[int, tuple[float, ...]] = field(default_factory=dict[int, tuple[float, ...]])
+    hits: int = 0
+    dropped: float = 0.0
+    lasts: float = 0.0
+
+    def decided(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
+        """Settle hits, then what holds. Raises GuardFailed where no forces of rigid bodies are consistent."""
+        if self.before is not None:
+            # What has been held until now, steps have left a little off.
+            self._project(*held_in(self.before))
+        self._push_out()
+        self._settle_hits()
+        mode = self._settle_forces(touching, sides)
+        for _ in range(len(self.system.constraints) + 1):
+            slow = self._small_bounces(mode)
+            if not slow:
+                break
+            self._project(slow, [])
+            mode = self._settle_forces(touching, sides)
+        self._project(*held_in(mode))
+        return mode
+
+    def _push_out(self) -> None:
+        """Places that rounding left a little behind what stops them are put upon it."""
+        inverse = self.system.inverse(self.time)
+        for i in self._near():
+            c = self.system.constraints[i]
+            gap = c.gap(self.time, self.y)
+            if gap < 0.0 and not c.two_sided:
+                row = np.array(c.row(self.time, self.y))
+                row[self.system.count :] = 0.0
+                moved = inverse * row * (gap / float((row * inverse) @ row))
+                for j, x in enumerate(moved.tolist()[: self.system.count]):
+                    self.y[j] -= x
+
+    def _near(self) -> list[int]:
+        """The constraints whose gap is closed."""
+        return [
+            i
+            for i, c in enumerate(self.system.constraints)
+            if c.two_sided or c.gap(self.time, self.y) <= self.sizes.gap
+        ]
+
+    def _rate(self, i: int) -> float:
+        return self.system.rate(self.time, self.y, self.system.constraints[i])
+
+    def _clusters(
+        self, constraints: Sequence[int], rubs: Sequence[int]
+    ) -> Iterator[tuple[list[int], list[int]]]:
+        """Constraints and rubs in groups that share movable bodies; only these have to be settled together."""
+        movable = self.system.inverse(self.time) > 0.0
+        nodes = [(i, -1) for i in constraints] + [(-1, k) for k in rubs]
+        moved: list[Array] = []
+        for i, k in nodes:
+            rows = (
+                [self.system.constraints[i].row(self.time, self.y)]
+                if k < 0
+                else self.system.rubs[k].rows(self.time, self.y)
+            )
+            moved.append((np.abs(np.array(rows)).sum(axis=0) > 0.0) & movable)
+        # A velocity row across a wall reaches the body's other components, too: what it shares is the body.
+        owners = [frozenset(np.flatnonzero(each).tolist()) for each in moved]
+        bodies = [frozenset(self._body(j) for j in each) for each in owners]
+        left = list(range(len(nodes)))
+        while left:
+            group = [left.pop(0)]
+            reached = set(bodies[group[0]])
+            while more := [j for j in left if reached & bodies[j]]:
+                group += more
+                left = [j for j in left if j not in more]
+                reached.update(*(bodies[j] for j in more))
+            yield (
+                [nodes[j][0] for j in group if nodes[j][1] < 0],
+                [nodes[j][1] for j in group if nodes[j][1] >= 0],
+            )
+
+    def _body(self, component: int) -> int:
+        """The body to which a component of the generalized velocity belongs."""
+        count = self.system.count
+        return component // self.system.scene.axes if component < count else component - count
+
+    def _settle_hits(self) -> None:
+        system, inverse = self.system, self.system.inverse(self.time)
+        for group, _ in self._clusters(self._near(), []):
+            rates = {i: self._rate(i) for i in group}
+            hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
+            if not hit:
+                continue
+            self.hits += len(hit)
+            # What opens already is not pressed, but must not be driven in either.
+            items: list[Item] = []
+            for i in group:
+                c, rate = system.constraints[i], rates[i]
+                row = np.array([c.row(self.time, self.y)])
+                bias = rate * (1.0 + c.restitution) if rate < 0.0 and not c.two_sided else rate
+                may: tuple[Status, ...] = ("on",) if c.two_sided else ("on", "off")
+                items.append(Item(c.name, row, np.array([bias]), may, two_sided=c.two_sided))
+            for k, rub in enumerate(system.rubs):
+                if system.pressed[k] in group:
+                    slip = system.slip(self.time, self.y, k)
+                    rows = np.array(rub.rows(self.time, self.y))
+                    ways: tuple[Status, ...] = ("stick", (1.0,), (-1.0,), "off")
+                    items.append(
+                        Item(
+                            rub.name,
+                            rows,
+                            np.array(slip),
+                            ways,
+                            rub=True,
+                            pressed=group.index(system.pressed[k]),
+                            kinetic=rub.kinetic,
+                            static=rub.kinetic,
+                        )
+                    )
+            statuses = settled(items, inverse, f"at {self.time:.6g} s")
+            change = inverse * answer(items, statuses, inverse).total
+            for j, v in enumerate(change.tolist(), start=system.count):
+                self.y[j] += v
+
+    def _settle_forces(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode:
+        system, sizes = self.system, self.sizes
+        held: list[Status] = ["off"] * len(system.constraints)
+        rubbed: list[Status] = ["off"] * len(system.rubs)
+        resting = [i for i in self._near() if system.constraints[i].two_sided or self._rate(i) <= sizes.speed]
+        gains = np.array(system.gains(self.time, self.y, self.y, touching))
+        rubbing = [
+            k
+            for k, rub in enumerate(system.rubs)
+            if (self._presses(k, touching) if rub.normal else system.pressed[k] in resting)
+        ]
+        for group, rubs in self._clusters(resting, rubbing):
+            self._settle_group(group, rubs, gains, held, rubbed)
+        return Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides))
+
+    def _presses(self, k: int, touching: Sequence[bool]) -> bool:
+        contact = self.system.rub_contacts[k]
+        return contact < 0 or touching[contact]
+
+    def _settle_group(
+        self,
+        group: Sequence[int],
+        rubs: Sequence[int],
+        gains: Array,
+        held: list[Status],
+        rubbed: list[Status],
+    ) -> None:
+        system, inverse = self.system, self.system.inverse(self.time)
+        items: list[Item] = []
+        for i in group:
+            c = system.constraints[i]
+            row = np.array([c.row(self.time, self.y)])
+            may: tuple[Status, ...] = ("on",) if c.two_sided else ("on", "off")
+            may = ("off",) if i in self.barred_constraints else may
+            bias = row @ gains + c.drift(self.time, self.y)
+            items.append(Item(c.name, row, bias, may, two_sided=c.two_sided))
+        for k in rubs:
+            pressed = group.index(system.pressed[k]) if system.pressed[k] >= 0 else -1
+            item = system.rub_item(self.time, self.y, gains, k, (), pressed)
+            item.may = self._ways(k, item) + (("off",) if pressed >= 0 else ())
+            items.append(item)
+        where = f"at {self.time:.6g} s"
+        statuses = settled(items, inverse, where)
+        for _ in range(50):
+            turned = self._turned(items, statuses, inverse)
+            if turned is None:
+                break
+            items, statuses = turned, settled(turned, inverse, where)
+        else:
+            raise GuardFailed(f"{where}: no direction in which {items[-1].name} begins to slip was found.")
+        for i, status in zip(group, statuses, strict=False):
+            held[i] = status
+        for k, status in zip(rubs, statuses[len(group) :], strict=True):
+            rubbed[k] = status
+
+    def _ways(self, k: int, item: Item) -> tuple[Status, ...]:
+        """How a rub may go on: as it slips, or, where it does not slip, held or beginning to slip."""
+        slip = self.system.slip(self.time, self.y, k)
+        speed = math.hypot(*slip)
+        small = self.sizes.rest * 1.001 if len(slip) == 2 else self.sizes.speed
+        if speed > small:
+            return (tuple(v / speed for v in slip),)
+        if k in self.barred_rubs:
+            return (self.barred_rubs[k],)
+        if len(slip) == 1:
+            return "stick", (1.0,), (-1.0,)
+        pull = math.hypot(*item.bias)
+        return ("stick", tuple(float(b) / pull for b in item.bias)) if pull else ("stick",)
+
+    def _turned(self, items: Sequence[Item], statuses: Sequence[Status], inverse: Array) -> list[Item] | None:
+        """Where a slip of two components begins from rest: the direction the body really takes, until it no longer changes."""
+        found, changed, turned = answer(items, statuses, inverse), False, list(items)
+        for j, (item, status) in enumerate(zip(items, statuses, strict=True)):
+            if isinstance(status, tuple) and len(status) == 2 and len(item.may) > 1:
+                way = found.left[j]
+                size = float(np.linalg.norm(way))
+                if size and float(np.abs(way / size - np.array(status)).max()) > 1e-9:
+                    may: tuple[Status, ...] = ("stick", tuple((way / size).tolist()))
+                    turned[j], changed = replace(item, may=may), True
+        return turned if changed else None
+
+    def _small_bounces(self, mode: Mode) -> list[int]:
+        """Constraints that open so slowly under what presses them that their bounces are lower than is looked at: they rest.
+
+        Bounce after bounce, each lower by the square of the restitution, ends after a finite time: that is not waited for.
+        """
+        system = self.system
+        opening = {i: self._rate(i) for i in self._near() if not system.constraints[i].two_sided}
+        opening = {i: r for i, r in opening.items() if mode.held[i] == "off" and r > self.sizes.speed}
+        opening = {i: r for i, r in opening.items() if system.constraints[i].restitution < 1.0}
+        if not opening or not self.hits:
+            return []
+        _, found, gained = system.held(self.time, self.y, self.y, mode)
+        acceleration = np.asarray(gained) + system.inverse(self.time) * found.total
+        slow: list[int] = []
+        for i, rate in opening.items():
+            c = system.constraints[i]
+            pulled = float(np.array(c.row(self.time, self.y)) @ acceleration) + c.drift(self.time, self.y)
+            if pulled < 0.0 and rate * rate < -2.0 * pulled * self.sizes.bounce:
+                slow.append(i)
+                self.dropped = max(self.dropped, rate)
+                self.lasts = max(self.lasts, -2.0 * rate / pulled / (1.0 - c.restitution))
+        return slow
+
+    def _project(self, constraints: Sequence[int], rubs: Sequence[int]) -> None:
+        """Take out of the places and velocities what rounding and steps left against what holds."""
+        system, inverse = self.system, self.system.inverse(self.time)
+        rows = [system.constraints[i].row(self.time, self.y) for i in constraints]
+        if constraints:
+            gaps = [system.constraints[i].gap(self.time, self.y) for i in constraints]
+            matrix, weights = np.array(rows), inverse.copy()
+            weights[system.count :] = 0.0
+            moved = weights * (matrix.T @ _solved(matrix, weights, gaps))
+            for j, x in enumerate(moved.tolist()[: system.count]):
+                self.y[j] -= x
+            rows = [system.constraints[i].row(self.time, self.y) for i in constraints]
+        speeds = [self._rate(i) for i in constraints]
+        for k in rubs:
+            rows += system.rubs[k].rows(self.time, self.y)
+            speeds += system.slip(self.time, self.y, k)
+        if rows:
+            matrix = np.array(rows)
+            change = inverse * (matrix.T @ _solved(matrix, inverse, speeds))
+            for j, v in enumerate(change.tolist(), start=system.count):
+                self.y[j] -= v
+
+
+def held_in(mode: Mode) -> tuple[list[int], list[int]]:
+    """The constraints that hold in a mode, and the rubs that stick."""
+    return (
+        [i for i, s in enumerate(mode.held) if s == "on"],
+        [i for i, s in enumerate(mode.rubbed) if s == "stick"],
+    )
+
+
+def _solved(matrix: Array, inverse: Array, right: Sequence[float]) -> Array:
+    solved = np.linalg.lstsq((matrix * inverse) @ matrix.T, np.array(right), rcond=1e-12)[0]
+    return np.asarray(solved, dtype=np.float64)

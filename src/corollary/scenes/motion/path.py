@@ -1,0 +1,93 @@
+"""The whole motion of a scene, stretch by stretch: any moment can be looked up again."""
+
+# pyright: reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from corollary.scenes.motion.isolation import POINTS
+from corollary.scenes.motion.system import Mode
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """One step: from `begin` (s) for `lasts` (s), in one mode. `dense` gives the state at a time since `offset` before its begin."""
+
+    begin: float
+    lasts: float
+    before: list[float]
+    after: list[float]
+    mode: Mode
+    since: list[float]
+    dense: Callable[[float | Array], Array]
+    offset: float
+
+    def at(self, part: float) -> list[float]:
+        """The state after a part (0 to 1) of it."""
+        if part <= 0.0:
+            return self.before
+        if part >= 1.0:
+            return self.after
+        state: list[float] = self.dense(self.offset + part * self.lasts).tolist()
+        return state
+
+    def sampled(self) -> list[list[float]]:
+        """The states at the points where events are looked for."""
+        inner: list[list[float]] = self.dense(self.offset + POINTS[1:-1] * self.lasts).T.tolist()
+        return [self.before, *inner, self.after]
+
+
+@dataclass(frozen=True, slots=True)
+class Happening:
+    """Something that changed the law: which, when, and how sure (s) its moment is."""
+
+    what: str
+    time: float
+    stretch: int
+    slack: float = 0.0
+
+
+@dataclass(slots=True)
+class Trajectory:
+    """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
+
+    `grazes` are the times (s) of touches that are missed, or met, by less than `near` (m); `dropped` is a speed (m/s) that was taken
+    for rest; `fast` (m/s) and `long` (m) are the sizes of the scene.
+    """
+
+    stretches: list[Stretch] = field(default_factory=list[Stretch])
+    time: float = 0.0
+    state: list[float] = field(default_factory=list[float])
+    mode: Mode | None = None
+    happenings: list[Happening] = field(default_factory=list[Happening])
+    rests: list[float] = field(default_factory=list[float])
+    evaluations: int = 0
+    dropped: float = 0.0
+    grazes: list[float] = field(default_factory=list[float])
+    near: float = 0.0
+    fast: float = 0.0
+    long: float = 0.0
+    settled: bool = False
+
+    def at(self, time: float) -> list[float]:
+        """The state at a time between the start and the end."""
+        if not self.stretches:
+            return self.state
+        low, high = 0, len(self.stretches) - 1
+        while low < high:
+            middle = (low + high + 1) // 2
+            low, high = (middle, high) if self.stretches[middle].begin <= time else (low, middle - 1)
+        stretch = self.stretches[low]
+        return stretch.at((time - stretch.begin) / stretch.lasts if stretch.lasts else 1.0)
+
+    def lasted(self, first: int, last: int) -> float:
+        """The time (s) from the begin of one stretch to the end of another, added up: no digits are lost to the time before."""
+        return math.fsum(stretch.lasts for stretch in self.stretches[first : last + 1])

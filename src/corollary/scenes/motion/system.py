@@ -1,0 +1,228 @@
+"""The equations of motion of a scene: its forces, and the constraints and friction that hold at a moment."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
+from corollary.scenes.scene import ContactForce, Event, Scene, opposite
+
+Array = NDArray[np.float64]
+Slope = Callable[[float, Array], list[float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """What holds: the status of each constraint and of each rub; which pairs touch; on which side of its event each force is."""
+
+    held: tuple[Status, ...]
+    rubbed: tuple[Status, ...]
+    touching: tuple[bool, ...]
+    sides: tuple[float, ...]
+
+
+@dataclass(slots=True)
+class System:
+    """A scene taken apart once: its constraints, rubs, contacts and events in lists, so that a mode can name them by number."""
+
+    scene: Scene
+    constraints: list[Constraint] = field(init=False)
+    rubs: list[Rub] = field(init=False)
+    pressed: list[int] = field(init=False)
+    contacts: list[tuple[ContactForce, int, int]] = field(init=False)
+    rub_contacts: list[int] = field(init=False)
+    events: list[Event] = field(init=False)
+    changing: list[tuple[int, float]] = field(init=False)
+    steady: list[float] = field(init=False)
+    fixed: Array | None = field(init=False, default=None)
+    evaluations: int = field(init=False, default=0)
+
+    def __post_init__(self) -> None:
+        scene = self.scene
+        self.constraints, self.rubs, self.pressed, self.rub_contacts = [], [], [], []
+        self.contacts = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
+        for force in scene.forces:
+            held = list(force.constraints(scene))
+            first = len(self.constraints)
+            self.constraints += held
+            for rub in force.rubs(scene, held):
+                self.rubs.append(rub)
+                at = next((i for i, c in enumerate(held) if c is rub.pressed), -1)
+                self.pressed.append(first + at if at >= 0 else -1)
+                touching = [
+                    j for j, (f, a, b) in enumerate(self.contacts) if f is force and (a, b) == rub.bodies
+                ]
+                self.rub_contacts.append(touching[0] if touching else -1)
+        self.events = [event for force in scene.forces for event in force.events(scene)]
+        self.changing = [each for force in scene.forces for each in force.mass_rates]
+        self.steady = self.inverse(0.0).tolist()
+
+    @property
+    def count(self) -> int:
+        """How many places there are; as many velocities."""
+        return self.scene.axes * len(self.scene.bodies)
+
+    def velocity(self, y: State) -> State:
+        """The generalized velocity in a state: velocities, then spins."""
+        return y[self.count :]
+
+    def masses(self, time: float) -> list[float]:
+        """The masses (kg) after what has been burnt and taken up."""
+        masses = [body.mass for body in self.scene.bodies]
+        for i, rate in self.changing:
+            masses[i] += rate * time
+        return masses
+
+    def inverse(self, time: float) -> Array:
+        """One over mass or moment of inertia, for each component of the generalized velocity."""
+        if not self.changing and self.fixed is not None:
+            return self.fixed
+        straight = [1.0 / m for m in self.masses(time) for _ in range(self.scene.axes)]
+        turned = [1.0 / body.resists_spin for body in self.scene.bodies] if self.scene.spins else []
+        self.fixed = np.array(straight + turned)
+        return self.fixed
+
+    def gains(
+        self, time: float, y: State, since: State, touching: Sequence[bool] | None = None
+    ) -> list[float]:
+        """The acceleration of each component of the generalized velocity if nothing held or rubbed.
+
+        With `touching`, pairs that do not touch in a mode do not push, even where a trial step reaches into them.
+        """
+        axes = self.scene.axes
+        masses = self.masses(time)
+        sums = [0.0] * (len(y) - self.count)
+        for i, newtons in self._pushes(time, y, masses, since, touching):
+            for axis, newton in enumerate(newtons):
+                sums[axes * i + axis] += newton
+        for i, mass in enumerate(masses):
+            for j in range(axes * i, axes * (i + 1)):
+                sums[j] = 0.0 if math.isinf(mass) else sums[j] / mass
+        return sums
+
+    def _pushes(
+        self,
+        time: float,
+        y: State,
+        masses: Sequence[float],
+        since: State,
+        touching: Sequence[bool] | None,
+    ) -> Iterator[tuple[int, Sequence[float]]]:
+        for force in self.scene.forces:
+            if touching is None or not isinstance(force, ContactForce):
+                yield from force.act_at(self.scene, time, y, masses, since)
+        if touching is not None:
+            for (force, a, b), on in zip(self.contacts, touching, strict=True):
+                if on:
+                    yield from opposite(a, b, force.between(self.scene, y, a, b))
+
+    def items(self, time: float, y: State, gained: Sequence[float], mode: Mode) -> list[Item]:
+        """What holds or rubs in a mode, as the rows of its linear equations. Their statuses are those of `statuses`."""
+        gains = np.asarray(gained)
+        found: list[Item] = []
+        place: dict[int, int] = {}
+        for i, (constraint, status) in enumerate(zip(self.constraints, mode.held, strict=True)):
+            if status == "on":
+                row = np.array([constraint.row(time, y)])
+                place[i] = len(found)
+                bias = row @ gains + constraint.drift(time, y)
+                found.append(Item(constraint.name, row, bias, ("on",), two_sided=constraint.two_sided))
+        for i, status in enumerate(mode.rubbed):
+            if status != "off":
+                found.append(self.rub_item(time, y, gains, i, (status,), place.get(self.pressed[i], -1)))
+        return found
+
+    def rub_item(
+        self, time: float, y: State, gains: Array, i: int, may: tuple[Status, ...], pressed: int
+    ) -> Item:
+        """One rub as rows of accelerations; a slip of two components takes the direction it has now."""
+        rub = self.rubs[i]
+        rows = np.array(rub.rows(time, y))
+        given = rub.normal(time, y) if rub.normal else 0.0
+        if len(rows) == 2:
+            may = tuple(self._way(time, y, i, s) if isinstance(s, tuple) else s for s in may)
+        bias = rows @ gains + np.array(rub.drift(time, y))
+        return Item(
+            rub.name,
+            rows,
+            bias,
+            may,
+            rub=True,
+            pressed=pressed,
+            given=given,
+            kinetic=rub.kinetic,
+            static=rub.static,
+        )
+
+    def _way(self, time: float, y: State, i: int, begun: tuple[float, ...]) -> tuple[float, ...]:
+        """The direction of a slip of two components that began in another.
+
+        Past a stop, where a trial step may reach, it goes on as before: the force is then smooth through it, as the step is.
+        """
+        slip = self.slip(time, y, i)
+        along = sum(a * b for a, b in zip(slip, begun, strict=True))
+        speed = math.copysign(math.hypot(*slip), along)
+        return tuple(v / speed for v in slip) if speed else begun
+
+    def slip(self, time: float, y: State, i: int) -> list[float]:
+        """The slip velocity (m/s) of a rub, by components."""
+        rub, u = self.rubs[i], self.velocity(y)
+        return [
+            sum(a * b for a, b in zip(row, u, strict=True)) - driven
+            for row, driven in zip(rub.rows(time, y), rub.driven, strict=True)
+        ]
+
+    def rate(self, time: float, y: State, constraint: Constraint) -> float:
+        """How fast a gap grows (m/s)."""
+        row = constraint.row(time, y)
+        return sum(a * b for a, b in zip(row, self.velocity(y), strict=True)) + constraint.driven(time)
+
+    def _rubbed_only(self, time: float, y: State, mode: Mode, gained: list[float]) -> bool:
+        """Add to the accelerations what only slips, under a known normal force; false where more than that holds."""
+        if any(s == "on" for s in mode.held) or any(
+            s == "stick" or (isinstance(s, tuple) and self.rubs[i].normal is None)
+            for i, s in enumerate(mode.rubbed)
+        ):
+            return False
+        inverse = self.inverse(time) if self.changing else self.steady
+        for i, status in enumerate(mode.rubbed):
+            rub = self.rubs[i]
+            if isinstance(status, tuple) and rub.normal is not None:
+                way = self._way(time, y, i, status) if len(status) == 2 else status
+                brake = rub.kinetic * rub.normal(time, y)
+                for row, part in zip(rub.rows(time, y), way, strict=True):
+                    for j, x in enumerate(row):
+                        if x:
+                            gained[j] -= brake * part * x * inverse[j]
+        return True
+
+    def held(self, time: float, y: State, since: State, mode: Mode) -> tuple[list[Item], Answer, list[float]]:
+        """What holds in a mode, with which forces; and the accelerations without them."""
+        gained = self.gains(time, y, since, mode.touching)
+        items = self.items(time, y, gained, mode)
+        return items, answer(items, [item.may[0] for item in items], self.inverse(time)), gained
+
+    def slope(self, mode: Mode, since: State, begun: float) -> Slope:
+        """The rate of change of the state in a mode, at a time counted from `begun`."""
+        free = all(s == "off" for s in mode.held) and all(s == "off" for s in mode.rubbed)
+
+        def rates(time: float, state: Array) -> list[float]:
+            self.evaluations += 1
+            y: list[float] = state.tolist()
+            moving = y[self.count : 2 * self.count]
+            if free:
+                return [*moving, *self.gains(begun + time, y, since, mode.touching)]
+            gained = self.gains(begun + time, y, since, mode.touching)
+            if self._rubbed_only(begun + time, y, mode, gained):
+                return [*moving, *gained]
+            _, found, gained = self.held(begun + time, y, since, mode)
+            acceleration = np.asarray(gained) + self.inverse(begun + time) * found.total
+            return [*moving, *acceleration.tolist()]
+
+        return rates

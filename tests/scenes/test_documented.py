@@ -1,0 +1,12 @@
+"""Every example in docs/scenes.md does what it prints."""
+
+import doctest
+from pathlib import Path
+
+DOCS = Path(__file__).parent.parent.parent / "docs" / "scenes.md"
+
+
+def test_the_examples_for_scenes_do_what_they_print():
+    found = doctest.testfile(str(DOCS), module_relative=False, report=True)
+    assert found.attempted > 50
+    assert found.failed == 0

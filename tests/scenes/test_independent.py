@@ -1,0 +1,63 @@
+"""What confirms a formula shares none with it: each ready scene's second way meets its first within what both state."""
+
+import pytest
+
+from corollary.scenes.catalogue import run
+from corollary.scenes.run import components
+
+CASES = [
+    ("absorbed_drop", {"F": 3.0, "dt": 1e-3}, {"velocities", "momentum_change"}),
+    ("atom", {}, {"period", "turning_points", "angle", "escapes"}),
+    ("atom", {"dimension": 1.0, "v0": 1.0}, {"period", "turning_points", "escapes"}),
+    ("atom", {"v0": 9.0}, {"velocities", "escapes"}),
+    (
+        "ball_on_floor",
+        {},
+        {"velocities", "duration", "peak_force", "impulse", "largest_overlap", "rebound_speed"},
+    ),
+    ("bullet_block", {"v": 20.0}, {"velocities", "energy_change", "distance"}),
+    ("chain", {"N": 100.0}, {"impulse", "work", "energy_lost", "mean_force"}),
+    ("cradle", {"N": 2.0, "q": 1.5}, {"velocities", "duration", "largest_overlap", "peak_force"}),
+    ("ions", {"s": 0.02}, {"turning_points", "peak_force"}),
+    ("kick", {"pulse": 3.0}, {"velocities", "impulse", "way", "peak_force"}),
+    ("railway_car", {"ux": 1.0}, {"mean_force", "impulse", "work", "energy_lost"}),
+    ("rocket", {"N": 100.0}, {"velocities"}),
+    ("snowball", {}, {"momentum", "velocities", "velocities_after_throw"}),
+    (
+        "spheres",
+        {"eta": 0.0},
+        {"velocities", "duration", "largest_overlap", "peak_force", "impulse", "energy_ratio"},
+    ),
+    ("two_blocks", {}, {"velocities", "impulse"}),
+    ("wall", {}, {"velocities", "momentum_change", "impulse", "mean_force", "duration"}),
+]
+
+
+@pytest.mark.parametrize(("scene", "settings", "names"), CASES)
+def test_both_ways_agree_within_what_they_state(scene, settings, names):
+    first, second = (run(scene, settings, second_way=way) for way in (False, True))
+    assert names <= second.observed.keys()
+    assert second.error_is == "estimate"
+    for name in names:
+        rows = (first.observed[name], second.observed[name], first.errors[name], second.errors[name])
+        for a, b, e, f in zip(*map(components, rows), strict=True):
+            assert abs(a - b) <= e + 3.0 * f, name
+    assert max(second.relative_error(name) for name in names) < (0.02 if scene == "rocket" else 1e-8)
+
+
+def test_ions_that_meet_head_on_turn_even_at_the_start_of_a_step():
+    """One turning point lies between the first two samples of a step; the distance is that of the energies, C/r = C/r0 + mu v^2/2."""
+    settings = {"C": 0.0011, "mA": 0.3, "mB": 0.05, "v": 0.5, "r0": 0.165, "s": 0.0}
+    nearest = 1.0 / (1.0 / 0.165 + 0.5 * (0.3 * 0.05 / 0.35) * 0.25 / 0.0011)
+    found = run("ions", settings, tolerance=1e-10, second_way=True)
+    assert components(found.observed["turning_points"]) == pytest.approx((nearest,), rel=1e-9)
+
+
+def test_what_is_left_of_a_stiff_motion_is_counted():
+    settings = {"m": 4.8, "dm": 1.5, "v": 2.2, "u": -5.6}
+    found = run("absorbed_drop", settings, tolerance=1e-10, second_way=True)
+    common = (4.8 * 2.2 - 1.5 * 5.6) / 6.3
+    error = components(found.errors["velocities"])
+    off = [abs(v - common) for v in components(found.observed["velocities"])]
+    assert all(a <= 3.0 * b for a, b in zip(off, error, strict=True))
+    assert max(error) < 1e-8
