@@ -242,6 +242,7 @@ def derive(v0, theta, s, D, mA, mB):
             momentum_AB,
             plane_energy(mA, v0, A, B),
             target=law("Orthogonal", "A_x*B_x + A_y*B_y = 0", A_x=A[0], A_y=A[1], B_x=B[0], B_y=B[1]),
+            given=[law("Equal masses", "m_B = m_A", m_B=mB, m_A=mA)],
             lines=[
                 "mA*v0 = mA*A_x + mA*B_x",
                 "0 = mA*A_y + mA*B_y",

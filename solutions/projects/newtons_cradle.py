@@ -182,9 +182,9 @@ def derive(m, h0, r, k, v0, g):
         ),
         step(
             s,
-            "Now B meets C, again equal masses in an elastic collision; A is not touched.",
-            conservation_of_momentum(before=[(m, f[1]), (m, 0)], after=[(m, s[1]), (m, s[2])]),
-            elastic(before=[(m, f[1]), (m, 0)], after=[(m, s[1]), (m, s[2])]),
+            "Now B meets C, which is still at rest: again equal masses in an elastic collision; A is not touched.",
+            conservation_of_momentum(before=[(m, f[1]), (m, f[2])], after=[(m, s[1]), (m, s[2])]),
+            elastic(before=[(m, f[1]), (m, f[2])], after=[(m, s[1]), (m, s[2])]),
             same(s[0], f[0], "A is not touched any more"),
             answers="f2",
             where=s[2] >= s[1],
@@ -323,7 +323,8 @@ def derive(m, h0, r, k, v0, g):
         plot(
             "j",
             "Three curves: A falls to nearly zero, B rises and falls back to nearly zero, C takes it all.",
-            judge=lambda given, axes: judge_velocity_plot(given, axes, balls=3),
+            judge=lambda given, axes, called: judge_velocity_plot(given, axes, balls=3, called=called),
+            with_calls=True,
             example=file("newtons_cradle/three_balls_plot.py"),
         ),
         explain(

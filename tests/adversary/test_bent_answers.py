@@ -81,7 +81,7 @@ class Number:
 Number.__name__ = 'float64'
 loop = []; loop.append(loop)
 import numpy
-values = dict(always=Always(), length=Length(2), masked=Masked(), loop=loop, yes=True, words={'a': 1}, lazy=(i for i in range(3)),
+values = dict(always=Always(), length=Length(2), masked=Masked(), loop=loop, yes=True, words={1: 1}, lazy=(i for i in range(3)),
     huge=10**100000, wide=numpy.broadcast_to(8.6, (10**6, 10**6)), things=numpy.array([object()]), function=len,
     long='x' * 10**6, many=list(range(10**6)))
 globals().update(values)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 import pytest
 
@@ -10,6 +11,8 @@ from corollary.derive.solve import solve
 from corollary.derive.worked_solution import worked_solution
 from corollary.grading.key import make_key
 from corollary.grading.neglect import neglects
+from corollary.grading.solutions import Solutions
+from corollary.messages import language
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import at, chapter
 
@@ -69,3 +72,39 @@ def test_every_part_is_told_and_every_formula_closes(code):
         assert formula.count("{") == formula.count("}")
         assert len(re.findall(r"\\left\b", formula)) == len(re.findall(r"\\right\b", formula))
         assert "nan" not in formula
+
+
+CHAINS = re.compile(r"\$\$(.+?)\$\$", re.DOTALL)
+
+
+def bare(side: str) -> str:
+    return re.sub(r"\\left|\\right|[(){} ]", "", side)
+
+
+@pytest.mark.parametrize("code", [problem.code for problem in BANK if problem.givens])
+def test_no_line_says_that_something_is_itself(code):
+    solution = Solutions(BANK).of(find(BANK, code))
+    key = make_key(solution, chapter(solution.problem))
+    text = worked_solution(
+        solution, key.variant, key.values, key.choices, [(0.0, 0.0)] * len(solution.neglected)
+    )
+    for chain in CHAINS.findall(text):
+        for relation in chain.split(r"\qquad"):
+            sides = [bare(side) for side in relation.split(" = ")]
+            assert all(one != other for one, other in pairwise(sides)), chain
+            assert not any(one == "0" and other.startswith(r"0\,") for one, other in pairwise(sides))
+
+
+def test_an_angle_is_told_in_degrees_too():
+    assert r"= 1.571\,\mathrm{rad} = 90.00\,\mathrm{{}^{\circ}}$$" in told("X12.7")
+    assert r"{}^{\circ}}$$" in told("E12.3.2")
+
+
+def test_what_was_found_when_it_was_solved_is_spoken_in_the_readers_language(translated):
+    translated("corollary.derive", {"{root} contradicts {condition}": "{condition} malpermesas {root}"})
+    english = told("P12.14")
+    with language("eo"):
+        other = told("P12.14")
+    assert r"$v_{A} = u_{0}$, $v_{B} = 0$ contradicts $v_{B} \geq v_{A}$." in english
+    assert r"$v_{B} \geq v_{A}$ malpermesas $v_{A} = u_{0}$, $v_{B} = 0$." in other
+    assert "contradicts" not in other

@@ -120,7 +120,6 @@ def test_a_formula_is_read_as_it_is_meant(written, meant):
         ("√2gh", ("sqrt(2*…)", "sqrt(2)*…")),
         ("sin^-1 x", ("arcsin(…)", "1/sin(…)")),
         ("sin⁻¹(x)", ("arcsin(…)", "1/sin(…)")),
-        ("log(x)", ("ln(…)", "log10(…)")),
         ("m v 2", ("v^2", "v*2")),
     ],
 )
@@ -188,7 +187,7 @@ def test_an_exact_name_is_that_name():
         ("x.diff.__globals__", 1, "does not belong"),
         ("lambda: 1", 0, "not among"),
         ("factorial(10**7)", 0, "not among"),
-        ("٣*m", 0, "does not belong"),
+        ("☃*m", 0, "does not belong"),
     ],
 )
 def test_an_error_has_its_place_and_what_to_do(written, at, words):
@@ -238,7 +237,6 @@ def test_authors_write_laws_and_conditions(written):
         ("0 <= r <= 1", None, "write two conditions"),
         ("m*q", ["m"], "q is not among the letters here \\(m\\)"),
         ("mA", ["m_A"], "mA is not among"),
-        ("log(x)", None, "ln or log10"),
         ("m +", None, "formula 'm \\+', at character 4"),
     ],
 )

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from corollary.answers.verdict import Follows, Right
+from corollary.answers.verdict import Follows, Mistaken, Right
 from corollary.grading.follow_through import consequences
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
@@ -76,3 +76,56 @@ def test_wrong_answers_are_combined_and_the_givens_alone_come_first(push):
 
 def test_an_answer_to_a_later_part_makes_no_earlier_one(push):
     assert [each.values for each in consequences(push, push.truths["a"], {"b": (5.0,)})] == [(6.0,)]
+
+
+def test_an_absurd_answer_is_not_carried_on(push):
+    """Ten times too much may be a prefix, a hundred thousand times is nothing that physics follows from."""
+    assert verdicts(push, b=40.0, c=80.0)["c"] == Follows(("b",))
+    assert not isinstance(verdicts(push, b=4e5, c=8e5)["c"], (Right, Follows))
+
+
+COPY = """
+    p, J, F = unknowns("p J F")
+    return derivation(
+        step(p, "Mass times speed.", law("Momentum", "p = m*v", p=p, m=m, v=v), answers="a"),
+        step(J, "The impulse is the momentum.", law("Impulse", "J = p", J=J, p=p), answers="b"),
+        step(F, "Per time.", law("Mean force", "F = J/t", F=F, J=J, t=t), answers="c"),
+    )
+"""
+
+
+def test_a_wrong_answer_written_down_again_earns_nothing(tmp_path):
+    solution = solved(tmp_path, GIVENS, "a kg*m/s\nb kg*m/s\nc N", COPY, "m, v, w, t")
+    key = make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+    found = verdicts(key, a=7.0, b=7.0, c=14.0)
+    assert found["b"] == Follows(("a",), nothing=True)
+    assert found["c"] == Follows(("a",))  # per time is more than a copy
+
+
+TURNED = """
+    V, v_0, h = unknowns("V v_0 h")
+    return derivation(
+        step(V, "Halved.", law("Half", "2*V = v + w", V=V, v=v, w=w), answers="b"),
+        step(v_0, "From the mean velocity.", law("Start", "v_0 = 3*V*m", v_0=v_0, V=V, m=m), answers="a"),
+        step(h, "From it, too.", law("Later", "h = V*t", h=h, V=V, t=t), answers="c",
+             mistakes=[mistake("That is the whole way.", law("Later", "h = 2*V*t", h=h, V=V, t=t))]),
+    )
+"""
+
+
+def test_an_answer_follows_whatever_order_the_author_took(tmp_path):
+    """The author finds (b) first and makes (a) and (c) of it; students meet (a) first."""
+    solution = solved(tmp_path, GIVENS, "a kg*m/s\nb m/s\nc m", TURNED, "m, v, w, t")
+    key = make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+    assert verdicts(key, a=24.0, b=4.0, c=2.0) == {"a": Right(), "b": Right(), "c": Right()}
+    assert verdicts(key, a=30.0, b=5.0)["b"] == Follows(("a",))
+    assert verdicts(key, a=30.0, c=2.5)["c"] == Follows(("a",))
+    assert verdicts(key, a=30.0, b=4.0, c=2.5)["c"] == Follows(("a",))
+
+
+def test_what_follows_is_not_punished_again_for_a_known_mistake(tmp_path):
+    """Twice the velocity, and the way that follows from it is what a mistake of its own would give."""
+    solution = solved(tmp_path, GIVENS, "a kg*m/s\nb m/s\nc m", TURNED, "m, v, w, t")
+    key = make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+    assert isinstance(verdicts(key, c=4.0)["c"], Mistaken)
+    assert verdicts(key, a=48.0, c=4.0)["c"] == Follows(("a",))

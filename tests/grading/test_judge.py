@@ -25,9 +25,10 @@ SINGLE = [
     ("X12.5", "a", "9 kg m/s", "slip", "three significant figures"),
     ("X12.5", "a", "8.7 kg m/s", "wrong", "Close"),
     ("X12.5", "a", "-8.6 kg m/s", "slip", "sign"),
-    ("X12.5", "a", "17.2 kg m/s", "slip", "factor of 2"),
+    ("X12.5", "a", "17.2 kg m/s", "slip", "constant factor"),
     ("X12.5", "a", "8600 kg m/s", "slip", "power of ten"),
-    ("X12.5", "a", "8.6", "slip", "unit is missing"),
+    ("X12.5", "a", "8.6", "right", "in the unit asked for"),
+    ("X12.5", "a", "8,6", "right", "in the unit asked for"),
     ("X12.5", "a", "8.6 J", "slip", "not its unit"),
     ("X12.5", "a", "3.3 J", "wrong", "is an energy"),
     ("X12.5", "a", "-m v", "slip", "sign"),
@@ -53,7 +54,7 @@ SINGLE = [
     ("X12.7", "a", ["1.6 kg m/s", "90 deg"], "right", ""),
     ("X12.7", "a", ["0", "2 m v0 sin(theta)"], "right", ""),
     ("X12.7", "a", "(0, 1.6) J", "slip", "not its unit"),
-    ("X12.7", "a", ["0 kg m/s", "1.6"], "slip", "unit is missing"),
+    ("X12.7", "a", ["0 kg m/s", "1.6"], "right", "in the unit asked for"),
     ("X12.7", "a", [0, -1.6], "slip", "sign"),
     ("X12.7", "a", [0.02, 1.6], "wrong", "Component y fits"),
     ("X12.7", "a", [0.004, 1.6], "right", ""),
@@ -97,7 +98,7 @@ SINGLE = [
     ("T1", "b", "3.82 m", "mistaken", "from the ground"),
     ("T1", "c", "m v^2/2", "right", ""),
     ("T1", "c", "½ m v²", "right", ""),
-    ("T1", "c", "m v^2", "slip", "twice too large"),
+    ("T1", "c", "m v^2", "slip", "constant factor"),
     ("T1", "c", "m v^2 sin(theta)/2", "mistaken", "forgot the square"),
     ("T1", "c", "m v^2 cos(theta)/2", "wrong", "For example"),
     ("T1", "c", "m v/2", "unread", "not in J"),
@@ -113,8 +114,8 @@ SINGLE = [
     ("T1", "e", ["p = m v", "v = p/m", "K = m (p/m)^2/2", "K = p^2/(2 m)"], "right", ""),
     ("T1", "e", "p = m*v\nK = p^2/m\nK = p^2/(2*m)", "wrong", "Line 2"),
     ("T1", "e", "p = m*v\nK = p*v\nK = p^2/(2*m)", "mistaken", "not energy"),
-    ("T1", "e", "K = p^2/(2*m)", "wrong", "Begin with a law"),
-    ("T1", "e", "p = m*v\nm = m\nK = p^2/(2*m)", "wrong", "says nothing"),
+    ("T1", "e", "K = p^2/(2*m)", "wrong", "the claim alone"),
+    ("T1", "e", "p = m*v\nm = m\nK = p^2/(2*m)", "unmarked", ""),
     ("T1", "e", "p = m*v\nK = m*v^2/2", "wrong", "not yet"),
     ("T1", "e", "so it is", "unread", "equation"),
     ("T1", "f", "Gravity.", "unmarked", ""),
@@ -140,10 +141,12 @@ def test_an_answer_alone(verdicts, code, part, answer, wanted, told):
     assert told in said, said
 
 
-def test_an_ambiguous_number_waits_for_a_person_where_one_reading_is_right(key):
-    own = key("X12.5", m="0.0617", v="20")  # 1.234 kg m/s
+@pytest.mark.parametrize("mass", ["0.0617", "61.7"])  # 1.234 and 1234 kg m/s
+def test_of_an_ambiguous_number_the_reading_that_is_right_counts(key, mass):
+    own = key("X12.5", m=mass, v="20")
     ((verdict,), _) = judge(own, {"a": from_json("1,234 kg m/s")})["a"]
-    assert isinstance(verdict, Unmarked)
+    assert isinstance(verdict, Right)
+    assert "1.234 or 1234" in verdict.note
 
 
 def test_mirrored_answers_where_the_student_says_so(verdicts):
@@ -170,13 +173,13 @@ def test_no_axis_turns_an_energy(verdicts):
 def test_a_mirrored_value_is_carried_on_the_usual_axes(verdicts):
     found = verdicts("X12.8", b="0.6 m/s, x to the left", c="-0.6 m/s")
     assert isinstance(found["b"], Wrong)
-    assert found["c"] == Follows(("b",))
+    assert found["c"] == Follows(("b",), nothing=True)
 
 
 def test_what_was_found_before_is_carried_along(verdicts):
     found = verdicts("X12.5", a="5 kg m/s", b="5 kg m/s", c="50 N")
     assert isinstance(found["a"], Wrong)
-    assert found["b"] == Follows(("a",))
+    assert found["b"] == Follows(("a",), nothing=True)
     assert isinstance(found["c"], Follows)
 
 
@@ -213,7 +216,7 @@ def test_nothing_follows_from_a_degenerate_value(verdicts, empty):
 
 
 def test_the_same_slip_costs_once(verdicts):
-    found = verdicts("X12.5", a="8.6", b="8.6", c="86")
+    found = verdicts("X12.5", a="8.6 N", b="8.6 N", c="86 N")
     assert isinstance(found["a"], Slip)
     assert isinstance(found["b"], Right)
     assert "only once" in found["b"].note
@@ -223,8 +226,8 @@ def test_the_same_slip_costs_once(verdicts):
 def test_a_sign_carried_is_no_second_slip(verdicts):
     found = verdicts("X12.5", a="-8.6 kg m/s", b="-8.6 kg m/s", d="-172 N")
     assert isinstance(found["a"], Slip)
-    assert found["b"] == Follows(("a",))
-    assert isinstance(found["d"], Right)
+    assert found["b"] == Follows(("a",), nothing=True)
+    assert isinstance(found["d"], Right | Follows)
 
 
 def test_another_slip_costs_again(verdicts):
@@ -289,7 +292,7 @@ def test_a_length_s_own_figures_bound_the_length(key):
 def test_formulas_of_numbers_are_carried_too(verdicts):
     found = verdicts("X12.5", a="m*v/2", b="4.3 kg m/s")
     assert isinstance(found["a"], Slip)
-    assert found["b"] == Follows(("a",))
+    assert found["b"] == Follows(("a",), nothing=True)
 
 
 def test_a_blank_is_blank(verdicts):

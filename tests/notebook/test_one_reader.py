@@ -226,6 +226,6 @@ def test_the_marker_says_it_in_the_same_words(prompts: dict[str, Prompt]):
     assert isinstance(
         vector.answer_types[0].read(Items((Nothing(), Nothing()), (2,)), vector.question), Blank
     )
-    refused = vector.answer_types[0].read(sent({"a": 1}), vector.question)
-    assert refused == Unclear("it is a dictionary: give the number itself", "dict")
+    refused = vector.answer_types[0].read(sent({1: 1}), vector.question)
+    assert refused == Unclear("it is a dictionary whose keys are not names: give the number itself", "dict")
     assert vector.answer_types[0].preview(Text(""), vector.question).text == "no answer yet"

@@ -5,13 +5,15 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from base64 import b64decode
 from pathlib import Path
 
 import pytest
 
 from corollary.answers.registry import BUILT_IN
+from corollary.messages import language
 from corollary.notebook import packing
-from corollary.notebook.packing import NotCarried, modules
+from corollary.notebook.packing import NotCarried, catalogues, modules
 
 
 @pytest.mark.parametrize("name", BUILT_IN)
@@ -74,3 +76,13 @@ def test_reading_of_others_is_carried_with_what_it_imports(plugin):
     carried = modules(("interval",))
     assert carried["their_package.interval.bounds"] == "LOW = 0\n"
     assert carried["their_package"] == "'Theirs.'\n"
+
+
+def test_catalogues_go_with_the_modules_of_their_rooms(plugin, translated):
+    plugin("from .bounds import LOW")
+    translated("their_package", {"too low": "tro malalta"})
+    assert not catalogues(modules(("interval",)))
+    with language("eo"):
+        carried = catalogues(modules(("interval",)))
+    assert b"tro malalta" in b64decode(carried["their_package"])
+    assert carried["corollary.answers"] == ""

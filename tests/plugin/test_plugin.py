@@ -93,10 +93,11 @@ def test_its_answers_are_judged(run, tmp_path: Path):
         "between 3.52 inch and -3.52 inches",
         "-8.94 cm < x < 8.94 cm",
         ["-0.0894 m", "0.0894 m"],
+        "-3.52 to 3.52",
     ]
     wrong = {
         "0 to 3.52 inch": "mistaken", "-1.76 to 1.76 inch": "mistaken", "-3 to 3.52 inch": "wrong", "3.52 inch": "unread",
-        "-7.04 to 7.04 inch": "slip", "-3.52 kg to 3.52 kg": "wrong", "-3.52 to 3.52": "slip",
+        "-7.04 to 7.04 inch": "slip", "-3.52 kg to 3.52 kg": "wrong",
     }  # fmt: skip
     found = judged(run, tmp_path, *({"b": each} for each in [*right, *wrong]))
     verdicts = [each["parts"]["b"]["verdict"] for each in found]

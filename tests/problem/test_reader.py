@@ -121,7 +121,7 @@ def test_holes(complaints):
     found = complaints(CART + MASS, "One of {{tau}},\ntwo of {{m|decimal}},\nthree of {{2 m}}.\n" + ASKS)
     assert found == [
         (7, "{{tau}} is not among the givens (m)"),
-        (8, "{{m|decimal}}: the only style is number"),
+        (8, "{{m|decimal}}: the styles are number and svg"),
         (9, "a hole must hold one symbol: {{m}} or {{m|number}}"),
     ]
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from corollary.problem.diagnostic import Malformed
-from corollary.problem.roster import ID, Roster, Student, folder_name, read_roster
+from corollary.problem.roster import ID, Roster, Student, folder_name, ids_heading, read_roster
 
 # As these programs write them: headings, order and quoting of Moodle's participants and grades, and of Canvas's gradebook.
 MOODLE = '\ufeff"First name","Last name","Email address",Groups\r\nAda,Lovelace,ada@example.org,"A, B"\r\nBen,Bó,ben@example.org,\r\n'
@@ -171,3 +173,21 @@ def test_a_column_that_is_not_there(tmp_path):
 def test_a_roster_that_is_not_there(tmp_path):
     with pytest.raises(Malformed, match=r"roster\.csv:1: cannot be read: No such file"):
         read_roster(tmp_path / "roster.csv")
+
+
+def test_a_folder_in_the_place_of_a_roster(tmp_path: Path) -> None:
+    with pytest.raises(Malformed, match="is a folder; name the CSV file itself"):
+        read_roster(tmp_path)
+
+
+def test_newcomers_have_ids_of_the_column_that_the_course_goes_by(tmp_path):
+    """A student who left and comes back alone is nobody that the course knows, and must be the same student."""
+    before = roster(tmp_path, "ID number,Email address\n7,ada@uio.no\n,ben@uio.no\n").students
+    assert [each.id for each in before] == ["ada@uio.no", "ben@uio.no"]
+    path = tmp_path / "newcomers.csv"
+    path.write_text("ID number;email address\n9;cyd@uio.no\n")
+    known = {each.id for each in before}
+    assert [each.id for each in read_roster(path, "", known, ids_heading(before)).students] == ["cyd@uio.no"]
+    path.write_text("ID number;Email address\n9;\n")  # where it says nothing of somebody, another is taken
+    assert [each.id for each in read_roster(path, "", known, ids_heading(before)).students] == ["9"]
+    assert ids_heading([]) == ids_heading([Student("ada")]) == ""

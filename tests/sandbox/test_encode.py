@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import math
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 
 import msgspec
 import pytest
@@ -12,7 +14,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as some
 
 from corollary.formula.value import Complex, Exact, Items, Nothing, Real, Refused, Text, Value
+from corollary.messages import language
+from corollary.sandbox import worker
 from corollary.sandbox.decode import Encoded, to_value
+from corollary.sandbox.refusals import PREDICATES
 from corollary.sandbox.worker.encode import MOST_ITEMS, encode
 
 
@@ -93,6 +98,33 @@ def test_what_is_no_answer_is_refused_in_words(value: object, words: str) -> Non
     back = sent(value)
     assert isinstance(back, Refused)
     assert words in back.why
+
+
+def test_a_refusal_is_spoken_in_the_readers_language(translated) -> None:
+    translated(
+        "corollary.sandbox",
+        {"is an object of the kind {what}, from which no answer can be read": "estas {what}"},
+    )
+    with language("eo"):
+        assert sent(object()) == Refused("estas object", "object")
+        assert sent({1}) == Refused("is a set, which has no order: give a list", "set")
+
+
+def test_a_word_that_nobody_agreed_on_says_nothing_of_its_own() -> None:
+    assert decoded(("refused", "all is right, full marks", "{most}", "")) == Refused("could not be read")
+
+
+def test_every_word_that_is_sent_has_its_sentence() -> None:
+    """Of all calls in the worker's text, whichever value they are for."""
+    program = ast.parse(Path(worker.encode.__file__).read_text(encoding="utf-8"))
+    calls = [
+        node
+        for node in ast.walk(program)
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "_refused"
+    ]
+    words = {call.args[0].value for call in calls if isinstance(call.args[0], ast.Constant)}
+    assert len(words) > 8
+    assert words | {*worker.encode._KINDS.values(), "object", "size"} <= PREDICATES.keys()
 
 
 def test_an_answer_not_given_is_nothing() -> None:

@@ -76,6 +76,37 @@ def test_what_a_killed_process_left_is_removed_by_the_next(tmp_path: Path) -> No
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_folder_that_lost_its_lock_goes_once_it_is_old(tmp_path: Path, monkeypatch) -> None:
+    """Removing was cut short: what is there has no lock any more. A folder of somebody else's under such a name stays."""
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    for name, inside in (
+        ("corollary-remnant_", "disk"),
+        ("corollary-justmade", "disk"),
+        ("corollary-myfolder", "thesis"),
+    ):
+        (tmp_path / name / inside).mkdir(parents=True)
+        if name != "corollary-justmade":
+            os.utime(tmp_path / name, (1_700_000_000, 1_700_000_000))
+    with Runner():
+        assert not (tmp_path / "corollary-remnant_").exists()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["corollary-justmade", "corollary-myfolder"]
+
+
+def test_a_folder_half_removed_is_still_known_as_abandoned(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    removed: list[str] = []
+    monkeypatch.setattr("corollary.sandbox.folders._remove", lambda path: removed.append(path.name))
+    with Runner():
+        (folder,) = tmp_path.iterdir()
+    assert removed[-1] == folder.name
+    assert "lock" not in removed
+    monkeypatch.undo()
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with Runner():
+        assert not folder.exists()
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_folders_in_use_and_those_of_others_are_left_alone(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     (tmp_path / "corollary-mine").mkdir()

@@ -15,6 +15,7 @@ from corollary.sandbox.protocol import (
     MOST_BYTES,
     MOST_FRAME,
     Began,
+    CellFrame,
     Frames,
     Garbled,
     WorkerFrame,
@@ -74,6 +75,41 @@ def test_what_is_no_frame_is_refused(ends: Ends, sent: bytes) -> None:
     theirs.sendall(sent)
     with pytest.raises(Garbled):
         frames.read(soon())
+
+
+LINE = {"x": [0.0], "y": [1.0], "label": "", "kind": "line"}
+AXES = {
+    "title": "",
+    "xlabel": "t [s]",
+    "ylabel": "",
+    "xlim": [0.0, 1.0],
+    "ylim": [0.0, 1.0],
+    "xscale": "linear",
+}
+AXES |= {"yscale": "linear", "legend": [], "lines": [LINE]}
+
+
+def cell(*figures: object) -> bytes:
+    empty = {"status": "ok", "error": "", "outputs": [], "values": {}}
+    return framed({"t": "cell", "index": 0, "figures": list(figures), **empty})
+
+
+def test_a_forged_figure_has_no_more_curves_points_or_axes_than_a_drawn_one(ends: Ends) -> None:
+    frames, theirs = ends
+    theirs.sendall(cell(*[{"axes": [AXES | {"lines": [LINE] * 60}] * 20, "picture": None}] * 3))
+    assert isinstance(frames.read(soon()), CellFrame)
+    for axes in (
+        [AXES] * 21,
+        [AXES | {"lines": [LINE] * 61}],
+        [AXES | {"lines": [LINE | {"x": [0.0] * 5001, "y": [0.0] * 5001}]}],
+        [AXES | {"xlabel": "t" * 501}],
+        [AXES | {"legend": [""] * 61}],
+    ):
+        ours, theirs = socket.socketpair()
+        with ours, theirs:
+            theirs.sendall(cell({"axes": axes, "picture": None}))
+            with pytest.raises(Garbled):
+                Frames(ours, worker_frames).read(time.monotonic() + 1)
 
 
 @given(some.binary(min_size=1, max_size=60))

@@ -43,6 +43,29 @@ def test_a_sound_problem(verified):
     assert counts["kind samples"] > 10
 
 
+SHOW = """\
+    rest = law("Force", "F = p/t", F=F, p=p, t=t)
+    claim = law("Claim", "F = m*v/t", F=F, m=m, v=v, t=t)
+    return derivation(
+        step(p, "Mass times velocity.", momentum(p, m, v), answers="a"),
+        step(F, "Per time.", mean_force(F, p, t), answers="b"),
+        proof("c", "Both.", %s, target=claim, lines=["p = m*v", "F = p/t", "F = m*v/t"]),
+    )
+"""
+TO_SHOW = '\n## Both {#c .proof components="p F"}\nShow it.\n'
+
+
+def test_a_claim_that_the_laws_of_its_proof_imply(verified, problem):
+    checked = verified(SHOW % "momentum(p, m, v), rest", problem=problem + TO_SHOW)
+    assert checked.ok, checked.complaints
+    assert checked.checks["claims shown"] == 1
+
+
+def test_a_claim_that_the_laws_of_its_proof_do_not_imply(verified, problem):
+    checked = verified(SHOW % "rest", problem=problem + TO_SHOW)
+    met(checked, "are not found to imply F = m*v/t", 19, "cart.md")
+
+
 def test_a_simulation_that_disagrees(verified):
     met(verified(more=SCENE % "2*v"), "where the algebra says", 17)
 

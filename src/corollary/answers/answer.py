@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from corollary.formula.ast import Expr, Relation
+from corollary.formula.ast import Expr, Name, Relation
 
 
 @dataclass(frozen=True, slots=True)
@@ -12,7 +12,8 @@ class Numbers:
     """Values in SI, one for each component; `figures` as written (0: a machine number with many digits).
 
     `missing` is a sentence when a unit was needed and none was written; the values then take the part's unit. `misfit` is
-    one when the unit measures something else than was asked for. `in_words`: the sign comes from a direction in words.
+    one when the unit measures something else than was asked for. `in_words` are the components whose sign comes from words.
+    `most` are the figures that may have been typed where that is more than is shown: a machine number loses zeros at its end.
     `sizes` are the SI values of the units the numbers were written in (the part's own unit where there are none).
     `polar` are the length and the angle of a vector that was written so: its components have no figures of their own.
     """
@@ -22,7 +23,8 @@ class Numbers:
     as_read: str
     missing: str = ""
     misfit: str = ""
-    in_words: bool = False
+    in_words: tuple[int, ...] = ()
+    most: tuple[int, ...] = ()
     sizes: tuple[float, ...] = ()
     polar: tuple[Numbers, Numbers] | None = None
 
@@ -44,10 +46,31 @@ class Letter:
 
 
 @dataclass(frozen=True, slots=True)
-class Chain:
-    """Equations, one a line."""
+class Equation:
+    """One equation of a derivation, and the line it stands on, from 1.
 
-    lines: tuple[Relation, ...]
+    `defines` is the student's own letter that it gives a meaning to, `undefined` one that no line does. `otherwise` is what it says if `m/L(a + b)` is to be
+    read with the bracket below the line.
+    """
+
+    relation: Relation
+    line: int
+    defines: str = ""
+    otherwise: Relation | None = None
+    undefined: str = ""
+
+    @property
+    def meaning(self) -> Expr:
+        """What the letter it defines stands for."""
+        left, right = self.relation.left, self.relation.right
+        return right if left == Name(self.defines) else left
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """Equations, one after the other."""
+
+    steps: tuple[Equation, ...]
     as_read: str
 
 
@@ -73,13 +96,14 @@ class Blank:
 class Unclear:
     """An attempt that cannot be read; `why` says what was met and how to write it.
 
-    `readings` are what it could mean when it has several meanings (1,234 is 1.234 or 1234): never guessed among, but a person
-    is asked where one of them is right.
+    `readings` are what it could mean when it has several meanings: never guessed among, but where one of them is right a
+    person is asked. `benefit`: they are so far apart (1,234 is 1.234 or 1234) that the right one is the one meant.
     """
 
     why: str
     as_read: str
     readings: tuple[Numbers | Formulas, ...] = ()
+    benefit: bool = False
 
 
 Answer = Numbers | Formulas | Letter | Chain | Prose | Blank | Unclear

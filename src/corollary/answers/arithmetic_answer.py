@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
+from corollary.formula.abbreviations import ABBREVIATIONS, arity, function_words
 from corollary.formula.arithmetics import DOUBLES, ready
 from corollary.formula.ast import Call, Expr, Negative, Number, walk
 from corollary.formula.errors import ParseError, refused
-from corollary.formula.functions import FUNCTIONS, SPELLINGS
+from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import Found, Token, tokens
 from corollary.formula.numerals import VULGAR, unsigned
 from corollary.formula.parser import formula
@@ -26,7 +28,7 @@ from corollary.units.unit import ONE, Unit, read_unit, si_unit
 _ = catalogue(__name__)
 
 NUMBER = re.compile(r"[0-9.,]")
-WORD = re.compile(r"π|(?P<letters>[A-Za-z]+)[0-9]*")
+WORD = re.compile(r"π|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
 EXPONENT = re.compile(r"[0-9]")
 RAISED = re.compile(r"\^|\*\*|[⁻⁺]?[⁰¹²³⁴-⁹]")
 BRACKET = re.compile(
@@ -48,7 +50,10 @@ class Worked:
 @cache
 def _units_behind(functions: tuple[str, ...]) -> re.Pattern[str]:
     """Units behind a factor: `kg`, `m/s^2`, `* m/(kg s)`. A function of several numbers (min) is one before its bracket only."""
-    words = [rf"{word}(?=\s*\()" if FUNCTIONS[SPELLINGS[word]].arity > 1 else word for word in functions]
+    known = function_words()
+    words = [
+        rf"{word}(?=\s*\()" if word in ABBREVIATIONS or arity(known[word]) > 1 else word for word in functions
+    ]
     word = (
         rf"(?!(?:{'|'.join(sorted((*words, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩ]++|[°º%]"
     )
@@ -88,7 +93,8 @@ def worked_out(normalized: str) -> Worked | ParseError:
         return refused(_("this calculation has no value"))
     if at_the_end:
         return Worked(value, units[sized[0].text])
-    return Worked(value, si_unit(measured) if written and value else None)  # 0 is 0 in every unit
+    of_value = sized or any(_outside_functions(read))  # the 30° of cos(30°) are no unit of the value
+    return Worked(value, si_unit(measured) if of_value and value else None)  # 0 is 0 in every unit
 
 
 def _sum_at_the_top(signs: list[Token]) -> bool:
@@ -99,6 +105,18 @@ def _sum_at_the_top(signs: list[Token]) -> bool:
         if depth == 0 and sign.text in ("+", "-") and before.kind in FACTOR_ENDS:
             return True
     return False
+
+
+def _outside_functions(signs: list[Token]) -> Iterator[Token]:
+    """The units that stand in no bracket of a function."""
+    opened: list[bool] = []
+    for before, sign in pairwise(signs):
+        if sign.kind == "open":
+            opened.append(before.kind == "function")
+        elif sign.kind == "close" and opened:
+            opened.pop()
+        elif sign.kind == "unit" and not any(opened):
+            yield sign
 
 
 def _bare_angle(tree: Expr) -> str:
@@ -128,15 +146,22 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
         )  # `cos 0.5 rad` is cos(0.5*1), whose number is not bare
         one = Token("number", "1", at, True, Fraction(1))
         return [Token("sign", "*", at, True), one, Token("close", ")", at, True)], angle.end()
-    if last in FACTOR_ENDS and last != "unit" and (found := _units_behind(tuple(SPELLINGS)).match(text, at)):
+    if (
+        last in FACTOR_ENDS
+        and last != "unit"
+        and (found := _units_behind(tuple(function_words())).match(text, at))
+    ):
         unit = read_unit(found[0].strip().lstrip("*"))
         if isinstance(unit, Unit):
             units[unit.text] = unit
             return [Token("unit", unit.text, at, True)], found.end()
     if last == "sign" and before and before[-1].text == "^" and EXPONENT.match(text, at):
         return None  # `2^3*10^-3`: here a number ends before its power of ten
+    if text[at] == "," and _between_arguments(text, at, before):
+        return None
     if NUMBER.match(text, at):
-        number = unsigned(text, at)
+        end = text.find(",", at) if _between_arguments(text, at, before) else -1
+        number = unsigned(text if end < 0 else text[:end], at)
         if isinstance(number, ParseError):
             return number
         return [Token("number", text[at : number[1]], at, True, number[0].value)], number[1]
@@ -144,11 +169,12 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
         tight = text[at - 1 : at] != " "
         if word[0] in ("pi", "π"):
             return [Token("name", "pi", at, tight)], word.end()
-        known = next((each for each in (word[0], word["letters"]) if each in SPELLINGS), None)
+        spellings = function_words()
+        known = next((each for each in word.group(0, "short", "letters") if each in spellings), None)
         if (
             known and not text[at + len(known) : at + len(known) + 1].isalpha()
         ):  # `cos30°`, but not `cosh` cut short
-            return [Token("function", SPELLINGS[known], at, tight)], at + len(known)
+            return [Token("function", spellings[known], at, tight)], at + len(known)
     twice = text[at] in "+-" and before and before[-1].text in ("+", "-") and not _factor_before_sign(before)
     beside = last in FACTOR_ENDS and (text[at] in VULGAR or (text[at] == "(" and not BRACKET.match(text, at)))
     tower = (
@@ -157,6 +183,19 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
     if twice or beside or tower or text[at] in "[]{}|°º":
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
     return None
+
+
+def _between_arguments(text: str, at: int, before: list[Token]) -> bool:
+    """Whether the one comma in this bracket parts the two numbers of a function: `hypot(3,4)`."""
+    opened = len(before) - 1
+    while opened >= 0 and before[opened].kind not in ("open", "close"):
+        opened -= 1
+    if opened < 1 or before[opened].kind != "open" or before[opened - 1].kind != "function":
+        return False
+    function = before[opened - 1].text
+    return (arity(function) > 1 or function == "ln") and text[before[opened].at :].partition(")")[0].count(
+        ","
+    ) == 1
 
 
 def _factor_before_sign(before: list[Token]) -> bool:

@@ -12,21 +12,29 @@ from corollary.units.unit import ONE, Unit
 
 _ = catalogue(__name__)
 
-TEN = N_("The power of ten is off (by a factor of {factor}); check prefixes such as g and kg, ms and s.")
+# None of these says the factor: who may try again should find the reason, not multiply.
+TEN = N_("The power of ten is off; check prefixes such as g and kg, ms and s.")
+TEN_OF_FORMULA = N_("a power of ten is off: look at the units")
+CONSTANT = N_("A constant factor is wrong: look for halves, for squares, and for what happens twice.")
+CONSTANT_OF_FORMULA = N_(
+    "a constant factor is wrong: look for halves, for squares, and for what happens twice"
+)
+SIGN_AND_CONSTANT = N_("the sign and a constant factor are wrong")
+ROOT = N_("a constant factor is wrong: look at what stands under a root")
+SPEEDS = N_("km/h and m/s have been mixed.")
 
 
 @dataclass(frozen=True, slots=True)
 class Ratio:
-    """A factor that answers are often off by, as it is written, and what it tells of a number and of a formula ("": nothing)."""
+    """A factor that answers are often off by, and what it tells of a number and of a formula ("": nothing)."""
 
     factor: float
-    written: str
     number: str = ""
     formula: str = ""
 
     def of_number(self) -> str:
         """What the student reads."""
-        return _(self.number, factor=self.written)
+        return _(self.number)
 
     def of_formula(self) -> str:
         """What the student reads, in the middle of a sentence."""
@@ -34,37 +42,35 @@ class Ratio:
 
 
 RATIOS = (
-    Ratio(-1.0, "-1", "", N_("the sign is the other way round")),
-    Ratio(2.0, "2", N_("A factor of 2 too large."), N_("it is twice too large")),
-    Ratio(0.5, "1/2", N_("A factor of 2 too small."), N_("it is half as large as it should be")),
-    Ratio(-2.0, "-2", "", N_("the sign and a factor 2 are wrong")),
-    Ratio(-0.5, "-1/2", "", N_("the sign and a factor 1/2 are wrong")),
-    Ratio(4.0, "4", "", N_("it is four times too large")),
-    Ratio(0.25, "1/4", "", N_("it is a quarter of what it should be")),
-    Ratio(1e1, "10", TEN),
-    Ratio(1e-1, "1/10", TEN),
-    Ratio(1e2, "100", TEN),
-    Ratio(1e-2, "1/100", TEN),
-    Ratio(1e3, "1000", TEN, N_("it is 1000 times too large: look at the units")),
-    Ratio(1e-3, "1/1000", TEN, N_("it is 1000 times too small: look at the units")),
-    Ratio(1e4, "10000", TEN),
-    Ratio(1e-4, "1/10000", TEN),
-    Ratio(1e6, "1000000", TEN),
-    Ratio(1e-6, "1/1000000", TEN),
-    Ratio(math.pi / 180, "pi/180", "", N_("an angle was converted to radians once too often")),
-    Ratio(180 / math.pi, "180/pi", "", N_("an angle is in degrees where radians are needed")),
-    Ratio(2**0.5, "√2", "", N_("a factor √2 is too much")),
-    Ratio(0.5**0.5, "1/√2", "", N_("a factor √2 is missing")),
+    Ratio(-1.0, "", N_("the sign is the other way round")),
+    Ratio(2.0, CONSTANT, CONSTANT_OF_FORMULA),
+    Ratio(0.5, CONSTANT, CONSTANT_OF_FORMULA),
+    Ratio(-2.0, "", SIGN_AND_CONSTANT),
+    Ratio(-0.5, "", SIGN_AND_CONSTANT),
+    Ratio(4.0, "", CONSTANT_OF_FORMULA),
+    Ratio(0.25, "", CONSTANT_OF_FORMULA),
+    Ratio(1e1, TEN),
+    Ratio(1e-1, TEN),
+    Ratio(1e2, TEN),
+    Ratio(1e-2, TEN),
+    Ratio(1e3, TEN, TEN_OF_FORMULA),
+    Ratio(1e-3, TEN, TEN_OF_FORMULA),
+    Ratio(1e4, TEN),
+    Ratio(1e-4, TEN),
+    Ratio(1e6, TEN),
+    Ratio(1e-6, TEN),
+    Ratio(math.pi / 180, "", N_("an angle was converted to radians once too often")),
+    Ratio(180 / math.pi, "", N_("an angle is in degrees where radians are needed")),
+    Ratio(2**0.5, "", ROOT),
+    Ratio(0.5**0.5, "", ROOT),
     Ratio(
         3.6,
-        "3.6",
-        N_("A factor of 3.6 too large: km/h and m/s have been mixed."),
+        SPEEDS,
         N_("a speed is in km/h where m/s is needed"),
     ),
     Ratio(
         1 / 3.6,
-        "1/3.6",
-        N_("A factor of 3.6 too small: km/h and m/s have been mixed."),
+        SPEEDS,
         N_("a speed was converted from km/h once too often"),
     ),
 )

@@ -30,6 +30,9 @@ LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
 ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
 MARKS = (r"\s*[;|]\s*", r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*", r",", r"(?<=[0-9])\s+(?=[+\-]?[0-9])")
+LED = re.compile(r"\s*[=≈~]\s*|\s*(?:[Δ∆]\s*)?[^\W\d][^\s=≈~()\[\],;:+*/-]{0,7}\s*[=≈~]\s*(?=[(\[<{⟨])")
+LEFT = re.compile(r"\s*[(\[<{]([^()\[\]<>{}=≈]*)[)\]>}]\s*[=≈]\s*(?=[(\[<{⟨])")
+COMPONENT = r"(?:[- ](?:component|direction|axis|part|coordinate))?"
 NAMED = re.compile(r"\s*(?P<name>[^\W\d][^\s=:]{0,11})\s*[=:≈]")
 POLAR = re.compile(r"\s+at(?: an angle of)?\s+|\s*∠\s*", re.IGNORECASE)
 TURN = r"[+\-]?\s*[0-9.,]+\s*(?:°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))"
@@ -40,6 +43,11 @@ ABOVE = re.compile(
     re.I,
 )
 BELOW = re.compile(rf"\s*,?\s*(?:below|under|clockwise from) {FROM}\s*\)?$", re.I)
+
+
+def are_axes(names: Sequence[str]) -> bool:
+    """Whether the components are those of one vector, along axes, and not of several bodies."""
+    return all(name[-1:] in ("x", "y", "z") for name in names) and len({name[:-1] for name in names}) <= 1
 
 
 def length_and_angle(normalized: str) -> tuple[str, str] | ParseError | None:
@@ -62,20 +70,47 @@ def length_and_angle(normalized: str) -> tuple[str, str] | ParseError | None:
     return length, (angle[: above.start()] if above else angle).strip().rstrip(")")
 
 
+def in_one_line(text: str, count: int) -> str:
+    """Lines, where there is one for each component, parted by semicolons."""
+    lines = [line.strip().rstrip(",;") for line in text.splitlines() if line.strip()]
+    whole = all(line.count("(") == line.count(")") and line.count("[") == line.count("]") for line in lines)
+    return "; ".join(lines) if len(lines) == count > 1 and whole else text
+
+
 def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[str] | ParseError:
     """One text for each component, in the order of `names` where the text names them; a unit behind all of them goes to each."""
+    if names and (left := LEFT.match(normalized)):  # `(p_y, p_x) = (4, 3)`
+        places = [place_named(f"{name} = ", names) for name in re.split(r"[,;]", left[1])]
+        found = pieces_of(normalized[left.end() :], count)
+        if isinstance(found, ParseError) or sorted(map(str, places)) != sorted(map(str, range(count))):
+            return found
+        return [found[places.index(place)] for place in range(count)]
     inside, unit, factor = _unwrapped(normalized)
-    if any(
-        _axis(found) < count for found in ALONG.finditer(inside)
-    ):  # in a plane k is no direction, but may be a letter
+    along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
+    if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
     found = _listed(inside, unit, count)
     if isinstance(found, ParseError):
         return found
-    found = _in_order(found, names)
+    found = _in_order([_labelled(piece, names) for piece in found], names)
     return (
         found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
     )
+
+
+def _labelled(piece: str, names: Sequence[str]) -> str:
+    """`sphere 3 m/s`, `x-component: 3`, `3 (x)` as `x = 3`."""
+    if not names:
+        return piece
+    name = rf"(?:[A-Za-z]_?)?(?P<name>{'|'.join(sorted(map(re.escape, names), key=len, reverse=True))}){COMPONENT}"
+    number = r"(?=[-+≈~]?\s*[0-9.,(])"
+    before = re.match(
+        rf"\s*(?:the |ball |block |body )*{name}(?:\s*(?:is|[=:≈])\s*|\s+){number}", piece, re.IGNORECASE
+    )
+    if before:
+        return f"{before['name']} = {piece[before.end() :]}"
+    behind = re.search(rf"\s*\(\s*{name}\s*\)\s*$", piece, re.IGNORECASE)
+    return f"{behind['name']} = {piece[: behind.start()]}" if behind else piece
 
 
 def _unwrapped(normalized: str) -> tuple[str, str, str]:
@@ -97,7 +132,12 @@ def _unwrapped(normalized: str) -> tuple[str, str, str]:
         or re.search(r"[,;]", before)
     ):
         return text, "", ""
-    if before and (behind or re.search(r"[A-Za-z]{3}$|[=:]", before) or "," not in _masked(inside)):
+    scaled = re.fullmatch(r"[-+]?[0-9.]+\s*\*", before)
+    if before and (
+        (behind and not scaled)
+        or re.search(r"[A-Za-z]{3}$|[=:]", before)
+        or not re.search("[,;]", _masked(inside))
+    ):
         return text, "", ""
     return inside, behind.lstrip("*").strip(), before.rstrip("* ")
 
@@ -208,6 +248,10 @@ def _directed(inside: str, unit: str, count: int) -> list[str] | ParseError:
 
 def without_preamble(normalized: str) -> tuple[str, int]:
     """A vector without what leads up to it; names of its components stay."""
+    led = LED.match(normalized)
+    if led and led.end() < len(normalized):
+        rest, skipped = without_preamble(normalized[led.end() :])
+        return rest, skipped + led.end()
     return (
         (normalized, 0)
         if "," in normalized.split("=")[0] or len(re.findall(r"[=:]", normalized)) > 1 or _labels(normalized)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from corollary.answers.answer import Answer, Formulas, Numbers, Unclear
+from corollary.answers.gain import gain_in
 from corollary.answers.question import Question
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
@@ -26,27 +27,31 @@ AXES = re.compile(
 )
 # x points to the right and y up, as in every figure of the chapter.
 USUAL = frozenset({"right", "up", "upward", "upwards"})
-AXIS_OF: dict[str, str] = dict.fromkeys(["left", "right"], "x") | dict.fromkeys(
-    ["up", "upward", "upwards", "down", "downward", "downwards"], "y"
-)
+ALONG_X: str = "left leftward leftwards links gauche right rightward rightwards rechts droite"
+ALONG_Y: str = "up upward upwards oben haut down downward downwards unten bas"
+AXIS_OF: dict[str, str] = {
+    word: axis for axis, words in (("x", ALONG_X), ("y", ALONG_Y)) for word in words.split()
+}
 # To the right, up and forwards are positive in every figure of the chapter; where they are not, a person decides.
-SIGNS: dict[str, int] = dict.fromkeys(
-    ["right", "up", "upward", "upwards", "forward", "forwards", "positive"], 1
-) | dict.fromkeys(
-    ["left", "down", "downward", "downwards", "backward", "backwards", "back", "negative", "opposite"], -1
+POSITIVE: str = (
+    "right rightward rightwards rechts droite up upward upwards oben haut forward forwards positive"
 )
+NEGATIVE: str = "left leftward leftwards links gauche down downward downwards unten bas backward backwards back negative opposite"
+SIGNS: dict[str, int] = {
+    word: sign for sign, words in ((1, POSITIVE), (-1, NEGATIVE)) for word in words.split()
+}
 ALONG = re.compile(
-    r"[\s,;(]+(?:(?:pointing|directed|moving|going|acting|pushing) )?"
-    rf"(?:(?:(?:in|along|to|towards) )?(?:the )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?: [xy])?"
-    r"|(?:in|along) (?:the )?(?P<sign>[+−–-])[xy])(?:[ -](?:axis|direction))?\)?\.?\s*$",
+    r"[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?(?:(?:and )?(?:is )?(?:pointing|directed|moving|moves|going|goes|acting|acts|pushing|straight) )?"
+    rf"(?:(?:(?:in|along|to|towards|nach|vers) )?(?:the |la |le )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?: (?P<axis>[xyz]))?"
+    r"|(?:in|along) (?:the )?(?P<sign>[+−–-])(?P<of>[xyz]))(?:[ -](?:axis|direction))?\)?\.?\s*$",
+    re.IGNORECASE,
+)
+IN_FRONT = re.compile(
+    r"^\s*(?:to the )?(?P<way>left|right|up|upwards?|down|downwards?|backwards?|forwards?)\s*[:,]?\s+(?=[0-9.,])",
     re.IGNORECASE,
 )
 TOWARDS = re.compile(
     r"(?<=[A-Za-z0-9²)])[\s,;(]+(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:the|my|his|its|our|your) [a-z' ]{2,60})\)?\.?\s*$",
-    re.IGNORECASE,
-)
-LOST = re.compile(
-    r"^\s*(?:(?:a|the|it)\s+)?(?P<before>loss of|decrease of|drop of|loses|lost)\s+|\s+(?P<behind>lost|loss|less)\.?\s*$",
     re.IGNORECASE,
 )
 
@@ -82,13 +87,31 @@ def on_usual_axes(value: Value, question: Question, read: Callable[[Value], Answ
     return _turned(read(Text(axes.text)), axes) if axes.words else read(value)
 
 
-def with_direction(value: Value, question: Question, read: Callable[[Value], Answer]) -> Answer:
-    """One number with the sign that its words give; two readings where the words alone do not tell it."""
-    found = direction_of(value.text, directed(question)) if isinstance(value, Text) else None
+def with_direction(
+    value: Value, question: Question, read: Callable[[Value], Answer], component: str = ""
+) -> Answer:
+    """One number with the sign that its words give; two readings where the words alone do not tell it.
+
+    Of a `component` along an axis (x, y, z) only words along that axis give it.
+    """
+    if not isinstance(value, Text) or len(value.text) > LONGEST:
+        return read(value)
+    if gain := gain_in(value.text, question):
+        return _signed(read(Text(gain.text)), gain.sign, gain.word)
+    found = direction_of(value.text, directed(question), component)
     if found is None:
         return read(value)
     answer = read(Text(found.text))
     return _either(answer, found.words) if found.sign is None else _signed(answer, found.sign, found.words)
+
+
+def axis_named(text: str) -> str:
+    """The axis that the words behind a number point along: y of `160 N upwards`; "" where they name none."""
+    found = ALONG.search(text) if len(text) <= LONGEST else None
+    if found is None:
+        return ""
+    way = (found["way"] or "").lower()
+    return AXIS_OF.get(way) or (found["axis"] or found["of"] or "").lower()
 
 
 def axes_of(text: str, components: tuple[str, ...]) -> AxisRemarks:
@@ -107,17 +130,17 @@ def axes_of(text: str, components: tuple[str, ...]) -> AxisRemarks:
     return AxisRemarks(text.rstrip(" ,;") if words else text, tuple(signs), ", ".join(words))
 
 
-def direction_of(text: str, directed: bool) -> Direction | None:
-    """The direction a text names, if any; `directed` tells that what is asked for has one."""
-    if len(text) > LONGEST:
-        return None
-    if lost := LOST.search(text):
-        return Direction(LOST.sub("", text), None, (lost["before"] or lost["behind"]).strip())
+def direction_of(text: str, directed: bool, component: str = "") -> Direction | None:
+    """The direction a text of bounded length names, if any; `directed` tells that what is asked for has one."""
     if not directed:
         return None
     if found := ALONG.search(text):
+        if component in ("x", "y", "z") and axis_named(text) not in ("", component):
+            return None
         sign = SIGNS[found["way"].lower()] if found["way"] else 1 if found["sign"] == "+" else -1
         return Direction(text[: found.start()], sign, found[0].strip(" ,;().\t\n"))
+    if (found := IN_FRONT.search(text)) and component not in ("x", "y", "z"):
+        return Direction(text[found.end() :], SIGNS[found["way"].lower()], found["way"])
     if found := TOWARDS.search(text):
         return Direction(text[: found.start()], None, found["words"].strip())
     return None
@@ -155,10 +178,13 @@ def _signed(answer: Answer, sign: int, words: str) -> Answer:
             return _either(answer, words)
         case Numbers((value,)):
             return replace(
-                answer, values=(sign * abs(value),), as_read=f"{answer.as_read} {words}", in_words=True
+                answer, values=(sign * abs(value),), as_read=f"{answer.as_read} {words}", in_words=(0,)
             )
         case Formulas((tree,), as_read) if sign < 0:
             return Formulas((Negative(tree),), f"{as_read} {words}")
+        case Unclear(readings=readings):
+            found = (_signed(each, sign, words) for each in readings)
+            return replace(answer, readings=tuple(each for each in found if isinstance(each, Numbers)))
         case _:
             return answer
 

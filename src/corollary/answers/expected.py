@@ -20,13 +20,13 @@ class FollowThrough:
     """A value that the laws give with the student's own answers to the parts `earlier` (none: with the givens alone).
 
     `misconceptions` and `slips` are the values that a known misconception, or a slip in what goes into the formulas, makes of
-    it; with each the sentence that the student reads.
+    it; with each the sentence that the student reads. None where the way is not the author's: then only the value itself counts.
     """
 
     values: Values
     earlier: tuple[str, ...]
-    misconceptions: Callable[[], Iterable[tuple[Values, str]]]
-    slips: Callable[[], Iterable[tuple[Values, str]]]
+    misconceptions: Callable[[], Iterable[tuple[Values, str]]] | None = None
+    slips: Callable[[], Iterable[tuple[Values, str]]] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,12 +83,18 @@ class Requirement:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """An equation to be shown from laws; `wrong` are equations that tell a misconception, `points` where every law holds."""
+    """An equation to be shown from laws.
+
+    `given` are equations that the question states besides. `wrong` are equations that tell a misconception. `points` are
+    values at which every law holds, `domain` says between which values the givens lie.
+    """
 
     laws: tuple[Relation, ...]
     target: Relation
     wrong: tuple[tuple[Relation, str], ...]
     points: Callable[[], Sequence[Point]]
+    given: tuple[Relation, ...] = ()
+    domain: Callable[[], Mapping[str, tuple[float, float]]] = dict[str, tuple[float, float]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
+
 from corollary.answers.answer import Formulas, Unclear
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
 from corollary.formula.ast import Expr, names
+from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused, sentence
 from corollary.formula.line import Lean
 from corollary.formula.numerals import LONGEST, TO_ASCII
 from corollary.formula.syntax import parse
-from corollary.formula.tex import without_tex
 from corollary.formula.text import text as formula_text
 from corollary.messages import catalogue
 from corollary.units.dimensional_analysis import dimension_of
@@ -19,13 +21,14 @@ from corollary.units.unit import Dimension, Unit, called, show
 _ = catalogue(__name__)
 
 LONGEST_QUOTED = 80
+LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
 
 
 def formula(text: str, question: Question, lean: Lean = "ask") -> Expr | ParseError:
     """A formula that uses at least one symbol of the problem."""
     tree = parse(text, question.symbol_names, lean=lean)
     if isinstance(tree, ParseError) and len(text) <= LONGEST:
-        bare, _skipped = answer_in(without_tex(text).translate(TO_ASCII))
+        bare, _skipped = answer_in(by_hand(text).translate(TO_ASCII))
         again = parse(bare, question.symbol_names, lean=lean) if bare.strip() != text.strip() else tree
         tree = tree if isinstance(again, ParseError) and again.status != "asked" else again
     if not isinstance(tree, ParseError) and not names(tree) - {"pi"}:
@@ -48,10 +51,17 @@ def fitting(text: str, question: Question) -> Expr | Unclear | None:
     return Unclear(why, as_typed(text), tuple(formulas(tree) for tree in good))
 
 
-def formulas(*trees: Expr) -> Formulas:
-    """The answer, shown as it was read: `2mv` is 2*m*v."""
+def formulas(*trees: Expr, typed: str = "") -> Formulas:
+    """The answer, shown as it was read: `2mv` is 2*m*v, and the `log` that was typed is the natural one."""
     texts = ", ".join(map(formula_text, trees))
-    return Formulas(trees, texts if len(trees) == 1 else f"({texts})")
+    return Formulas(trees, with_remark(texts if len(trees) == 1 else f"({texts})", typed))
+
+
+def with_remark(as_read: str, typed: str) -> str:
+    """A formula as it was read, with a remark where `log` was typed for it."""
+    if not LOGARITHM.search(typed):
+        return as_read
+    return _("{formula}, where log is the natural logarithm", formula=as_read)
 
 
 def dimension_in(tree: Expr, question: Question) -> Dimension | ParseError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import combinations
 
 from corollary.answers.answer import Numbers
 from corollary.answers.common_errors import slips
@@ -18,16 +18,18 @@ from corollary.units.unit import called, show
 
 _ = catalogue(__name__)
 
+ROUNDING_NOISE = 1e-9  # of the scale: what is left where large doubles cancel
+
 
 def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
     """What a good marker says of these numbers."""
     if answer.in_words:
-        return _in_words(replace(answer, in_words=False), wanted, question)
+        return _in_words(answer, wanted, question)
     if answer.missing:
         verdict = judge_numbers(replace(answer, missing=""), wanted, question)
-        if not isinstance(verdict, (Right, Follows)):
+        if not isinstance(verdict, Right) or verdict.note:
             return verdict
-        return Slip(_("The number is right, but its unit is missing; a quantity is a number *and* a unit."))
+        return Right(_("Taken in the unit asked for; a quantity is a number *and* a unit."))
     if answer.misfit:
         return _misfit(answer.misfit, judge_numbers(replace(answer, misfit=""), wanted, question))
     if _meets(answer, wanted, wanted.values):
@@ -36,31 +38,55 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
     for way in ways:
         if _meets(answer, wanted, way.values):
             return Follows(way.earlier) if way.earlier else Right()
-    if few := _coarse(answer, wanted, question, wanted.values):
-        if few > 1 and not _fits_misconception(answer, wanted, question, ways):
-            return Right(_("Right, but coarse: {figures} figures are few; give three.", figures=few))
-        return Slip(_("Rounded too far to tell: give three significant figures."))
+    few = _coarse(answer, wanted, question, wanted.values)
+    if few > 1:
+        if not _fits_misconception(answer, wanted, question, ways):
+            note = _("Right, but coarse: {figures} figures are few; give three.", figures=few)
+            return Right(note, leniently=True)
+        return Slip(_("Rounded too far to tell: give three significant figures."), once=False)
     for way in ways:
-        for value, sentence in way.misconceptions():
-            if _meets(answer, wanted, value):
-                return Mistaken(sentence, way.earlier)
+        for value, sentence in way.misconceptions() if way.misconceptions else ():
+            if _meets(answer, wanted, value) and (any(value) or _is_zero(answer, wanted)):
+                return Mistaken(sentence, way.earlier, nothing=not any(value))
     for way in ways:
         if way.earlier and _coarse(answer, wanted, question, way.values) > 1:
             return Follows(way.earlier)
+    if few:  # one figure says hardly more than a guess
+        return Slip(_("Rounded too far to tell: give three significant figures."), once=False, nothing=True)
     for way in _distinct(ways):
-        for value, sentence in chain(slips(way.values, question.unit), way.slips()):
-            if _meets(answer, wanted, value):
-                return Slip(sentence)
+        for value, sentence in slips(way.values, question.unit):
+            if any(value) and _meets(answer, wanted, value):
+                factor = value[0] / way.values[0] if len(value) == 1 and way.values[0] else 1.0
+                guess = _may_be_guessed(answer, question, value, way.values)
+                return Slip(sentence, nothing=guess, factor=float(f"{factor:.3g}"))
+        for value, sentence in way.slips() if way.slips else ():
+            if any(value) and _meets(answer, wanted, value):
+                return Slip(sentence, nothing=_may_be_guessed(answer, question, value, way.values))
     return Wrong(_hint(answer, wanted, question))
 
 
+def _may_be_guessed(answer: Numbers, question: Question, value: Values, target: Values) -> bool:
+    """Whether a slip in more than a sign fits a number of one digit, such as 1 or 100: so does many another."""
+    sizes: Sequence[float] = answer.sizes or (question.unit.si,) * len(answer.values)
+    digits = max(
+        len(f"{abs(x / size):.9e}".partition("e")[0].replace(".", "").rstrip("0"))
+        for x, size in zip(answer.values, sizes, strict=True)
+    )
+    return digits <= 1 and tuple(map(abs, value)) != tuple(map(abs, target))
+
+
 def _in_words(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
-    """A sign that was given as a direction in words: where the other sign would be right, a person looks at the words."""
-    verdict = judge_numbers(answer, wanted, question)
+    """Signs that were given in words: where others would be right for these, a person looks at the words."""
+    words, bare = answer.in_words, replace(answer, in_words=())
+    verdict = judge_numbers(bare, wanted, question)
     if isinstance(verdict, (Right, Follows)):
         return verdict
-    turned = replace(answer, values=tuple(-value for value in answer.values))
-    if not isinstance(judge_numbers(turned, wanted, question), (Right, Follows)):
+    turns = (turn for count in range(1, len(words) + 1) for turn in combinations(words, count))
+    signed = (
+        replace(bare, values=tuple(-x if place in turn else x for place, x in enumerate(answer.values)))
+        for turn in turns
+    )
+    if not any(isinstance(judge_numbers(each, wanted, question), (Right, Follows)) for each in signed):
         return verdict
     return Unmarked(
         _(
@@ -88,6 +114,11 @@ def _meets(answer: Numbers, wanted: Quantity, target: Values) -> bool:
     )
 
 
+def _is_zero(answer: Numbers, wanted: Quantity) -> bool:
+    """Whether it is 0 but for the noise of a calculation: a small number is none."""
+    return math.hypot(*answer.values) <= ROUNDING_NOISE * wanted.scale
+
+
 def _length(target: Values, wanted: Quantity) -> float:
     """What a tolerance is relative to: the length of the target, or the part's own scale where that is zero."""
     return math.hypot(*target) or wanted.scale
@@ -103,7 +134,9 @@ def _coarse(answer: Numbers, wanted: Quantity, question: Question, target: Value
     if not all(answer.figures):
         return 0
     enough = near * _length(target, wanted) if len(target) > 1 else 0.0
-    return coarse(answer.values, answer.figures, target, sizes, (enough,) * len(target))
+    counts = (answer.most, answer.figures) if answer.most else (answer.figures,)
+    found = (coarse(answer.values, count, target, sizes, (enough,) * len(target)) for count in counts)
+    return next(filter(None, found), 0)
 
 
 def _fits_misconception(
@@ -113,14 +146,15 @@ def _fits_misconception(
     return any(
         _coarse(answer, wanted, question, value)
         for way in ways[:1]
-        for value, _sentence in way.misconceptions()
+        for value, _sentence in (way.misconceptions() if way.misconceptions else ())
     )
 
 
 def _distinct(ways: Iterable[FollowThrough]) -> Iterable[FollowThrough]:
     first: dict[Values, FollowThrough] = {}
     for way in ways:
-        first.setdefault(way.values, way)
+        if way.slips:
+            first.setdefault(way.values, way)
     return first.values()
 
 

@@ -27,7 +27,8 @@ def machine(value: float, unit: Unit) -> Numbers | Unclear:
     digits = len(repr(value).replace(".", "").lstrip("-0").partition("e")[0].rstrip("0"))
     if value and value == int(value):
         digits = sure(digits, len(f"{abs(value):.0f}"))
-    return Numbers((value * unit.si,), (_typed(digits),), _with_unit(f"{value:.6g}", unit))
+    most = (2,) if digits == 1 else ()  # `0.20` is 0.2 for Python
+    return Numbers((value * unit.si,), (_typed(digits),), _with_unit(f"{value:.6g}", unit), most=most)
 
 
 def exact(value: Fraction, unit: Unit) -> Numbers:
@@ -46,8 +47,8 @@ def exact(value: Fraction, unit: Unit) -> Numbers:
 
 
 def sure(least: int, most: int) -> int:
-    """How many figures a number shows: 170 has two that are sure; 20, with one, was hardly rounded to tens."""
-    return least if least > 1 else most
+    """How many figures a number shows: zeros at the end of a whole number count as far as two, so 200 is 0.20 thousand."""
+    return max(least, min(most, 2))
 
 
 def _typed(digits: int) -> int:

@@ -1,24 +1,31 @@
-"""Numbers out of what a student handed in: one, or one for each component, each a machine number or a text with a unit."""
+"""One number out of what a student handed in: a machine number, or a text with a unit; else a formula."""
 
 from __future__ import annotations
 
 import math
 import re
 from dataclasses import replace
-from fractions import Fraction
-from itertools import product
 
 from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
-from corollary.answers.components import place_named
 from corollary.answers.formula import as_typed, dimension_in, fitting, formula, formulas, other_dimension
 from corollary.answers.machine_number import exact, machine, sure
-from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
+from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.question import Question
-from corollary.formula.ast import Expr, Number
 from corollary.formula.errors import ParseError, sentence
-from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
+from corollary.formula.value import (
+    Complex,
+    Exact,
+    Items,
+    Measured,
+    Named,
+    Nothing,
+    Real,
+    Refused,
+    Text,
+    Value,
+)
 from corollary.messages import catalogue
-from corollary.units.unit import ONE, Unit
+from corollary.units.unit import Unit
 
 _ = catalogue(__name__)
 
@@ -32,7 +39,7 @@ AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
 def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
     """One number in SI, or a formula of the givens when the text is one."""
     unit = question.unit
-    while isinstance(value, Items) and len(value.items) == 1:
+    while isinstance(value, (Items, Named)) and len(value.items) == 1:
         value = value.items[0]
     match value:
         case Nothing():
@@ -48,106 +55,26 @@ def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unc
                 _("this is a complex number; a measured quantity is real"), f"{real:g} + {imaginary:g}i"
             )
         case Measured(number, of):
-            return typed(f"{number!r} {of}", question)
+            return _measured(number, of, question)
         case Text(text):
             return typed(text, question)
-        case Items(items, _shape):
+        case Items(items) | Named(_, items):
             return Unclear(_("one number is asked for, not {count}", count=len(items)), _("a list"))
         case Refused():
             return turned_away(value)
 
 
+def _measured(number: float, its_unit: str, question: Question) -> Numbers | Formulas | Blank | Unclear:
+    """A quantity of the student's own library of units: its digits are those of a machine number."""
+    found, digits = typed(f"{number!r} {its_unit}", question), machine(number, question.unit)
+    if isinstance(found, Numbers) and isinstance(digits, Numbers):
+        return replace(found, figures=digits.figures, most=digits.most)
+    return digits if isinstance(digits, Unclear) else found
+
+
 def turned_away(value: Refused) -> Unclear:
     """A value from which no answer can be read; what is wrong with it is a predicate, `is a set`."""
     return Unclear(_("it {predicate}", predicate=value.why), value.excerpt)
-
-
-def vector(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
-    """As many numbers as there are components; texts may name theirs, and then stand in another order."""
-    count, names = len(question.components), ", ".join(question.components)
-    match value:
-        case Nothing():
-            return Blank()
-        case Text(text) if text.strip() in PLACEHOLDERS:
-            return Blank()
-        case Text(text):
-            return _in_one_text(text, question)
-        case Items((Text(length), Text(angle)), _shape) if count == 2 and _is_angle(angle, question.unit):
-            return vector(Text(f"{length} at {angle}"), question)
-        case Items(items, shape):
-            if all(isinstance(item, Nothing) for item in items):
-                return Blank()
-            items = _flat(items, count)
-            if any(isinstance(item, Items) and len(item.items) != 1 for item in items):
-                return Unclear(
-                    _(
-                        "a list of {count} numbers is asked for, [{names}], not a table of {sides}",
-                        count=count,
-                        names=names,
-                        sides=_(" by ").join(map(str, shape)),
-                    ),
-                    _("an array"),
-                )
-            if len(items) != count:
-                return Unclear(
-                    _(
-                        "{count} components are asked for, [{names}], not {given}",
-                        count=count,
-                        names=names,
-                        given=len(items),
-                    ),
-                    _("a list of {count}", count=len(items)),
-                )
-            return _together([scalar(item, question) for item in _in_order(items, question.components)])
-        case Refused():
-            return turned_away(value)
-        case _:
-            return Unclear(
-                _(
-                    "{count} components are asked for: write them as a list, [{names}]",
-                    count=count,
-                    names=names,
-                ),
-                _("one number"),
-            )
-
-
-def _in_one_text(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear:
-    count = len(question.components)
-    found = read_quantities(text, question.unit, count, question.components)
-    if not isinstance(found, ParseError):
-        return _together([_reading(each, question.unit) for each in found])
-    pieces = components_in(text, count, question.components)
-    each = [typed(piece, question) for piece in pieces] if isinstance(pieces, list) else []
-    if each and (found.status == "asked" or not any(isinstance(one, (Unclear, Blank)) for one in each)):
-        return _together(each)
-    return Unclear(sentence(found), as_typed(text))
-
-
-def _flat(items: tuple[Value, ...], count: int) -> tuple[Value, ...]:
-    """Lists within a list, and pairs in one text, opened where that gives the components one after the other."""
-    opened: list[Value] = []
-    for item in items:
-        match item:
-            case Items(inside, _) if len(items) != count:
-                opened += inside
-            case Text(text) if len(items) != count and count % len(items) == 0:
-                pieces = components_in(text, count // len(items))
-                opened += [Text(piece) for piece in pieces] if isinstance(pieces, list) else [item]
-            case _:
-                opened.append(item)
-    return tuple(opened) if len(opened) == count else items
-
-
-def _in_order(items: tuple[Value, ...], names: tuple[str, ...]) -> tuple[Value, ...]:
-    """Texts that name their components (`p_y = 4`), in the order asked for."""
-    places = [
-        place_named(item.text, names) if isinstance(item, Text) and "=" in item.text else None
-        for item in items
-    ]
-    if None in places or len(set(places)) != len(items):
-        return items
-    return tuple(item for _, item in sorted(zip(places, items, strict=True), key=lambda pair: pair[0] or 0))
 
 
 def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear:
@@ -157,7 +84,7 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
     unit = question.unit
     found = read_quantity(text, unit)
     if isinstance(found, Reading) and found.fit != "wrong dimension":
-        return _reading(found, unit)
+        return from_reading(found, unit)
     tree = formula(text, question)
     if isinstance(tree, ParseError) and tree.status == "asked":
         tree = fitting(text, question) or tree
@@ -167,7 +94,7 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
     if not isinstance(tree, ParseError):
         dimension = dimension_in(tree, question)
         if dimension == unit.dimension:
-            return formulas(tree)
+            return formulas(tree, typed=text)
         if isinstance(found, ParseError) or looks_like_one:
             why = (
                 sentence(dimension)
@@ -178,8 +105,9 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
     if isinstance(found, ParseError):
         if isinstance(tree, ParseError) and looks_like_one:
             return Unclear(sentence(tree), as_typed(text))
-        return Unclear(sentence(found), as_typed(text), meanings(found, text, unit))
-    return _reading(found, unit)
+        several = meanings(found, text, unit)
+        return Unclear(sentence(found), as_typed(text), several, benefit=bool(several))
+    return from_reading(found, unit)
 
 
 def meanings(trouble: ParseError, text: str, unit: Unit) -> tuple[Numbers, ...]:
@@ -194,22 +122,13 @@ def meanings(trouble: ParseError, text: str, unit: Unit) -> tuple[Numbers, ...]:
         for choice in trouble.choices
     )
     return tuple(
-        _reading(each, unit) for each in read if isinstance(each, Reading) and each.fit != "wrong dimension"
+        from_reading(each, unit)
+        for each in read
+        if isinstance(each, Reading) and each.fit != "wrong dimension"
     )
 
 
-def _is_angle(text: str, unit: Unit) -> bool:
-    """Whether a text is an angle where something else is asked for: then it is a direction."""
-    found = read_quantity(text, None)
-    return (
-        unit.dimension != ONE
-        and isinstance(found, Reading)
-        and found.unit is not None
-        and found.unit.text in ("deg", "rad")
-    )
-
-
-def _reading(found: Reading, unit: Unit) -> Numbers:
+def from_reading(found: Reading, unit: Unit) -> Numbers:
     ratio, pi = found.si
     try:
         value = float(ratio) * math.pi**pi
@@ -218,50 +137,6 @@ def _reading(found: Reading, unit: Unit) -> Numbers:
     size = (found.unit.si,) if found.unit is not None else ()
     missing = found.why if found.fit == "unit missing" else ""
     misfit = found.why if found.fit == "wrong dimension" else ""
-    polar = (_reading(found.polar[0], unit), _reading(found.polar[1], unit)) if found.polar else None
+    polar = (from_reading(found.polar[0], unit), from_reading(found.polar[1], unit)) if found.polar else None
     figures = (sure(found.least, found.figures),)
     return Numbers((value,), figures, found.as_read, missing, misfit, sizes=size, polar=polar)
-
-
-def _together(found: list[Numbers | Formulas | Blank | Unclear]) -> Numbers | Formulas | Blank | Unclear:
-    for each in found:
-        if isinstance(each, Unclear):
-            return replace(each, readings=_combined(found))
-    if any(isinstance(each, Blank) for each in found):
-        return Unclear(_("a component is missing"), ", ".join(each.as_read or "—" for each in found))
-    as_read = f"({', '.join(each.as_read for each in found)})"
-    numbers = [each for each in found if isinstance(each, Numbers)]
-    if len(numbers) == len(found):
-        values, figures = (
-            tuple(each.values[0] for each in numbers),
-            tuple(each.figures[0] for each in numbers),
-        )
-        missing = next((each.missing for each in numbers if each.missing and each.values[0] != 0), "")
-        sizes = tuple(size for each in numbers for size in each.sizes)
-        misfit = next((each.misfit for each in numbers if each.misfit), "")
-        sizes = sizes if len(sizes) == len(values) else ()
-        return Numbers(values, figures, as_read, missing, misfit, sizes=sizes, polar=numbers[0].polar)
-    trees = [_tree(each) for each in found]
-    return Formulas(tuple(trees), as_read)
-
-
-def _combined(found: list[Numbers | Formulas | Blank | Unclear]) -> tuple[Numbers, ...]:
-    """Every combination of what the components could mean; none when a component has no meaning at all, or there are too many."""
-    choices = [
-        each.readings if isinstance(each, Unclear) else (each,) if isinstance(each, Numbers) else ()
-        for each in found
-    ]
-    if math.prod(map(len, choices)) > 16:
-        return ()
-    together = (_together(list(each)) for each in product(*choices))
-    return tuple(each for each in together if isinstance(each, Numbers))
-
-
-def _tree(each: Numbers | Formulas | Blank | Unclear) -> Expr:
-    match each:
-        case Formulas(trees):
-            return trees[0]
-        case Numbers(values):
-            return Number(Fraction(values[0]))
-        case _:
-            raise AssertionError("blank and unclear components were turned away before")

@@ -6,7 +6,7 @@ import re
 
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
 ABOUT = (  # in English, and as German, French and Nordic students say
-    "about approx. approx approximately around roughly nearly circa cirka ca. ca c. etwa ungefähr rund env. environ omkring omtrent ungefär"
+    "about exactly approx. approx approximately around roughly nearly circa cirka ca. ca c. etwa ungefähr rund env. environ omkring omtrent ungefär"
 )
 TALK = (
     "the it its this that is was are be becomes equals answer ans. ans result value so thus hence therefore we get of in by to with momentum "
@@ -17,11 +17,19 @@ LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,�
 NAME = r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d][^\s=≈~+*/^();,:]{0,15}|\|[^\W\d][^\s|=]{0,8}\|"
 LEADING = (
     LABEL,
+    re.compile(r"I (?:get|got|find|found|have) ", re.IGNORECASE),
     re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(])\s*", re.IGNORECASE),
     re.compile(rf"(?:{NAME})\s*(?:[=≈](?!=)|[:~](?=\s*[-+0-9.,√(]))\s*"),
 )
 MINUS = re.compile(r"(?:minus|negative)\s+(?=[0-9.,])", re.IGNORECASE)
-ENDING = re.compile(r"[\s!;,]+$|(?<=[^0-9\s])\.$")
+REMARK = (
+    r"approx(?:\.|imately)?|about|roughly|circa|ca\.?|rounded|exactly|or so|(?:final )?answer|mean|average|impulse[^()0-9]*"
+    r"|[0-9] ?(?:s\.? ?f\.?|sig\.? ?figs?\.?|significant figures|figures)"
+)
+ENDING = re.compile(
+    rf"[\s!?;,]+$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+\(?(?:{REMARK})\)?$",
+    re.IGNORECASE,
+)
 SIDES = re.compile(r"[=≈]+\s*")
 NO_SIDE = re.compile(  # in `3 m/s with g = 9.8` what stands behind the last sign is not the answer
     r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b",

@@ -28,7 +28,7 @@ def preview_of(answer: Answer) -> Preview:
         case Unclear(why):
             return Preview(False, _("cannot be read: {why}", why=why))
         case Numbers(as_read=as_read) if remark := answer.misfit or answer.missing:
-            return Preview(False, _("read as {answer}: {remark}", answer=as_read, remark=remark))
+            return Preview(not answer.misfit, _("read as {answer}: {remark}", answer=as_read, remark=remark))
         case Numbers(figures=figures, as_read=as_read):
             count = figures[0] if len(set(figures)) == 1 else 0
             if not count:
@@ -42,15 +42,24 @@ def preview_of(answer: Answer) -> Preview:
             return Preview(True, read)
         case Formulas(_trees, as_read) | Letter(_trees, as_read):
             return Preview(True, _("read as {answer}", answer=as_read))
-        case Chain(lines):
-            equations = "; ".join(map(text, lines))
+        case Chain(steps):
             read = _.plural(
                 "read as {count} equation: {equations}",
                 "read as {count} equations: {equations}",
-                len(lines),
-                equations=equations,
+                len(steps),
+                equations="; ".join(text(step.relation) for step in steps),
             )
-            return Preview(True, read)
+            if own := ", ".join(step.defines for step in steps if step.defines):
+                read += "; " + _("letters of your own: {own}", own=own)
+            unknown = next((step for step in steps if step.undefined), None)
+            if unknown is None:
+                return Preview(True, read)
+            remark = _(
+                "{letter} in line {line} is no letter of the problem, and no line says what it is",
+                letter=unknown.undefined,
+                line=unknown.line,
+            )
+            return Preview(False, f"{read}: {remark}")
         case Prose():
             return Preview(True, _("will be read by a person"))
         case _:

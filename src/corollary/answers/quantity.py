@@ -10,11 +10,12 @@ from fractions import Fraction
 from typing import Literal
 
 from corollary.answers.arithmetic_answer import worked_out
-from corollary.answers.components import length_and_angle, pieces_of, without_preamble
+from corollary.answers.components import are_axes, in_one_line, length_and_angle, pieces_of, without_preamble
+from corollary.answers.number_words import in_digits, rest_is_zero
 from corollary.answers.preamble import SIDES, answer_in
-from corollary.formula.errors import ParseError, refused, sentence
+from corollary.formula.by_hand import by_hand
+from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
-from corollary.formula.tex import without_tex
 from corollary.messages import catalogue
 from corollary.units.table import UNSUGGESTED
 from corollary.units.unit import ONE, PURE, Unit, called, read_unit, show
@@ -23,6 +24,7 @@ _ = catalogue(__name__)
 
 MOST_SIDES = 5
 WORD = re.compile(r"[A-Za-z]+")
+PLURAL = re.compile(r"(?<![A-Za-z])[Kk]gs(?![A-Za-z])")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
 TWICE = re.compile(
@@ -55,8 +57,9 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
     """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    typed = without_tex(text)
+    typed = by_hand(text)
     normalized, skipped = answer_in(typed.translate(TO_ASCII))
+    normalized = in_digits(normalized, pure=expected is not None and expected.dimension == ONE)
     found = _number_and_unit(text, normalized, expected)
     if (
         skipped
@@ -141,7 +144,7 @@ def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
         if isinstance(unit, ParseError)
         else twice.groups()
         if twice
-        else ()
+        else (PLURAL.sub("kg", text),)
     )
     fitting = [
         each
@@ -182,13 +185,6 @@ def _placed(error: ParseError, skipped: int, *, rewritten: bool) -> ParseError:
     return error.without_place() if rewritten else error.moved(skipped)
 
 
-def describe(reading: Reading | ParseError) -> str:
-    """One line for the student: `read as 8.6 N s`, or what to do."""
-    if isinstance(reading, ParseError):
-        return _("not read: {why}", why=sentence(reading))
-    return _("read as {reading}", reading=reading.as_read) + (f": {reading.why}" if reading.why else "")
-
-
 def read_quantities(
     text: str, expected: Unit | None, count: int, names: Sequence[str] = ()
 ) -> tuple[Reading, ...] | ParseError:
@@ -219,10 +215,10 @@ def components_in(
     """The texts of the components, or those of a length and an angle."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    typed = without_tex(text)
+    typed = rest_is_zero(by_hand(in_one_line(text, count)))
     normalized, skipped = without_preamble(typed.translate(TO_ASCII))
     polar = length_and_angle(normalized)
-    if isinstance(polar, tuple) and count != 2:
+    if isinstance(polar, tuple) and not (count == 2 and are_axes(names)):
         return refused(_("a length and an angle give a vector in a plane only"))
     pieces = pieces_of(normalized, count, names) if polar is None else polar
     return _placed(pieces, skipped, rewritten=text != typed) if isinstance(pieces, ParseError) else pieces

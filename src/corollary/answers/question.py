@@ -22,7 +22,8 @@ class Symbol:
 class Question:
     """`name` is the variable that takes the answer; `types` its answer type, or `code` and `plot` together.
 
-    `components` name the members of a list, in order; `options` are the letters of a choice; `signature` is that of a
+    `components` name the members of a list, in order; `options` are the letters of a choice, `option_texts` what
+    stands beside them; `signature` is that of a
     function, `force(t, dt)`; `symbols` are the givens of the problem.
     """
 
@@ -33,6 +34,7 @@ class Question:
     title: str = ""
     components: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
+    option_texts: tuple[str, ...] = ()
     signature: str = ""
     symbols: tuple[Symbol, ...] = ()
 
@@ -66,6 +68,7 @@ class Question:
             "title": self.title,
             "components": self.components,
             "options": self.options,
+            "option_texts": self.option_texts,
             "signature": self.signature,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
@@ -82,6 +85,7 @@ class Question:
             data["title"],
             tuple(data["components"]),
             tuple(data["options"]),
+            tuple(data["option_texts"]),
             data["signature"],
             tuple(Symbol(name, unit(its_unit), meaning) for name, its_unit, meaning in symbols),
         )

@@ -16,7 +16,7 @@ SIGNATURE = re.compile(r"[A-Za-z_]\w*\([\w\s,]*\)$")
 
 
 def question_of(problem: Problem, part: Part) -> Question:
-    """A part as readers of answers see it."""
+    """A part as readers of answers see it, in the letters of the sheet that it was handed out on."""
     return Question(
         part.id,
         problem.answer_name(part),
@@ -25,8 +25,9 @@ def question_of(problem: Problem, part: Part) -> Question:
         part.title,
         part.components,
         tuple(option.letter for option in part.options),
+        tuple(option.text for option in part.options),
         part.signature,
-        _symbols(problem.givens),
+        _symbols(problem.givens) if not problem.renamed else _symbols_asked(problem),
     )
 
 
@@ -43,6 +44,13 @@ def _symbols(givens: tuple[Given, ...]) -> tuple[Symbol, ...]:
         found = givens, tuple(Symbol(given.symbol, given.unit, given.meaning) for given in givens)
         _SYMBOLS[id(givens)] = found
     return found[1]
+
+
+def _symbols_asked(problem: Problem) -> tuple[Symbol, ...]:
+    """As on the sheet: a given of today under a letter that meant another one there is not on it."""
+    asked = dict(problem.renamed)
+    there = [given for given in problem.givens if given.symbol in asked or given.symbol not in asked.values()]
+    return tuple(Symbol(asked.get(given.symbol, given.symbol), given.unit, given.meaning) for given in there)
 
 
 def checked(problem: Problem) -> Problem:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
+from corollary.answers.formula import with_remark
 from corollary.answers.quantity import Reading, in_si, read_quantity
-from corollary.formula.ast import Expr
+from corollary.formula.ast import Expr, Relation
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError, sentence
+from corollary.formula.symbols import RUN
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text as formula_text
 from corollary.units.unit import Dimension, Unit, called, canonical, read_unit, show
@@ -92,15 +94,17 @@ def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
 
 def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
     truth = _truth(case)
-    names = case.get("names") or (sorted(letters_of(truth) - {"pi"}) if truth is not None else None)
-    if not names or not all(isinstance(name, str) for name in names):
+    names: Any = case.get("names") or (sorted(letters_of(truth) - {"pi"}) if truth is not None else None)
+    given = cast("list[object]", names) if isinstance(names, list) else []
+    letters = [name.strip() for name in given if isinstance(name, str) and RUN.fullmatch(name.strip())]
+    if not given or len(letters) != len(given):
         raise BadCase('the letters of the formula must be named: "names": ["m", "v"] (or --names m,v)')
-    tree = parse(case["text"], [name.strip() for name in names])
+    tree = parse(case["text"], letters)
     if isinstance(tree, ParseError):
         return _trouble(tree)
     result = {
         "status": "ok",
-        "read": formula_text(tree),
+        "read": with_remark(formula_text(tree), case["text"]),
         "value": None,
         "unit": None,
         "figures": None,
@@ -167,9 +171,12 @@ def _truth(case: Mapping[str, Any]) -> Expr | None:
     if not isinstance(wanted, str):
         raise BadCase('"equals" must be a formula as text')
     try:
-        return author_formula(wanted)
+        truth = author_formula(wanted)
     except ValueError as error:
         raise BadCase(f"equals {wanted!r}: {error}") from None
+    if isinstance(truth, Relation):
+        raise BadCase(f'"equals": {wanted!r} compares two sides; give one formula')
+    return truth
 
 
 def _domain(case: Mapping[str, Any]) -> dict[str, tuple[float, float]]:

@@ -7,31 +7,47 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Right:
-    """The answer is right; `note` says what a good marker would add (coarse, an unusual form)."""
+    """The answer is right; `note` says what a good marker would add (coarse, an unusual form).
+
+    `leniently`: too few figures bring it near, or a slip that was paid for before.
+    """
 
     note: str = ""
+    leniently: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Follows:
-    """Right, given what the student found in earlier parts."""
+    """Right, given what the student found in earlier parts. `nothing`: it is only written down again, and earns nothing."""
 
     earlier: tuple[str, ...]
+    nothing: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Mistaken:
-    """A known misconception was at work; `earlier` names parts whose slips came along."""
+    """A known misconception was at work; `earlier` names parts whose slips came along.
+
+    `nothing`: it made the answer zero, which everybody can write down who has not begun, so that it earns nothing.
+    """
 
     mistake: str
     earlier: tuple[str, ...] = ()
+    nothing: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """A generic slip: sign, factor, power of ten, unit."""
+    """A generic slip: sign, factor, power of ten, unit. `once`: it costs once, as it does not where it leaves open what was meant.
+
+    `nothing`: a guess would do as well, so that it earns nothing. `factor`: by which the answer is off, where it is one number;
+    the sentence need not tell it, and another factor is another slip.
+    """
 
     slip: str
+    once: bool = True
+    nothing: bool = False
+    factor: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from corollary.answers.quantity import read_quantity
 from corollary.derive.solution import AppliedLaw, SolvedProof, SupposedValue
 from corollary.derive.statements import Mistake, Proof, Route, Supposed
-from corollary.formula.ast import Relation, substitute
+from corollary.formula.ast import Name, Relation, substitute
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import tree
+from corollary.formula.text import text
 from corollary.laws.law import Law, component
 from corollary.units.unit import Dimension, unit
 
@@ -34,11 +35,16 @@ def supposed_value(stated: Supposed) -> SupposedValue:
 
 
 def applied_proof(entry: Proof[Law]) -> SolvedProof:
+    """Raises ValueError where what is given sets no letter."""
     mistakes = tuple(
         Mistake(mistake.text, tuple(map(applied, mistake.rule)), mistake.line) for mistake in entry.mistakes
     )
     laws = tuple(map(applied, entry.laws))
-    return Proof(entry.statement, laws, applied(entry.target), entry.lines, mistakes)
+    given = tuple(map(applied, entry.given))
+    for equation in (equation for law in given for equation in law.here):
+        if not isinstance(equation.left, Name):
+            raise ValueError(f"{text(equation)} is given, but has no letter alone on its left")
+    return Proof(entry.statement, laws, applied(entry.target), entry.lines, mistakes, given)
 
 
 def applied_route(route: Route[Law]) -> Route[AppliedLaw]:

@@ -10,9 +10,33 @@ import sympy
 
 from corollary.derive.known import Point, at
 from corollary.derive.roots import NoRoot
+from corollary.derive.statements import Sentence
 from corollary.formula.from_sympy import tree
 from corollary.formula.latex import latex
 from corollary.laws.law import substitute
+from corollary.messages import N_
+
+# By whether the value is the largest, and where it is taken.
+FOUND = {
+    (True, "inside"): N_(
+        "Of the places where the slope vanishes ({flat}) and the ends {low} and {high} this gives the largest value: the slope vanishes there."
+    ),
+    (True, "end"): N_(
+        "Of the places where the slope vanishes ({flat}) and the ends {low} and {high} this gives the largest value: an end of the range, where the slope does not vanish."
+    ),
+    (True, "no slope"): N_(
+        "The slope vanishes nowhere; of the ends {low} and {high}, this gives the largest value."
+    ),
+    (False, "inside"): N_(
+        "Of the places where the slope vanishes ({flat}) and the ends {low} and {high} this gives the smallest value: the slope vanishes there."
+    ),
+    (False, "end"): N_(
+        "Of the places where the slope vanishes ({flat}) and the ends {low} and {high} this gives the smallest value: an end of the range, where the slope does not vanish."
+    ),
+    (False, "no slope"): N_(
+        "The slope vanishes nowhere; of the ends {low} and {high}, this gives the smallest value."
+    ),
+}
 
 
 def best(
@@ -21,8 +45,8 @@ def best(
     between: tuple[sympy.Expr, sympy.Expr],
     largest: bool,
     points: Sequence[Point],
-) -> tuple[sympy.Expr, str]:
-    """The place of the extremum and a line on how it was found. Raises NoRoot when it differs from point to point."""
+) -> tuple[sympy.Expr, Sentence]:
+    """The place of the extremum and a sentence on how it was found. Raises NoRoot when it differs from point to point."""
     known = {over, *(letter for point in points for letter in point.values)}
     if strange := {letter for formula in (goal, *between) for letter in formula.free_symbols} - known:
         raise NoRoot(f"the extremum over {over}: {', '.join(sorted(map(str, strange)))} has no value here")
@@ -49,17 +73,10 @@ def best(
             f"the extremum over {over} moves from {' to '.join(map(str, winners))} within the range of the givens"
         )
     place = winners.pop()
-    where = (
-        "the slope vanishes there"
-        if place in slope
-        else "it is an end of the range, where the slope does not vanish"
-    )
-    inside = ", ".join(f"${latex(tree(each))}$" for each in slope) or "none"
-    size = "largest" if largest else "smallest"
-    return place, (
-        f"Of the places where the slope vanishes ({inside}) and the ends ${latex(tree(low))}$ and ${latex(tree(high))}$, "
-        f"this one gives the {size} value: {where}."
-    )
+    flat = ", ".join(f"${latex(tree(each))}$" for each in slope)
+    holes = (("flat", flat), ("low", f"${latex(tree(low))}$"), ("high", f"${latex(tree(high))}$"))
+    where = "inside" if place in slope else "end" if slope else "no slope"
+    return place, Sentence(FOUND[largest, where], holes)
 
 
 def _between(place: sympy.Expr, between: tuple[sympy.Expr, sympy.Expr], point: Point) -> bool:

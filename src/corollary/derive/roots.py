@@ -10,11 +10,12 @@ from dataclasses import dataclass
 import sympy
 
 from corollary.derive.known import Point, Root, at
-from corollary.derive.statements import Exchange, Mistake, Rejected
+from corollary.derive.statements import Exchange, Mistake, Rejected, Sentence
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree
 from corollary.formula.latex import latex
 from corollary.laws.law import Law, sides, substitute, symbols
+from corollary.messages import N_
 
 
 class NoRoot(ValueError):
@@ -30,7 +31,7 @@ class Picked:
     """The root that is meant, and what is on record about the others."""
 
     root: Root
-    refused: tuple[str, ...]
+    refused: tuple[Sentence, ...]
 
 
 def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[sympy.Symbol]) -> list[Root]:
@@ -78,13 +79,16 @@ def pick(
     found: Sequence[Root], points: Sequence[Point], where: sympy.Basic | bool, rejected: Sequence[Rejected]
 ) -> Picked:
     """The one root that is real and fulfils `where` at every sample point. Raises NoRoot when none or several do."""
-    left, refused = [], []
+    left: list[Root] = []
+    refused: list[Sentence] = []
     for root in found:
         reason = next((entry.reason for entry in rejected if _is(root, entry.root)), None)
         if reason is not None:
-            refused.append(reason)
+            refused.append(Sentence(reason))
         elif not all(_real(root, point) for point in points):
-            refused.append(f"{_formula(root)} is not real for every value of the givens")
+            refused.append(
+                Sentence(N_("{root} is not real for every value of the givens"), (("root", _formula(root)),))
+            )
         else:
             left.append(root)
     for entry in rejected:
@@ -100,9 +104,10 @@ def pick(
                 f"where={where} holds for {_equations(root)} at some values of the givens and fails at others"
             )
         else:
-            refused.append(f"{_formula(root)} contradicts ${_condition(where)}$")
+            holes = (("root", _formula(root)), ("condition", f"${_condition(where)}$"))
+            refused.append(Sentence(N_("{root} contradicts {condition}"), holes))
     if not fitting:
-        raise NoRoot(f"no root is left: {'; '.join(refused)}")
+        raise NoRoot(f"no root is left: {'; '.join(each.spoken() for each in refused)}")
     if len(fitting) > 1:
         raise NoRoot(
             f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where= or reject="
@@ -150,7 +155,7 @@ def _formula(root: Root) -> str:
 
 def _condition(where: sympy.Basic | bool) -> str:
     if isinstance(where, sympy.And):
-        return r" \text{ and } ".join(map(_condition, where.args))
+        return r" \;\land\; ".join(map(_condition, where.args))
     try:
         return latex(relation(where))  # type: ignore[arg-type]
     except NoTree:

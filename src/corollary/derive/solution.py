@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from corollary.derive.statements import (
@@ -17,6 +17,7 @@ from corollary.derive.statements import (
     Printed,
     Proof,
     Route,
+    Sentence,
     Statement,
     Supposed,
 )
@@ -79,10 +80,10 @@ class Unknown:
     in_givens: tuple[Expr, ...] | None
     routes: tuple[SolvedRoute, ...]
     mistakes: tuple[Mistake[Rule], ...]
-    rejected: tuple[str, ...]
+    rejected: tuple[Sentence, ...]
     dimensions: tuple[Dimension, ...]
     scale: Expr | None
-    note: str
+    note: Sentence | None
 
     @property
     def part(self) -> str:
@@ -107,8 +108,19 @@ Unsolved = Code | Plot | Explain | Printed  # entries that are used as they stan
 
 
 @dataclass(frozen=True, slots=True)
+class Way:
+    """A way to a part that the author did not take: its components in givens and the letters of the `earlier` parts."""
+
+    earlier: tuple[str, ...]
+    trees: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Solution:
-    """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part."""
+    """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part.
+
+    `paths` are the ways to each part from the student's own answers to those asked before it.
+    """
 
     problem: Problem
     unknowns: tuple[Unknown, ...]
@@ -117,6 +129,7 @@ class Solution:
     proofs: Mapping[str, SolvedProof]
     entries: tuple[Unsolved, ...]
     neglected: tuple[SolvedNeglected, ...] = ()
+    paths: Mapping[str, tuple[Way, ...]] = field(default_factory=dict[str, tuple[Way, ...]])
 
     def answer(self, part: str) -> Unknown | None:
         """What answers a part."""

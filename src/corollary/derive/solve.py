@@ -14,6 +14,7 @@ from corollary.derive.known import Known, Root, at, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.parts import misfits, unsolved
+from corollary.derive.paths import with_paths
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
     Rule,
@@ -51,7 +52,7 @@ from corollary.units.unit import called, show
 
 def solve(bank: Bank, problem: Problem) -> Solution:
     """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
-    return _Solver(problem, load(bank, problem)).solution()
+    return with_paths(_Solver(problem, load(bank, problem)).solution())
 
 
 def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
@@ -148,7 +149,7 @@ class _Solver:
             rejected=picked.refused,
             dimensions=self.dimensions(entry, local.trees),
             scale=None if entry.scale is None else known.tree_in_givens(entry.scale),
-            note="",
+            note=None,
         )
 
     def optimum(self, entry: Optimum) -> Unknown:
@@ -196,7 +197,7 @@ class _Solver:
             rejected=(),
             dimensions=(self.problem.part(entry.statement.part).unit.dimension,) * len(entry.unknowns),
             scale=None,
-            note="",
+            note=None,
         )
 
     def route(self, entry: Step, route: Route[Law]) -> Rule:

@@ -10,12 +10,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
+from corollary.messages import catalogue
+
 if TYPE_CHECKING:  # what is solved already is used without any algebra, and sympy takes half a second to load
     import sympy
     from sympy.logic.boolalg import Boolean
 
     from corollary.laws.law import Law
 
+_ = catalogue(__name__)
 
 SOLUTION = "corollary_solution_"  # a solution's file is loaded as a module whose name begins so
 
@@ -62,6 +65,13 @@ class Remark:
 
 
 @dataclass(frozen=True, slots=True)
+class Doubt:
+    """What a judge cannot decide, in a sentence: a person will."""
+
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
 class Exchange:
     """`laws` take the place of the law named `instead`, or of the only one."""
 
@@ -85,6 +95,17 @@ class Route(Generic[LawT]):
     because: str
     laws: tuple[LawT, ...]
     line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """A sentence of a worked solution, found when the derivation is solved and spoken in the language of whoever reads it."""
+
+    message: str
+    holes: tuple[tuple[str, str], ...] = ()
+
+    def spoken(self) -> str:
+        return _(self.message, **dict(self.holes)) if self.message else ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,22 +193,27 @@ class Code:
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """What a figure must show: judged by its data, axes and labels. `judge` answers None, or what is missing."""
+    """What a figure must show: judged by its data, axes and labels. `judge` answers None, or what is missing.
+
+    `with_calls`: it is also handed what the part's function returned.
+    """
 
     statement: Statement
-    judge: Callable[..., Fault | None]
+    judge: Callable[..., Fault | Doubt | None]
     example: str
+    with_calls: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Proof(Generic[LawT]):
-    """A chain of equations, each following from the last: the first a law, the last the target."""
+    """An equation to be shown from laws, and one good way; `given` is what the question states besides."""
 
     statement: Statement
     laws: tuple[LawT, ...]
     target: LawT
     lines: tuple[str, ...]
     mistakes: tuple[Mistake[tuple[LawT, ...]], ...]
+    given: tuple[LawT, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

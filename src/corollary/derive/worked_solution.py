@@ -25,6 +25,7 @@ from corollary.problem.part import Part
 from corollary.problem.variant import Variant, number
 from corollary.units.unit import Unit, si_unit
 from corollary.units.unit import latex as unit_latex
+from corollary.units.unit import unit as unit_of
 
 _ = catalogue(__name__)
 _law_name = catalogue("corollary.laws")
@@ -32,6 +33,7 @@ _law_name = catalogue("corollary.laws")
 FIGURES = 4  # one more than students' numbers have, so that a value can be used again without rounding anew
 WIDEST = 75  # letters: about what fits on a line of A4 between the margins
 FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
+DEGREES = unit_of("deg")
 COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
 
 
@@ -64,7 +66,7 @@ def worked_solution(
 
 
 def _heading(part: Part) -> str:
-    return f"### ({part.id}) {part.title}"
+    return f"### ({part.heading_letter}) {part.title}"
 
 
 def _unknown(
@@ -74,9 +76,9 @@ def _unknown(
     for law in find.laws:
         lines += [_law(law), ""]
     if find.note:
-        lines += [find.note, ""]
+        lines += [find.note.spoken(), ""]
     for reason in find.rejected:
-        lines += [_("*Another root of these laws is refused:* {reason}.", reason=reason), ""]
+        lines += [_("*Another root of these laws is refused:* {reason}.", reason=reason.spoken()), ""]
     lines += _result(find, numbers, part, known)
     for route in find.routes:
         because, laws = route.stated.because, route.stated.laws
@@ -132,7 +134,8 @@ def _law(law: AppliedLaw) -> str:
     if here == [textbook]:
         return f"{title}:\n\n$${textbook}$$"
     equations = r" \qquad ".join(here) or "0 = 0"
-    return f"{title}:\n\n$${textbook}$$\n\n{_('Here:')}\n\n$${equations}$$"
+    here_is = _("Here:")
+    return f"{title}:\n\n$${textbook}$$\n\n{here_is}\n\n$${equations}$$"
 
 
 def _result(
@@ -144,14 +147,14 @@ def _result(
         answer = _quantity(value, unit)
         match find.local:
             case ClosedForms(trees):
-                steps = [letter(name), latex(trees[place])]
                 in_givens = find.in_givens[place] if find.in_givens else None
-                if in_givens is not None and in_givens != trees[place] and names(in_givens):
-                    steps.append(latex(in_givens))
-                if names(trees[place]) - {"pi"}:
-                    steps.append(latex(trees[place], known))
-                steps.append(answer)
-                lines += [*(f"$${line}$$" for line in broken(list(dict.fromkeys(steps)))), ""]
+                steps = [
+                    letter(name),
+                    *_algebra(trees[place], in_givens, known),
+                    answer,
+                    *_degrees(value, unit),
+                ]
+                lines += [*(f"$${line}$$" for line in broken(without_repetition(steps))), ""]
             case SceneOutcome(scene, _settings, observe):
                 lines += [f"$${letter(name)} = {answer}$$", ""]
                 if name == find.names[-1]:
@@ -162,6 +165,37 @@ def _result(
                     )
                     lines += [measured, ""]
     return lines
+
+
+def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> list[str]:
+    """What an unknown equals: by earlier unknowns, by givens alone, and with the numbers put in; nothing for a mere number."""
+    if isinstance(tree, Number):
+        return []
+    steps = [latex(tree)]
+    if in_givens is not None and in_givens != tree and names(in_givens):
+        steps.append(latex(in_givens))
+    if names(tree) - {"pi"}:
+        steps.append(latex(tree, known))
+    return steps
+
+
+def _degrees(value: float, unit: Unit) -> list[str]:
+    """An angle in degrees, too: so it is measured, and so it may be answered."""
+    return [_quantity(value, DEGREES)] if unit == unit_of("rad") else []
+
+
+def without_repetition(steps: list[str]) -> list[str]:
+    """A chain in which no side is the one before it in brackets: `(14.10) = 14.10` says nothing."""
+    found: list[str] = []
+    for step in steps:
+        if found and _bare(found[-1]) == _bare(step):
+            found.pop()
+        found.append(step)
+    return found
+
+
+def _bare(step: str) -> str:
+    return re.sub(r"\\left|\\right|[() ]", "", step)
 
 
 def broken(steps: list[str]) -> list[str]:
@@ -186,7 +220,8 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     """Choices, examples, proofs, programs and explanations."""
     lines: list[str] = []
     if part.id in solution.choices:
-        lines += [f"**({letters[part.id]})** {solution.choices[part.id].statement.because}"]
+        letter = f"**({letters[part.id].upper()})** " if letters.get(part.id) else ""
+        lines += [f"{letter}{solution.choices[part.id].statement.because}"]
     if part.id in solution.examples:
         example = solution.examples[part.id]
         lines += [example.statement.because, "", *(_law(law) + "\n" for law in example.laws)]
@@ -197,7 +232,7 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     if part.id in solution.proofs:
         proof = solution.proofs[part.id]
         lines += [proof.statement.because, "", *(_law(law) + "\n" for law in proof.laws)]
-        lines += [f"{_('To show:')}\n\n$${latex(proof.target.here[0])}$$", "", _("One way:"), ""]
+        lines += [_("To show:"), "", f"$${latex(proof.target.here[0])}$$", "", _("One way:"), ""]
         lines += [f"$${latex(author_formula(line))}$$\n" for line in proof.lines]
     for entry in solution.entries:
         match entry:

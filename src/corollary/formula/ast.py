@@ -125,6 +125,14 @@ def names(tree: Expr) -> frozenset[str]:
     return frozenset(node.name for node in walk(tree) if isinstance(node, Name))
 
 
+def folded(tree: Expr, meaning: Mapping[str, Expr]) -> Expr:
+    """The same formula with a letter in place of every part that is its meaning, word for word: the opposite of `substitute`."""
+    name = next((name for name, part in meaning.items() if part == tree), None)
+    if name is not None:
+        return Name(name)
+    return rebuilt(tree, tuple(folded(part, meaning) for part in children(tree)))
+
+
 def substitute(tree: Expr, meaning: Mapping[str, Expr]) -> Expr:
     """The same formula with letters replaced; nothing is simplified."""
     if isinstance(tree, Name):

@@ -78,7 +78,7 @@ class Function:
 
 FUNCTIONS: dict[str, Function] = {}
 SPELLINGS: dict[str, str] = {}
-"""What may be typed, and which function is meant; `log` is missing because it may be ln or log10."""
+"""What may be typed, and which function is meant: `log` is the natural logarithm, as in numpy and sympy."""
 
 
 def register(row: Function) -> Function:
@@ -157,6 +157,7 @@ for _row in (
         "abs",
         math.fabs,
         lambda x: abs(x),
+        spellings=("Abs", "fabs", "absolute"),
         exact=lambda x: RationalPi(abs(x.ratio), x.pi),
         dimension=1,
         slope=1,
@@ -238,7 +239,14 @@ for _row in (
     ),
     Function("exp", math.exp, lambda x: x.exp(), exact=_at(0, ONE), derivatives=("exp(x)",), tex="e^{#}"),
     Function(
-        "ln", math.log, _logarithm, exact=_at(1, NOTHING), derivatives=("1/x",), sympy="log", array="log"
+        "ln",
+        math.log,
+        _logarithm,
+        spellings=("log", "Ln", "Log"),
+        exact=_at(1, NOTHING),
+        derivatives=("1/x",),
+        sympy="log",
+        array="log",
     ),
     Function(
         "log10",
@@ -261,6 +269,7 @@ for _row in (
         min,
         lambda x, y: x.min(y),
         2,
+        spellings=("Min", "minimum"),
         exact=smallest,
         dimension=1,
         slope=1,
@@ -273,6 +282,7 @@ for _row in (
         max,
         lambda x, y: x.max(y),
         2,
+        spellings=("Max", "maximum"),
         exact=largest,
         dimension=1,
         slope=1,

@@ -108,7 +108,7 @@ def unsigned(text: str, at: int) -> tuple[Written, int] | ParseError:
         return power
     whole, _point, decimals = digits.partition(".")
     significant = (whole + decimals).lstrip("0")
-    least = len(significant) if decimals or digits.endswith(".") else len(significant.rstrip("0"))
+    least = len(significant) if decimals else len(significant.rstrip("0"))
     value = Fraction(int(whole + decimals or "0"), 10 ** len(decimals)) * Fraction(10) ** power
     return Written(value, max(len(significant), 1), max(least, 1)), ten.end() if ten else end
 
@@ -123,6 +123,7 @@ def _exponent(found: re.Match[str]) -> int | ParseError:
 def _with_one_point(body: str, at: int, *, scientific: bool) -> str | ParseError:
     """The digits with one point or none; a comma is a decimal comma unless it may part thousands."""
     body = body.replace(" ", "").replace("'", "")
+    body = body.removesuffix(".") if body[0] not in ".," else body  # a point at the end ends a sentence
     marks = [mark for mark in body if mark in ".,"]
     if not marks or marks == ["."]:
         return body

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from corollary.formula.abbreviations import applied, arity, of_angle
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.degrees import degrees
 from corollary.formula.errors import ParseError, ambiguous
 from corollary.formula.exact import constant
-from corollary.formula.functions import FUNCTIONS
 from corollary.formula.lexer import LARGEST_EXPONENT, Token
 from corollary.formula.line import Lean, Line, Stop, ask, refuse, unexpected
 from corollary.formula.text import text
@@ -204,15 +204,17 @@ def _call(line: Line, token: Token) -> Expr:
     if start.kind == "sign" and start.text == "^":
         power = _power_of_function(line, function)
     if line.next.kind == "open":
-        call = Call(function, _arguments(line, function))
+        call = applied(function, _arguments(line, function))
     elif line.student:
-        call = Call(function, (_bare_argument(line, function),))
+        call = applied(function, (_bare_argument(line, function),))
     else:
         refuse(
             _("{function} needs brackets", function=function),
             line.next.at,
             _("write {function}(…)", function=function),
         )
+    if isinstance(call, Power):  # `pow(9, pow(9, 9))` is as large as 9^9^9
+        call = _power(call.base, call.exponent, token)
     return call if power is None else Power(call, power)
 
 
@@ -222,7 +224,7 @@ def _power_of_function(line: Line, function: str) -> Expr:
     if line.next.kind == "sign" and line.next.text == "-":
         choices = (
             (f"arc{function}(…)", f"1/{function}(…)")
-            if FUNCTIONS[function].angle
+            if of_angle(function)
             else (f"1/{function}(…)", f"{function}(…)")
         )
         raise Stop(
@@ -240,8 +242,8 @@ def _power_of_function(line: Line, function: str) -> Expr:
 def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
     opened = line.take()
     found = [_formula(line, 0)]
-    wanted = FUNCTIONS[function].arity
-    while line.next.kind == "comma" and wanted > 1:
+    wanted = arity(function)
+    while line.next.kind == "comma" and (wanted > 1 or function == "ln"):
         line.take()
         found.append(_formula(line, 0))
     if line.next.kind == "end":
@@ -249,7 +251,7 @@ def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
     if line.next.kind != "close":
         unexpected(line)
     line.take()
-    if len(found) != wanted:
+    if len(found) != wanted and not (function == "ln" and len(found) == 2):
         refuse(
             _(
                 "{function} takes {wanted} numbers, not {given}",
@@ -265,7 +267,7 @@ def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
 def _bare_argument(line: Line, function: str) -> Expr:
     """`sin θ`, `sin 2θ`, `√2`: one factor, and nothing behind it that could belong to it as well."""
     token, start = line.next, line.at
-    if token.kind not in ("number", "name", "e") or FUNCTIONS[function].arity != 1:
+    if token.kind not in ("number", "name", "e") or arity(function) != 1:
         refuse(
             _("{function} needs brackets", function=function),
             token.at,
@@ -275,7 +277,7 @@ def _bare_argument(line: Line, function: str) -> Expr:
     if line.next.kind == "degree":
         line.take()
         argument = degrees(argument)
-    if token.kind == "number" and line.next.kind == "name" and line.next.tight and FUNCTIONS[function].angle:
+    if token.kind == "number" and line.next.kind == "name" and line.next.tight and of_angle(function):
         argument = Product((argument, _first(line, FACTOR)))
     behind = line.next
     if behind.kind in ("number", "name", "e", "open") or (behind.kind == "sign" and behind.text in "/^"):

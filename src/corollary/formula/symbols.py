@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
+from corollary.formula.abbreviations import function_words
 from corollary.formula.errors import ParseError, ambiguous, refused
-from corollary.formula.functions import SPELLINGS
+from corollary.formula.misspelt import one_apart
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
@@ -32,6 +33,7 @@ RUN = re.compile(
     rf"[{LETTER}](?:[{LETTER}0-9{''.join(LOWERED)}]|_\{{[{LETTER}0-9, ]{{1,12}}\}}|_(?=[{LETTER}0-9]))*"
 )
 LONGEST_RUN = 60
+INVERSE = frozenset({"asin", "acos", "atan", "asinh", "acosh", "atanh"})
 
 
 Word = Literal["name", "function", "e", "degree"]
@@ -58,13 +60,14 @@ class Letters:
 
 def letters(names: frozenset[str]) -> Letters:
     """The letters of an exercise. A spelling that could mean two of them stands for neither, unless it is one of the names."""
-    return _letters(names, tuple(SPELLINGS))  # with the functions, of which a plug-in may bring more
+    return _letters(names, tuple(function_words()))  # with the functions, of which a plug-in may bring more
 
 
 @lru_cache(maxsize=256)
 def _letters(names: frozenset[str], functions: tuple[str, ...]) -> Letters:
     exact: dict[str, Meaning] = {"pi": ("name", "pi")}
-    exact |= {typed: ("function", SPELLINGS[typed]) for typed in functions}
+    known = function_words()
+    exact |= {typed: ("function", known[typed]) for typed in functions}
     exact |= _unshared((spelling, name) for name in names for spelling in _spellings(name))
     exact |= {key: ("name", name) for name in names for key in (name, name.replace("_", ""))}
     if "e" not in names:
@@ -114,8 +117,6 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
             )
             or pieces
         )
-    if latin.startswith("log"):
-        return ambiguous(_("log can be the natural or the decimal logarithm"), at, "ln(…)", "log10(…)")
     return refused(
         _("{run} is not among the letters here ({letters})", run=run, letters=", ".join(sorted(known.names))),
         at,
@@ -124,7 +125,7 @@ def read_run(run: str, at: int, known: Letters) -> list[Piece] | ParseError:
 
 
 def _two_meanings(name: str, at: int, known: Letters) -> ParseError | None:
-    if name in ("asin", "acos", "atan") and "a" in known.names:
+    if name in INVERSE and "a" in known.names:
         return ambiguous(
             _("{name} can be an inverse function, or a times {function}", name=name, function=name[1:]),
             at,
@@ -212,15 +213,8 @@ def _near(latin: str, known: Letters) -> str:
     for key, (kind, name) in sorted(known.exact.items()):
         if kind == "name" and sorted(key.lower()) == sorted(latin.lower()):  # V for v, v0A for vA0
             return _("did you mean {near}?", near=name)
-    near = sorted(key for key in known.exact if abs(len(key) - len(latin)) <= 1 and _one_apart(key, latin))
+    near = sorted(key for key in known.exact if abs(len(key) - len(latin)) <= 1 and one_apart(key, latin))
     near = [key for key in near if key[0] == latin[0]] or [key for key in near if len(key) > 2]
     if near:
         return _("did you mean {near}?", near=known.exact[near[0]][1])
     return _("use only the letters of the exercise")
-
-
-def _one_apart(left: str, right: str) -> bool:
-    """Whether one letter put in, left out or exchanged makes them equal."""
-    short, long = sorted((left, right), key=len)
-    same = next((place for place, (a, b) in enumerate(zip(short, long, strict=False)) if a != b), len(short))
-    return short[same + (len(short) == len(long)) :] == long[same + 1 :]

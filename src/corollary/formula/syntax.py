@@ -6,16 +6,16 @@ import re
 from collections.abc import Iterable
 from functools import partial
 
+from corollary.formula.abbreviations import function_words
 from corollary.formula.ast import Expr
+from corollary.formula.by_hand import by_hand
 from corollary.formula.degrees import in_degrees
 from corollary.formula.errors import ParseError, refused, sentence
-from corollary.formula.functions import SPELLINGS
 from corollary.formula.lexer import LONGEST, MOST_TOKENS, tokens
 from corollary.formula.line import Lean
 from corollary.formula.numerals import TO_ASCII
 from corollary.formula.parser import formula
 from corollary.formula.symbols import APART, RUN, Piece, letters, read_run
-from corollary.formula.tex import without_tex
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
@@ -33,7 +33,7 @@ def parse(
     """
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    if (typed := without_tex(text)) != text:
+    if (typed := by_hand(text)) != text:
         tree = parse(typed, names, degrees=degrees, left=left, lean=lean)
         return tree.without_place() if isinstance(tree, ParseError) else tree
     found = LEFT.match(text.translate(TO_ASCII))
@@ -72,10 +72,8 @@ def author_formula(text: str, names: Iterable[str] | None = None) -> Expr:
 def _author_run(run: str, at: int, declared: frozenset[str] | None) -> list[Piece] | ParseError:
     if declared is not None and run in declared:
         return [Piece("name", run, at)]
-    if run in SPELLINGS:
-        return [Piece("function", SPELLINGS[run], at)]
-    if run == "log":
-        return refused(_("log can be the natural or the decimal logarithm"), at, _("write ln or log10"))
+    if run in (known := function_words()):
+        return [Piece("function", known[run], at)]
     if declared is None or run == "pi":
         return [Piece("name", run, at)]
     return refused(

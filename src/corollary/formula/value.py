@@ -55,6 +55,14 @@ class Items:
 
 
 @dataclass(frozen=True, slots=True)
+class Named:
+    """A dictionary: a value for each of its names."""
+
+    names: tuple[str, ...]
+    items: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Refused:
     """A value no answer can be read from; `why` is a predicate (`is a set`), `excerpt` a short picture of it."""
 
@@ -62,4 +70,4 @@ class Refused:
     excerpt: str = ""
 
 
-Value = Nothing | Real | Exact | Complex | Text | Measured | Items | Refused
+Value = Nothing | Real | Exact | Complex | Text | Measured | Items | Named | Refused

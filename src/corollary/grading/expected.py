@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 
-from corollary.answers.evaluation import as_exact
+from corollary.answers.evaluation import as_exact, number
 from corollary.answers.expected import (
     Claim,
     Expected,
@@ -21,15 +23,17 @@ from corollary.answers.questions import question_of
 from corollary.answers.verdict import Verdict
 from corollary.derive.solution import AppliedLaw
 from corollary.derive.statements import Explain
-from corollary.formula.ast import Name
+from corollary.formula.ast import Name, Relation
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.follow_through import consequences
 from corollary.grading.key import Key, Truth, named
 from corollary.grading.misconceptions import slips_of_input, wrong_formulas, wrong_values
 from corollary.grading.replay import replay
+from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import sample
+from corollary.units.unit import Dimension
 
 POINTS = 6  # variants at which the lines of a proof are tried
 
@@ -44,14 +48,20 @@ def expected_of(
     truth = key.truths.get(part.id)
     letter = key.choices.get(part.id)
     return Expected(
-        question_of(key.variant.problem, part),
+        question_of(replace(key.variant.problem, renamed=()), part),
         None if truth is None else _quantity(key, truth, earlier or {}),
-        None if letter is None else RightOption(letter, key.solution.choices[part.id].mistakes),
+        None if letter is None else RightOption(letter, _overlooked(key, part)),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
         _rubric(key, part.id) if truth is None else (),
         runs or {},
     )
+
+
+def _overlooked(key: Key, part: Part) -> Mapping[str, str]:
+    """What each wrong option overlooks, by its letter on the sheet."""
+    mistakes = key.solution.choices[part.id].mistakes
+    return {part.letter_asked(letter): text for letter, text in mistakes.items()}
 
 
 def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity:
@@ -71,12 +81,15 @@ def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity
 
 def _follow_through(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Iterator[FollowThrough]:
     for each in consequences(key, truth, earlier):
-        yield FollowThrough(
-            each.values,
-            each.earlier,
-            partial(wrong_values, key, truth, each),
-            partial(slips_of_input, key, truth, each),
-        )
+        if each.what_if is None:
+            yield FollowThrough(each.values, each.earlier)
+        else:
+            yield FollowThrough(
+                each.values,
+                each.earlier,
+                partial(wrong_values, key, truth, each.what_if),
+                partial(slips_of_input, key, truth, each.what_if),
+            )
 
 
 def _requirement(key: Key, part: str) -> Requirement:
@@ -95,7 +108,9 @@ def _claim(key: Key, part: str) -> Claim:
         tuple(equation for law in proof.laws for equation in law.here),
         proof.target.here[0],
         tuple((law.here[0], mistake.text) for mistake in proof.mistakes for law in mistake.rule),
-        partial(lawful_points, key),
+        partial(lawful_points, key, [equation for law in proof.given for equation in law.here]),
+        tuple(equation for law in proof.given for equation in law.here),
+        partial(domain, key.variant.problem),
     )
 
 
@@ -105,12 +120,22 @@ def _rubric(key: Key, part: str) -> tuple[str, ...]:
     return next((entry.rubric for entry in entries if entry.statement.part == part), ())
 
 
-def lawful_points(key: Key) -> list[Point]:
-    """Givens drawn anew, with everything found for them: points where every law of the derivation holds."""
+def lawful_points(key: Key, given: Sequence[Relation] = ()) -> list[Point]:
+    """Givens drawn anew, with everything found for them: points where every law of the derivation holds.
+
+    What is given besides, such as `mB = mA`, sets the letter on its left.
+    """
     solution, points = key.solution, list[Point]()
-    for variant in sample(key.variant.problem, POINTS, salt="proof"):
+    for place, variant in enumerate(sample(key.variant.problem, POINTS, salt="proof")):
+        drawn = {
+            given.symbol: _off_the_grid(given, variant.exact[given.symbol], 10 * place + 1 + which)
+            for which, given in enumerate(key.variant.problem.givens)
+        }
         try:
-            values = replay(solution, variant.exact)
+            for equation in given:
+                assert isinstance(equation.left, Name)  # derive.applied sees to it
+                drawn[equation.left.name] = as_exact(number(equation.right, drawn))
+            values = replay(solution, drawn)
         except Undefined:
             continue
         found = {
@@ -118,8 +143,14 @@ def lawful_points(key: Key) -> list[Point]:
             for find, numbers in zip(solution.unknowns, values, strict=True)
             for name, value in zip(find.names, numbers, strict=True)
         }
-        points.append(variant.exact | found)
+        points.append(drawn | found)
     return points
+
+
+def _off_the_grid(given: Given, value: RationalPi, place: int) -> RationalPi:
+    """A little smaller, each by another share, so that no two givens are equal by chance; a count stays what it is."""
+    counted = given.unit.dimension == Dimension() and given.grid.step.denominator == 1
+    return value if counted else RationalPi(value.ratio * (1 - Fraction(place, 100_003)), value.pi)
 
 
 def domain(problem: Problem) -> Mapping[str, tuple[float, float]]:

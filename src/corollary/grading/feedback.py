@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import assert_never
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
@@ -9,7 +10,7 @@ from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
 from corollary.messages import catalogue
 from corollary.problem.part import Part
-from corollary.units.unit import show
+from corollary.units.unit import ONE, show, unit
 
 _ = catalogue(__name__)
 
@@ -19,6 +20,11 @@ def sentence(verdict: Verdict) -> str:
     match verdict:
         case Right(note):
             return note or _("Right.")
+        case Follows(earlier, True):
+            return _(
+                "This is your answer in {parts} again, and that answer is not right: it earns nothing a second time.",
+                parts=_parts(earlier),
+            )
         case Follows(earlier):
             return _(
                 "This follows correctly from your answer in {parts}, though that answer is not right.",
@@ -44,18 +50,23 @@ def sentence(verdict: Verdict) -> str:
             assert_never(verdict)
 
 
-def revealed(key: Key, part: Part) -> str:
-    """The answer in words, for feedback that may show it; empty where a part has none."""
+def revealed(key: Key, part: Part, answered: str = "") -> str:
+    """The answer in words, for feedback that may show it, an angle in degrees where it was answered so; empty where a part has none."""
     if part.id in key.choices:
-        return _("The answer is ({letter}).", letter=key.choices[part.id])
+        if not key.choices[part.id]:
+            return ""
+        return _("The answer is ({letter}).", letter=key.choices[part.id].upper())
     truth = key.truths.get(part.id)
     if truth is None:
         return ""
-    size = part.unit.si
+    asked = part.unit
+    if asked.dimension == ONE and ("°" in answered or re.search(r"\bdeg", answered)):
+        asked = unit("deg")
+    size = asked.si
     numbers = [decimal_text(value / size, 4) for value in truth.values]
-    unit = show(part.unit)
+    sign = show(asked)
     body = numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
-    return _("The answer is {answer}.", answer=f"{body} {unit}" if unit else body)
+    return _("The answer is {answer}.", answer=f"{body} {sign}" if sign else body)
 
 
 def _parts(earlier: tuple[str, ...]) -> str:

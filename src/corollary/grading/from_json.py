@@ -7,16 +7,19 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import cast
 
-from corollary.formula.value import Exact, Items, Nothing, Real, Refused, Text, Value
+from corollary.formula.value import Exact, Items, Named, Nothing, Real, Refused, Text, Value
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
 
 
 def from_json(answer: object) -> Value:
-    """A JSON value (or None, number, text, list of these) as inert data."""
+    """A JSON value (or None, number, text, list or object of these) as inert data."""
     match answer:
         case None:
             return Nothing()
         case bool():
-            return Refused("is true or false, not a number", str(answer))
+            return Refused(_("is true or false, not a number"), str(answer))
         case int():
             return Exact(Fraction(answer))
         case Fraction():
@@ -32,8 +35,11 @@ def from_json(answer: object) -> Value:
                 shapes.pop() if len(shapes) == 1 and all(isinstance(item, Items) for item in items) else ()
             )
             return Items(items, (len(items), *inner))
+        case dict() if answer:
+            named = cast("dict[str, object]", answer)
+            return Named(tuple(map(str, named)), tuple(map(from_json, named.values())))
         case _:
-            return Refused("is of a kind that no answer has", type(answer).__name__)
+            return Refused(_("is of a kind that no answer has"), type(answer).__name__)
 
 
 def finite(value: float) -> float | str:

@@ -7,15 +7,20 @@ from collections.abc import Mapping
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Prose, Unclear
 from corollary.answers.expected import Expected, Values
 from corollary.answers.judge_formulas import values_of
+from corollary.answers.letters import in_letters
+from corollary.answers.questions import question_of
 from corollary.answers.registry import BUILT_IN, answer_type, judging
 from corollary.answers.verdict import Follows, Right, Slip, Unmarked, Unread, Verdict
 from corollary.formula.value import Nothing, Value
 from corollary.grading.expected import expected_of
+from corollary.grading.follow_through import same_as
+from corollary.grading.guesses import for_nothing, one_number, own_work, repeated
 from corollary.grading.key import Key
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import verdicts_on_runs
 from corollary.messages import catalogue
 from corollary.problem.part import Part
+from corollary.problem.problem import Problem
 
 _ = catalogue(__name__)
 
@@ -32,7 +37,8 @@ def judge(
 ) -> dict[str, tuple[tuple[Verdict, ...], str]]:
     """The verdicts of each part, and how the answer was read. A part of two types (code and plot) has two verdicts."""
     earlier: dict[str, Values] = {}
-    slips: set[str] = set()
+    slips: set[tuple[str, float]] = set()
+    typed: dict[str, float] = {}
     result: dict[str, tuple[tuple[Verdict, ...], str]] = {}
     for part in key.variant.problem.parts:
         run = (programs or {}).get(part.id, NOTHING_RAN)
@@ -40,7 +46,7 @@ def judge(
         expected = expected_of(key, part, earlier, runs)
         value = answers.get(part.id, Nothing())
         try:
-            answer = read(part, value, expected)
+            answer = read(part, value, expected, key.variant.problem)
             verdicts = tuple(verdict_on(name, answer, expected) for name in part.answer_types)
         except (
             Exception
@@ -48,19 +54,30 @@ def judge(
             if set(part.answer_types) <= set(BUILT_IN):
                 raise
             answer, verdicts = Blank(), tuple(_failed(name, error) for name in part.answer_types)
-        result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.as_read
         values = values_in(answer, expected)
+        again = same_as(key.solution, key.truths[part.id].place) if part.id in key.truths else ""
+        verdicts = tuple(own_work(verdict, values, earlier, again) for verdict in verdicts)
+        result[part.id] = tuple(_once(verdict, slips) for verdict in verdicts), answer.as_read
         if values is not None:
             earlier[part.id] = values
+        if isinstance(answer, Numbers):
+            typed[part.id] = one_number(answer, part)
+    for part in repeated(typed, {part: verdicts for part, (verdicts, _answer) in result.items()}):
+        verdicts, as_read = result[part]
+        result[part] = tuple(map(for_nothing, verdicts)), as_read
     return result
 
 
-def read(part: Part, value: Value, expected: Expected) -> Answer:
-    """The answer to a part; of a function or a figure its signature, for it is judged by what it does when run."""
+def read(part: Part, value: Value, expected: Expected, problem: Problem) -> Answer:
+    """The answer to a part, in the letters of today; of a function or a figure its signature, for it is judged by what it does
+    when run."""
     its_type = answer_type(part.answer_type)
     if its_type.found_in in ("function", "figure"):
         return Prose(part.signature)
-    return its_type.read(value, expected.question)
+    if not problem.renamed:
+        return its_type.read(value, expected.question)
+    meant = {asked: today for today, asked in problem.renamed}
+    return in_letters(its_type.read(value, question_of(problem, part)), meant)
 
 
 def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
@@ -68,9 +85,15 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
     match answer:
         case Blank():
             return Unread(_("No answer was given."), blank=True)
-        case Unclear(why, _excerpt, readings):
-            if any(isinstance(verdict_on(name, each, expected), Right | Follows) for each in readings):
-                reason = f"{why[0].upper()}{why[1:]}."
+        case Unclear(why, _excerpt, readings, benefit):
+            verdicts = (verdict_on(name, each, expected) for each in readings)
+            right = next((each for each in verdicts if isinstance(each, Right | Follows)), None)
+            reason = f"{why[0].upper()}{why[1:]}."
+            if isinstance(right, Right) and benefit:
+                return Right(_("Taken as the number that is right. ({reason})", reason=reason))
+            if right is not None and benefit:
+                return right
+            if right is not None:
                 return Unmarked(
                     _(
                         "This can be read in two ways, and one of them is right: a person will decide. ({reason})",
@@ -107,13 +130,17 @@ def values_in(answer: Answer, expected: Expected) -> Values | None:
             return None
 
 
-def _once(verdict: Verdict, slips: set[str]) -> Verdict:
-    """The same generic slip costs once: met again, it is pointed out and forgiven."""
+def _once(verdict: Verdict, slips: set[tuple[str, float]]) -> Verdict:
+    """The same generic slip costs once: met again, it is pointed out and forgiven; but for one that a guess makes as well."""
     match verdict:
-        case Slip(slip) if slip in slips:
-            return Right(_("{slip} (The same slip as before; it costs only once.)", slip=slip))
-        case Slip(slip):
-            slips.add(slip)
+        case Slip(once=False) | Slip(nothing=True):
+            return verdict
+        case Slip(slip, factor=factor) if (slip, factor) in slips:
+            return Right(
+                _("{slip} (The same slip as before; it costs only once.)", slip=slip), leniently=True
+            )
+        case Slip(slip, factor=factor):
+            slips.add((slip, factor))
             return verdict
         case _:
             return verdict

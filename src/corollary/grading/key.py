@@ -6,16 +6,18 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from corollary.answers.evaluation import as_exact, number
+from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
-from corollary.derive.solution import SceneOutcome, Solution, Unknown
-from corollary.formula.ast import Relation
-from corollary.formula.ball import RationalPi, Undefined, certified, holds
+from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
+from corollary.formula.ast import Relation, names
+from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
 from corollary.grading.replay import compute, simulated
 from corollary.grading.rounding import LEAST, MOST, noise_of
 from corollary.problem.variant import Variant
 
 MARGIN = 1.25  # beyond the largest of a few dozen random roundings there are rarer ones
+MAGNIFIED = 1024.0  # how much further than rounding does settings are moved to see what rounding does
+LEAST_ROUNDING = 1e-12  # relative: of what cannot be looked at closer
 TINY = 1e-9  # of the length: a component so small is a remainder of the arithmetic
 
 
@@ -43,8 +45,19 @@ class Truth:
 
 
 @dataclass(frozen=True, slots=True)
+class Answered:
+    """An unknown's values (SI); `errors` are absolute, zero where `certified`; `bound` says that they are proven."""
+
+    values: Values
+    certified: bool
+    errors: Values
+    bound: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Key:
-    """Everything a variant can be marked with; `values` are the finds in the solution's order."""
+    """Everything a variant can be marked with; `values` are the finds in the solution's order, `choices` the letters of the right
+    options as the sheet has them (empty: it does not)."""
 
     solution: Solution
     variant: Variant
@@ -64,49 +77,106 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     """The key of one variant. Raises Undefined when an answer does not exist for these numbers."""
     givens = variant.exact
     values: list[Values] = []
-    stated: dict[int, tuple[bool, float]] = {}
-    for place, find in enumerate(solution.unknowns):
+    stated: list[Answered] = []
+    for find in solution.unknowns:
         try:
-            numbers, proven, error = answer(solution, find, variant, values)
+            stated.append(answer(solution, find, variant, stated))
         except Undefined as why:
             what = f"part {find.part}" if find.part else ", ".join(find.names)
             raise Undefined(f"{what} has no value for these numbers: {why}") from why
-        values.append(numbers)
-        stated[place] = proven, error
+        values.append(stated[-1].values)
     noise = noise_of(solution, givens, values)
     truths: dict[str, Truth] = {}
     known = givens | named(solution, values)
     for place, find in enumerate(solution.unknowns):
         if find.part:
-            proven, error = stated[place]
+            proven = stated[place].certified
             scale = scale_of(find, values[place], known)
+            error = max(stated[place].errors) / scale if scale else 0.0
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
             truths[find.part] = Truth(
                 place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, uncertain
             )
+    parts = {part.id: part for part in variant.problem.parts}
     choices = {
-        part: option_that_holds(truth.options, givens, part) for part, truth in solution.choices.items()
+        part: parts[part].letter_asked(option_that_holds(truth.options, givens, part))
+        for part, truth in solution.choices.items()
+        if part in parts
     }
     return Key(solution, variant, tuple(values), truths, choices)
 
 
-def answer(
-    solution: Solution, find: Unknown, variant: Variant, before: Sequence[Values]
-) -> tuple[Values, bool, float]:
-    """An unknown's values from its closed form, certified; or from its scene, with the error the run states."""
+def answer(solution: Solution, find: Unknown, variant: Variant, before: Sequence[Answered]) -> Answered:
+    """An unknown's values from its closed form, certified; or from its scene, or from what came from one, with the error that has."""
     if find.in_givens is not None:
         givens = variant.exact
         found = [certified(tree, givens) for tree in find.in_givens]
-        return tuple(each.value for each in found), all(each.proven for each in found), 0.0
-    known = variant.exact | named(solution, before)
+        return Answered(
+            tuple(each.value for each in found), all(each.proven for each in found), (0.0,) * len(found), True
+        )
+    known = variant.exact | named(solution, [each.values for each in before])
     match find.local:
         case SceneOutcome(scene, settings, observe):
-            at = tuple((name, number(tree, known)) for name, tree in settings.items())
-            numbers, error = simulated(scene, at, observe)
-            return numbers, False, error
+            unrounded = {
+                name: evaluate(tree, variant.exact, BITS)
+                for earlier, _ in zip(solution.unknowns, before, strict=False)
+                for name, tree in zip(earlier.names, earlier.in_givens or (), strict=False)
+            }
+            letters = dict[str, RationalPi | Ball](known) | unrounded
+            at = {name: evaluate(tree, letters, BITS) for name, tree in settings.items()}
+            return simulated_at(scene, at, observe)
         case rule:
-            return compute(rule, known), False, 1e-12
+            return propagated(rule, known, solution, before)
+
+
+def simulated_at(scene: str, exact: Mapping[str, Ball], observe: str) -> Answered:
+    """What a scene gives, and how far it may be off: the run's own error, and what the rounding of its settings to doubles changes.
+
+    The second is the difference to a run whose settings are moved further: a proven bound only where nothing is rounded.
+    """
+    at = {name: finite_double(ball) for name, ball in exact.items()}
+    seen = simulated(scene, tuple(at.items()), observe)
+    with precision_of(BITS):
+        rounded = {name: float((ball - Ball(at[name])).mid()) for name, ball in exact.items()}
+    if not any(rounded.values()):
+        return Answered(seen.values, False, seen.errors, seen.bound)
+    moved = tuple((name, value + MAGNIFIED * rounded[name]) for name, value in at.items())
+    try:
+        other = simulated(scene, moved, observe).values
+    except Undefined:
+        other = ()
+    if len(other) != len(seen.values):
+        other = tuple(x * (1.0 + MAGNIFIED * LEAST_ROUNDING) for x in seen.values)
+    changed = (abs(x - y) / MAGNIFIED for x, y in zip(seen.values, other, strict=True))
+    return Answered(
+        seen.values, False, tuple(e + c for e, c in zip(seen.errors, changed, strict=True)), False
+    )
+
+
+def propagated(
+    rule: Rule, known: Mapping[str, RationalPi], solution: Solution, before: Sequence[Answered]
+) -> Answered:
+    """What follows from values that are known up to an error: the rule in balls as wide as these."""
+    values = compute(rule, known)
+    if not isinstance(rule, ClosedForms):
+        return Answered(values, False, tuple(LEAST_ROUNDING * abs(x) for x in values), False)
+    uncertain = {
+        name: Ball(value, error)
+        for find, stated in zip(solution.unknowns, before, strict=False)
+        for name, value, error in zip(find.names, stated.values, stated.errors, strict=True)
+        if error
+    }
+    balls = [evaluate(tree, dict[str, RationalPi | Ball](known) | uncertain, BITS) for tree in rule.trees]
+    with precision_of(BITS):
+        errors = tuple(float(abs(ball - Ball(x)).upper()) for ball, x in zip(balls, values, strict=True))
+    letters = frozenset[str]().union(*(names(tree) for tree in rule.trees))
+    bound = all(
+        stated.bound
+        for find, stated in zip(solution.unknowns, before, strict=False)
+        if letters & set(find.names)
+    )
+    return Answered(values, False, errors, bound)
 
 
 def named(solution: Solution, values: Sequence[Values]) -> dict[str, RationalPi]:

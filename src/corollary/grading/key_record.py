@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from corollary.answers.evaluation import BITS
-from corollary.answers.expected import Values
 from corollary.derive.solution import Solution, Unknown
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.ast import Expr
@@ -15,7 +14,7 @@ from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.exact import exactly
 from corollary.formula.text import text
 from corollary.grading.from_json import finite
-from corollary.grading.key import answer, option_that_holds
+from corollary.grading.key import Answered, answer, option_that_holds
 from corollary.grading.replay import ancestors
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant
@@ -42,35 +41,39 @@ def key_record(solution: Solution, variant: Variant) -> dict[str, Any]:
 
 def _answers(solution: Solution, variant: Variant) -> dict[str, dict[str, Any]]:
     """What is found for each part that asks for a quantity."""
-    values: list[Values] = []
+    before: list[Answered] = []
     missing: set[int] = set()
     found: dict[str, dict[str, Any]] = {}
     for place, find in enumerate(solution.unknowns):
-        numbers, entry = (math.nan,) * len(find.names), {}
+        unknown = (math.nan,) * len(find.names)
+        stated, entry = Answered(unknown, False, (0.0,) * len(unknown), False), {}
         lost = find.in_givens is None and missing & (ancestors(solution, place) - {place})
         try:
             if lost:
                 raise Undefined(
                     f"it follows from {solution.unknowns[min(lost)].names[0]}, which has no value"
                 )
-            numbers, proven, error = answer(solution, find, variant, values)
-            entry = _quantity(find, variant, numbers, proven, error)
+            stated = answer(solution, find, variant, before)
+            entry = _quantity(find, variant, stated)
         except Undefined as why:
             missing.add(place)
             entry = {"why": f"no value for these numbers: {why}"}
-        values.append(numbers)
+        before.append(stated)
         if find.part:
             found[find.part] = entry
     return found
 
 
-def _quantity(find: Unknown, variant: Variant, numbers: Values, proven: bool, error: float) -> dict[str, Any]:
+def _quantity(find: Unknown, variant: Variant, stated: Answered) -> dict[str, Any]:
     part = variant.problem.part(find.part) if find.part else None
     if part is None:
         return {}
+    numbers = stated.values
     entry: dict[str, Any] = {"value": _one(numbers, finite, part), "unit": si_name(part)}
     if find.in_givens is None:
-        return entry | {"certified": False, "error": error}
+        # Absolute, in SI: the largest of the components.
+        proven = {"bound": True} if stated.bound else {}
+        return entry | {"certified": False, "error": finite(max(stated.errors))} | proven
     entry["expression"] = _one(find.in_givens, text, part)
     if not all(map(math.isfinite, numbers)):
         decimals = [_decimal(tree, variant) for tree in find.in_givens]
@@ -78,7 +81,7 @@ def _quantity(find: Unknown, variant: Variant, numbers: Values, proven: bool, er
     rationals = [_rational(tree, variant) for tree in find.in_givens]
     if all(rationals):
         entry["exact"] = _one(rationals, str, part)
-    return entry | {"certified": proven}
+    return entry | {"certified": stated.certified}
 
 
 def _decimal(tree: Expr, variant: Variant) -> str:

@@ -15,6 +15,7 @@ from corollary.grading.points import grade
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.judge import asks
 from corollary.messages import catalogue
+from corollary.notebook.content import with_names
 from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, plot_cells, written_text
 from corollary.notebook.notebook import notebook as handed_out
 from corollary.notebook.worksheet import Prompt, Worksheet
@@ -43,6 +44,7 @@ def mark(
         if notebook.machine_failed:
             return replace(not_marked(sheet, notebook.why, late), machine_failed=True)
         return _unreadable(sheet, keys, notebook.why, late)
+    notebook = replace(notebook, node=with_names(notebook.node, sheet))
     executed = runner.execute(_job(sheet, keys, notebook, secret))
     if executed.machine_failed:
         return replace(not_marked(sheet, executed.trouble, late), machine_failed=True)
@@ -90,11 +92,18 @@ def _grade(
     prompts = [prompt for prompt in sheet.prompts if prompt.problem.code == code]
     plots = plot_cells(notebook.node, sheet)
     answers = {prompt.part.id: _answer(prompt, notebook, executed) for prompt in prompts}
+    elsewhere = tuple(figure for figure in executed.figures if figure.cell not in plots.values())
     runs = {
         prompt.part.id: ProgramRun(
             executed.calls,
             tuple(figure for figure in executed.figures if figure.cell == plots.get(prompt.key)),
             True,
+            elsewhere,
+            tuple(
+                figure
+                for figure in executed.figures
+                if figure.cell in plots.values() and figure.cell != plots.get(prompt.key)
+            ),
         )
         for prompt in prompts
     }

@@ -9,7 +9,6 @@ from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule
 from corollary.formula.ast import Call, Expr, children, rebuilt, substitute
 from corollary.formula.ball import RationalPi, Undefined
-from corollary.grading.follow_through import Consequence
 from corollary.grading.key import Key, Truth
 from corollary.grading.replay import WhatIf, ancestors, replay
 from corollary.messages import catalogue
@@ -23,14 +22,14 @@ SPEED = Dimension(Fraction(0), Fraction(1), Fraction(-1))
 USUAL_GRAVITY = (Fraction("9.8"), Fraction("9.81"))
 
 
-def wrong_values(key: Key, truth: Truth, base: Consequence) -> Iterator[tuple[Values, str]]:
+def wrong_values(key: Key, truth: Truth, base: WhatIf) -> Iterator[tuple[Values, str]]:
     """What each misconception makes of the part: at its own step, and at those before it whose values are not held."""
     solution = key.solution
     for place in sorted(ancestors(solution, truth.place) | {truth.place}, reverse=True):
-        if place in base.what_if.held:
+        if place in base.held:
             continue
         for mistake in solution.unknowns[place].mistakes:
-            what_if = WhatIf(base.what_if.held, {**base.what_if.rules, place: mistake.rule})
+            what_if = WhatIf(base.held, {**base.rules, place: mistake.rule})
             yield from _replayed(key, truth, what_if, key.variant.exact, mistake.text)
 
 
@@ -43,26 +42,24 @@ def wrong_formulas(key: Key, place: int) -> Iterator[tuple[tuple[Expr, ...], str
                 yield in_givens, mistake.text
 
 
-def slips_of_input(key: Key, truth: Truth, base: Consequence) -> Iterator[tuple[Values, str]]:
+def slips_of_input(key: Key, truth: Truth, base: WhatIf) -> Iterator[tuple[Values, str]]:
     """What slips in the numbers put in make of the part: g = 10, a unit not converted, sine for cosine."""
     givens, variant = key.variant.exact, key.variant
     if "g" in givens and givens["g"].ratio in USUAL_GRAVITY:
         changed = {**givens, "g": RationalPi(Fraction(10))}
         sentence = _("You calculated with g = 10 m/s²; the problem gives a closer value.")
-        yield from _replayed(key, truth, base.what_if, changed, sentence)
+        yield from _replayed(key, truth, base, changed, sentence)
     for given in variant.problem.givens:
         if given.unit.pi or given.unit.factor != 1:
             bare = RationalPi(givens[given.symbol].ratio / given.unit.factor)
-            yield from _replayed(
-                key, truth, base.what_if, {**givens, given.symbol: bare}, _unconverted(given)
-            )
+            yield from _replayed(key, truth, base, {**givens, given.symbol: bare}, _unconverted(given))
     if any(_is_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
             place: ClosedForms(tuple(map(_swapped, find.local.trees)))
             for place, find in enumerate(key.solution.unknowns)
             if isinstance(find.local, ClosedForms)
         }
-        what_if = WhatIf(base.what_if.held, swapped | dict(base.what_if.rules))
+        what_if = WhatIf(base.held, swapped | dict(base.rules))
         sentence = _("Sine and cosine have changed places: check from where the angle is measured.")
         yield from _replayed(key, truth, what_if, givens, sentence)
 

@@ -7,6 +7,7 @@ from typing import assert_never
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.grading.advice import advice
 from corollary.grading.feedback import revealed, sentence
 from corollary.grading.grade import Grade, PartGrade
 from corollary.grading.key import Key
@@ -15,17 +16,17 @@ from corollary.problem.problem_set import Scheme
 USUAL = Scheme()
 
 
-def share(verdict: Verdict, scheme: Scheme) -> float:
-    """What part of the points a verdict earns."""
+def share(verdict: Verdict, scheme: Scheme, answer_type: str = "value") -> float:
+    """What part of the points a verdict on an answer of this type earns."""
     match verdict:
         case Right():
             return 1.0
         case Follows():
-            return scheme.follows
+            return 0.0 if verdict.nothing else scheme.follows
         case Slip():
-            return scheme.slip
+            return 0.0 if verdict.nothing else scheme.slip
         case Mistaken():
-            return scheme.mistaken
+            return 0.0 if verdict.nothing else scheme.choice if answer_type == "choice" else scheme.mistaken
         case Wrong() | Unread() | Unmarked():
             return 0.0
         case _:
@@ -45,10 +46,15 @@ def grade(
     for part in key.variant.problem.parts:
         verdicts, answer = judged[part.id]
         out_of = part.points * weight
-        points = out_of * sum(share(verdict, scheme) for verdict in verdicts) / len(verdicts)
+        earned = sum(
+            share(verdict, scheme, name) for name, verdict in zip(part.answer_types, verdicts, strict=True)
+        )
+        points = out_of * earned / len(verdicts)
         decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
         feedback = _feedback(part.answer_types, verdicts)
-        if reveal and not isinstance(decisive, Right) and (solution := revealed(key, part)):
+        if isinstance(decisive, Wrong) and len(verdicts) == 1 and (thought := advice(key, part)):
+            feedback = f"{feedback} {thought}"
+        if reveal and not isinstance(decisive, Right) and (solution := revealed(key, part, answer)):
             feedback = f"{feedback} {solution}"
         parts.append(PartGrade(part, decisive, round(points, 6), out_of, answer, feedback))
     return Grade(key.variant, tuple(parts))

@@ -10,8 +10,14 @@ from corollary.sandbox.result import CallResult, Figure
 
 @dataclass(frozen=True, slots=True)
 class ProgramRun:
-    """What running the notebook brought for one code or plot part; `calls` by the key of each call."""
+    """What running the notebook brought for one code or plot part; `calls` by the key of each call.
+
+    `figures` are those of the part's own cell, `elsewhere` those of cells that were meant for no figure, `of_others` those of
+    other parts' cells.
+    """
 
     calls: Mapping[str, CallResult] = field(default_factory=dict[str, CallResult])
     figures: tuple[Figure, ...] = ()
     ran: bool = False
+    elsewhere: tuple[Figure, ...] = ()
+    of_others: tuple[Figure, ...] = ()

@@ -11,7 +11,7 @@ from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import names
 from corollary.formula.ball import Undefined, precision_of
-from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, GuardFailed, components
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,24 +68,34 @@ def compute(rule: Rule, values: Letters) -> Values:
 @lru_cache(maxsize=4096)
 def observed(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> Values:
     """One observed value of a run, as a tuple. Raises Undefined when the scene refuses."""
-    return simulated(scene, settings, observe)[0]
+    return simulated(scene, settings, observe).values
+
+
+@dataclass(frozen=True, slots=True)
+class SceneValue:
+    """An observed value with the absolute error (SI) of each component, and whether that is proven."""
+
+    values: Values
+    errors: Values
+    bound: bool
 
 
 @lru_cache(maxsize=4096)
-def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> tuple[Values, float]:
-    """The observed value and the error the run states for it, relative to its natural scale."""
+def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> SceneValue:
+    """The observed value, and the error that the run states for it. Raises Undefined when the scene refuses."""
     from corollary.scenes.catalogue import run  # only here: it brings every scene, and most answers need none
 
     try:
         outcome = run(scene, dict(settings), tolerance=1e-12)
     except (BadSetting, GuardFailed) as error:
         raise Undefined(str(error)) from None
-    if observe not in outcome.observed:
+    if observe not in outcome.measured:
         raise Undefined(
-            f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}"
+            " ".join(outcome.warnings)
+            or f"scene {scene} does not observe {observe}; it observes {', '.join(outcome.observed)}"
         )
-    value = outcome.observed[observe]
-    return (value if isinstance(value, tuple) else (value,)), outcome.error
+    seen = outcome.measured[observe]
+    return SceneValue(components(seen.value), components(seen.error), seen.error_is == "bound")
 
 
 _ANCESTORS: dict[

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from base64 import b64decode
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.abc import InspectLoader, MetaPathFinder
@@ -36,15 +37,18 @@ def checker(carried: Mapping[str, Any], space: Mapping[str, Any]) -> object:
     names = [
         "corollary.notebook.check",
         "corollary.units.table",
+        "corollary.messages",
         *(f"{folder}.reading" for folder in carried["folders"].values()),
     ]
     same = all(_installed(package) == its_version for package, its_version in carried["versions"].items())
     modules = _imported(carried["modules"], [] if same else names)
-    check, units, *readings = [import_module(name) for name in names] if same else modules
+    check, units, messages, *readings = [import_module(name) for name in names] if same else modules
     for row in carried["units"]:
         units.register(*row)
+    for domain, text in carried["catalogues"].items():
+        messages.carry(domain, carried["language"], b64decode(text))
     types = {name: module.TYPE for name, module in zip(carried["folders"], readings, strict=True)}
-    return check.Check(types, carried["questions"], space, carried["modules"])
+    return check.Check(types, carried["questions"], space, carried["modules"], carried["language"])
 
 
 def _installed(package: str) -> str:

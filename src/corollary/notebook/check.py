@@ -9,7 +9,7 @@ from typing import Any
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.preview import Preview
 from corollary.answers.question import Question
-from corollary.messages import catalogue
+from corollary.messages import catalogue, language
 from corollary.sandbox.tagged import value_of
 from corollary.sandbox.worker.encode import encode
 
@@ -19,7 +19,7 @@ STAGE = "NBGRADER_EXECUTION"  # nbgrader sets it while it runs a notebook
 
 
 class Check:
-    """`check("X12_5_a")` in the notebook whose names are `space`; `source` is the text of the code that reads answers."""
+    """`check("X12_5_a")` in the notebook whose names are `space`, in the language `code`; `source` is the text of the code that reads answers."""
 
     def __init__(
         self,
@@ -27,11 +27,13 @@ class Check:
         questions: Iterable[Mapping[str, Any]],
         space: Mapping[str, Any],
         modules: Mapping[str, str],
+        code: str = "en",
     ) -> None:
         self._types = types
         self._questions = {data["name"]: Question.from_data(data) for data in questions}
         self._space = space
         self._modules = modules
+        self._language = code
 
     def __call__(self, *names: str) -> None:
         """Says how the answers with these names are read; all answers when no name is given.
@@ -39,7 +41,11 @@ class Check:
         Raises RuntimeError where nbgrader would take silence for full marks, and ValueError where it validates a notebook
         in which an answer cannot be marked as it stands.
         """
-        for name in names or self._questions:
+        with language(self._language):
+            self._say(names or tuple(self._questions))
+
+    def _say(self, names: Iterable[str]) -> None:
+        for name in names:
             if name not in self._questions:
                 known = ", ".join(self._questions)
                 print(

@@ -11,8 +11,8 @@ from importlib.resources import files
 
 from corollary.answers.question import Question
 from corollary.answers.registry import folder
-from corollary.messages import catalogue
-from corollary.notebook.packing import modules
+from corollary.messages import catalogue, spoken
+from corollary.notebook.packing import catalogues, modules
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.units.table import rows_of_others
 from corollary.version import __version__
@@ -50,22 +50,22 @@ def check_source(sheet: Worksheet) -> str:
 
 # By identity: everybody's questions are the same, only the numbers are not, and to hash them all takes longer than a notebook.
 # What the questions are made of is held, so that its id stays its own.
-_OF_SET: dict[tuple[int, ...], tuple[list[object], str]] = {}
+_OF_SET: dict[tuple[str | int, ...], tuple[list[object], str]] = {}
 MOST_SETS = 64
 
 
 def _of_set(prompts: tuple[Prompt, ...]) -> str:
     made_of = [each for prompt in prompts for each in (prompt.problem, prompt.part)]
-    key = tuple(map(id, made_of))
+    key = (spoken(), *map(id, made_of))
     if key not in _OF_SET:
         if len(_OF_SET) >= MOST_SETS:
             _OF_SET.clear()
-        _OF_SET[key] = list(made_of), _carried(tuple(prompt.question for prompt in prompts))
+        _OF_SET[key] = list(made_of), _carried(spoken(), tuple(prompt.question for prompt in prompts))
     return _OF_SET[key][1]
 
 
 @lru_cache(maxsize=64)
-def _carried(questions: tuple[Question, ...]) -> str:
+def _carried(code: str, questions: tuple[Question, ...]) -> str:
     types = tuple(sorted({question.types[0] for question in questions}))
     carried = {
         "loader": files("corollary.notebook").joinpath("carried.py").read_text(encoding="utf-8"),
@@ -74,6 +74,8 @@ def _carried(questions: tuple[Question, ...]) -> str:
         "units": rows_of_others(),
         "questions": [question.as_data() for question in questions],
         "modules": dict(modules(types)),
+        "language": code,
+        "catalogues": dict(catalogues(modules(types))),
     }
     return b64encode(zlib.compress(json.dumps(carried).encode(), 9)).decode()
 

@@ -38,6 +38,7 @@ HOW_TO_ANSWER = N_(
 
 1. Run everything once: *Run ▸ Run All Cells*. The folded cell below defines `check`.
 2. Put your answer in place of `None`: a number in the unit asked for, or text with a unit of your own, such as `"3,2 km/h"`.
+   Give three figures; zeros at the end of a whole number count as far as two (200 is 2.0e2).
 3. Run the cell below your answer: it says how your answer is **read**, not whether it is right.
 4. Where *Your answer here.* stands, double-click and write. Then save, and hand in this one file."""
 )
@@ -172,11 +173,11 @@ def _heading(exercise: Exercise) -> str:
 
 def _question(prompt: Prompt) -> str:
     part = prompt.part
-    lines = [f"#### {part.label}) {part.title} ({points(prompt.out_of)})"]
+    lines = [f"#### ({part.heading_letter}) {part.title} ({points(prompt.out_of)})"]
     if prompt.text:
         lines.append(prompt.text)
     if prompt.options:
-        lines.append("\n".join(f"- **({option.letter})** {option.text}" for option in prompt.options))
+        lines.append("\n".join(f"- **({option.mark})** {option.text}" for option in prompt.options))
     if expected := prompt.answer_types[0].heading(prompt.question):
         lines.append(f"*{expected}*")
     return "\n\n".join(lines)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ast
 import sys
-from collections.abc import Iterator, Mapping
+from base64 import b64encode
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from importlib.abc import InspectLoader
 from importlib.util import find_spec, resolve_name
 
 from corollary.answers.registry import folder
+from corollary.messages import catalogue, compiled, spoken
 
 CHECK = "corollary.notebook.check"
 
@@ -30,6 +32,17 @@ def modules(types: tuple[str, ...]) -> Mapping[str, str]:
     for name in types:
         _follow(f"{folder(name)}.reading", f"the answer type {name}", found)
     return found
+
+
+def catalogues(names: Iterable[str]) -> Mapping[str, str]:
+    """The compiled catalogues, in base64, of the rooms these modules belong to, in the language now spoken.
+
+    A room that has none is there with an empty text, so that a notebook looks for no folder; in English, none is needed.
+    """
+    if spoken() == "en":
+        return {}
+    domains = dict.fromkeys(catalogue(name).domain for name in names)
+    return {domain: b64encode(compiled(domain, spoken())).decode() for domain in domains}
 
 
 def _follow(name: str, wanted_by: str, found: dict[str, str]) -> None:

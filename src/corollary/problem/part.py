@@ -14,11 +14,17 @@ class Option:
     letter: str
     text: str
 
+    @property
+    def mark(self) -> str:
+        """How the letter is printed: a capital, for parts have small ones."""
+        return self.letter.upper()
+
 
 @dataclass(frozen=True, slots=True)
 class Part:
     """`answer_types` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order;
-    `asked_as` is the id it was handed out with, where it has been given another since.
+    `asked_as` is the id it was handed out with, where it has been given another since; `letters` has for each letter of the options
+    it was handed out with the one of today, where these were changed since (empty: it has none); `lettered` is what its heading says in place of the id.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -34,11 +40,22 @@ class Part:
     signature: str
     line: int
     asked_as: str = ""
+    letters: tuple[tuple[str, str], ...] = ()
+    lettered: str = ""
 
     @property
     def label(self) -> str:
         """The id that students know it by."""
         return self.asked_as or self.id
+
+    def letter_asked(self, today: str) -> str:
+        """The letter that today's option has on the sheet; empty where the sheet does not have it."""
+        return next((asked for asked, now in self.letters if now == today), "") if self.letters else today
+
+    @property
+    def heading_letter(self) -> str:
+        """What stands in brackets before its title."""
+        return self.lettered or self.label
 
     @property
     def answer_type(self) -> str:

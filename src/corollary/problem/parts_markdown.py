@@ -14,10 +14,10 @@ HEADING = re.compile(r"""##\s+(?P<title>.*?)\s*(?:\{(?P<attributes>(?:[^{}"]|"[^
 ATTRIBUTE = re.compile(
     r"""\#(?P<id>[\w-]+)|\.(?P<type>\w+)|(?P<name>\w+)=(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s"]+))"""
 )
-OPTION = re.compile(r"-\s+\((?P<letter>[a-z])\)\s+(?P<text>.+)")
+OPTION = re.compile(r"-\s+\((?P<letter>[a-zA-Z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
-KNOWN = {"unit", "points", "components", "function"}
+KNOWN = {"unit", "points", "components", "function", "letter"}
 
 
 def read_parts(
@@ -88,6 +88,7 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         options,
         settings.get("function", ""),
         line,
+        lettered=settings.get("letter", ""),
     )
 
 
@@ -96,7 +97,7 @@ def _options(lines: list[str]) -> tuple[tuple[Option, ...], str]:
     rest: list[str] = []
     for line in lines:
         if match := OPTION.match(line.strip()):
-            options.append(Option(match["letter"], match["text"]))
+            options.append(Option(match["letter"].lower(), match["text"]))
         else:
             rest.append(line)
     return tuple(options), "\n".join(rest).strip()

@@ -22,7 +22,8 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """`written` is what its file has today, where this is the problem as it was handed out to somebody."""
+    """`written` is what its file has today, where this is the problem as it was handed out to somebody; `renamed` are then the
+    letters of givens that are called otherwise today: the one of today, and the one of the sheet."""
 
     code: str
     name: str
@@ -38,6 +39,7 @@ class Problem:
     path: Path
     figure_line: int
     written: Problem | None = None
+    renamed: tuple[tuple[str, str], ...] = ()
 
     @property
     def as_written(self) -> Problem:

@@ -21,12 +21,16 @@ USUAL = Usual()
 
 @dataclass(frozen=True, slots=True)
 class Scheme:
-    """What share of a part's points each verdict earns, and what is kept of the marks of late work."""
+    """What share of a part's points each verdict earns, and what is kept of the marks of late work.
+
+    `choice` is what a wrong option of a choice earns, where the solution says what those who take it overlook.
+    """
 
     follows: float = 1.0
     slip: float = 0.5
     mistaken: float = 0.25
     late: float = 1.0
+    choice: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +159,13 @@ def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
 def _scheme(path: Path, table: TableNode, complaints: list[Diagnostic]) -> Scheme:
     row = Reader(path, table, "credit", complaints)
     shares: dict[str, float] = {}
-    for name, default in (("follows", "1"), ("slip", "0.5"), ("mistaken", "0.25"), ("late", "1")):
+    for name, default in (
+        ("follows", "1"),
+        ("slip", "0.5"),
+        ("mistaken", "0.25"),
+        ("late", "1"),
+        ("choice", "0"),
+    ):
         share = row.fraction(name, default)
         if share is not None and not 0 <= share <= 1:
             row.complain(row.line_of(name, default)[1], f"{name} earns {share}; a share lies between 0 and 1")

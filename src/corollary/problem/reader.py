@@ -210,9 +210,9 @@ def _check_holes(
                     path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})"
                 )
             )
-        if style not in {"", "number"}:
+        if style not in {"", "number", "svg"}:
             complaints.append(
-                Diagnostic(path, line + at, f"{{{{{symbol}|{style}}}}}: the only style is number")
+                Diagnostic(path, line + at, f"{{{{{symbol}|{style}}}}}: the styles are number and svg")
             )
     for at, words in enumerate(HOLE.sub("", text).splitlines()):
         if "{{" in words and "}}" in words:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 import unicodedata
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -64,14 +65,14 @@ class Roster:
     notes: tuple[str, ...]
 
 
-def read_roster(path: Path, id_column: str = "", known: Collection[str] = ()) -> Roster:
+def read_roster(path: Path, id_column: str = "", known: Collection[str] = (), heading: str = "") -> Roster:
     """The students of a CSV file, in its order. `id_column` names the column of the ids, or gives its number from 1; when left
-    out, the one with most of the `known` ids, then the one that is most usual. Raises Malformed."""
+    out, the one with most of the `known` ids, then the one of that `heading`, then the most usual. Raises Malformed."""
     table = read_table(path, HEADINGS)
     columns, rows, notes = _columns(table, id_column)
     if not rows:
         raise _refused(path, f"lists no students; the first line names the columns ({', '.join(COLUMNS)})")
-    at = _id_place(columns, rows, known) if not id_column else columns.ids[0]
+    at = _id_place(columns, rows, known, heading) if not id_column else columns.ids[0]
     complaints: list[Diagnostic] = []
     found: dict[str, tuple[int, Student]] = {}
     for line, row in rows:
@@ -175,8 +176,19 @@ def _is_nobody(columns: Columns, row: Sequence[str]) -> bool:
     return bool(NOBODY.match(row[0])) or (not row[0] and not any(_cell(row, at) for at in columns.ids))
 
 
-def _id_place(columns: Columns, rows: Sequence[tuple[int, Sequence[str]]], known: Collection[str]) -> int:
-    """The column in which most of the known ids stand; else the first that says something for everybody."""
+def ids_heading(students: Sequence[Student]) -> str:
+    """What the column was called from which most have their ids; empty where nothing says so."""
+    often = Counter(
+        heading for each in students for heading, value in each.ids if folder_name(value) == each.id
+    )
+    return next((heading for heading, _ in often.most_common(1)), "")
+
+
+def _id_place(
+    columns: Columns, rows: Sequence[tuple[int, Sequence[str]]], known: Collection[str], heading: str
+) -> int:
+    """The column in which most of the known ids stand; else that of this heading, else the first that says something for
+    everybody."""
 
     def met(at: int) -> int:
         return sum(folder_name(_cell(row, at)) in known for _, row in rows)
@@ -184,6 +196,9 @@ def _id_place(columns: Columns, rows: Sequence[tuple[int, Sequence[str]]], known
     best = max(columns.ids, key=met)
     if met(best):
         return best
+    same = [at for at in columns.ids if columns.headings[at].lower() == heading.lower()]
+    if same and all(_cell(row, same[0]) for _, row in rows):
+        return same[0]
     if columns.headings[columns.ids[0]] == "id":  # nbgrader's own, and ours
         return columns.ids[0]
     filled = (at for at in columns.ids if all(_cell(row, at) for _, row in rows))

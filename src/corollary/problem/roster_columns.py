@@ -6,13 +6,20 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+USERNAMES = (
+    "username", "user name", "user", "login", "login id", "netid", "uid", "benutzername", "anmeldename", "kennung", "brukernavn",
+    "nom d'utilisateur", "nombre de usuario",
+)  # fmt: skip
+ID_NUMBERS = (
+    "id number", "idnumber", "student number", "student no", "matriculation number", "matrikelnummer", "id-nummer",
+    "studentnummer", "studentnr", "numéro d'identification", "número de id",
+)  # fmt: skip
 # From the most to the least wanted; Canvas's own ID is a number that no student knows, and comes after what they log in with.
 IDS = (
     "sis login id", "sis user id",
-    "id", "student id", "student_id", "studentid", "username", "user name", "user", "login", "login id", "netid", "uid",
-    "benutzername", "anmeldename", "kennung", "brukernavn", "nom d'utilisateur", "nombre de usuario",
-    "id number", "idnumber", "student number", "student no", "matriculation number", "matrikelnummer", "id-nummer",
-    "studentnummer", "studentnr", "numéro d'identification", "número de id",
+    "id", "student id", "student_id", "studentid",
+    *USERNAMES,
+    *ID_NUMBERS,
 )  # fmt: skip
 EMAILS = (
     "email", "e-mail", "email address", "e-mail address", "mail", "e-mail-adresse", "email-adresse", "e-postadresse", "e-post",

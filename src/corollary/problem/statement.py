@@ -15,11 +15,13 @@ def holes(text: str) -> list[tuple[str, str, int]]:
 
 
 def filled(text: str, variant: Variant) -> str:
-    """The text with each `{{m}}` replaced by number and unit, each `{{m|number}}` by the bare number."""
+    """The text with each `{{m}}` replaced by number and unit, each `{{m|number}}` by the bare number, each `{{m|svg}}` by the
+    number as attributes of a drawing have it (in the given's unit, with a hyphen for minus)."""
 
     def fill(hole: re.Match[str]) -> str:
-        symbol, style = hole[1], hole[2]
+        symbol, style = hole[1], hole[2] or ""
         given = variant.problem.given(symbol)
-        return number(given, variant.values[symbol]) if style == "number" else written(variant, symbol)
+        bare = number(given, variant.values[symbol])
+        return {"number": bare, "svg": bare.replace("−", "-")}.get(style, "") or written(variant, symbol)
 
     return HOLE.sub(fill, text)

@@ -53,7 +53,9 @@ def read_table(path: Path, headings: Collection[str] = ()) -> Table:
         with path.open("rb") as file:
             content = file.read(MOST_BYTES + 1)
     except OSError as error:
-        raise _refused(path, f"cannot be read: {error.strerror}") from None
+        folder = path.is_dir()
+        why = "is a folder; name the CSV file itself" if folder else f"cannot be read: {error.strerror}"
+        raise _refused(path.resolve() if folder else path, why) from None
     if len(content) > MOST_BYTES:
         raise _refused(path, f"has more than {MOST_BYTES >> 20} MB; this is no table of people")
     for mark, kind in NO_TABLES.items():

@@ -6,7 +6,8 @@ from typing import Annotated
 
 import msgspec
 
-from corollary.formula.value import Refused, Value
+from corollary.formula.value import Value
+from corollary.sandbox.refusals import refused
 from corollary.sandbox.tagged import value_of
 
 _Hex = Annotated[str, msgspec.Meta(min_length=1, max_length=25_002, pattern=r"^-?[0-9a-f]+$")]
@@ -48,8 +49,14 @@ class EncodedItems(msgspec.Struct, array_like=True, tag="items", frozen=True, fo
     shape: Annotated[list[_Length], msgspec.Meta(max_length=64)]
 
 
+class EncodedNamed(msgspec.Struct, array_like=True, tag="named", frozen=True, forbid_unknown_fields=True):
+    names: Annotated[list[Annotated[str, msgspec.Meta(max_length=100)]], msgspec.Meta(max_length=20)]
+    items: Annotated[list[Encoded], msgspec.Meta(max_length=20)]
+
+
 class EncodedRefused(msgspec.Struct, array_like=True, tag="refused", frozen=True, forbid_unknown_fields=True):
-    why: _Words
+    word: _Words
+    what: _Words
     excerpt: _Words
 
 
@@ -61,6 +68,7 @@ Encoded = (
     | EncodedText
     | EncodedMeasured
     | EncodedItems
+    | EncodedNamed
     | EncodedRefused
 )
 
@@ -70,4 +78,4 @@ def to_value(encoded: Encoded) -> Value:
     try:
         return value_of(msgspec.to_builtins(encoded))
     except RecursionError:
-        return Refused("is nested too deeply")
+        return refused("nesting")

@@ -7,11 +7,15 @@ import errno
 import os
 import shutil
 import socket
+import stat
 import tempfile
+import time
 from pathlib import Path
 from typing import TypedDict, final
 
 _PREFIX = "corollary-"
+_INSIDE = {"root", "log", "lock", "lock.new", "disk", "canary"}
+_NEW = 3600.0  # seconds in which a folder without a lock may just be being made, or removed
 _ENTRY = 4096  # an empty file takes room too
 
 
@@ -77,13 +81,13 @@ class Base:
     def remove(self) -> None:
         for listening in self._sockets:
             listening.close()
-        _remove(self.path)
+        _remove_base(self.path)
         os.close(self._lock)
 
 
 def new_base() -> Base:
     """A new folder, after those that killed processes left have been removed. Raises OSError."""
-    _remove_abandoned()
+    remove_abandoned()
     path = Path(tempfile.mkdtemp(prefix=_PREFIX))
     try:
         # Locked before it gets its name, or another process could find it free and remove the folder.
@@ -100,21 +104,42 @@ def new_base() -> Base:
     return base
 
 
-def _remove_abandoned() -> None:
-    for path in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
+def remove_abandoned() -> None:
+    """Removes the folders that ended processes left, whichever way they ended."""
+    for path in Path(tempfile.gettempdir()).glob(f"{_PREFIX}????????"):
         try:
-            if path.is_symlink() or path.stat().st_uid != os.geteuid():
+            about = path.lstat()
+            if not stat.S_ISDIR(about.st_mode) or about.st_uid != os.geteuid():
                 continue
             lock = os.open(path / "lock", os.O_RDWR | os.O_NOFOLLOW | os.O_CLOEXEC)
-        except OSError:  # not one of these, or just being made
+        except OSError:  # not one of these, or just being made, or what is left of one
+            if _is_remnant(path):
+                _remove_base(path)
             continue
         try:
             _flock(lock, wait=False)
-            _remove(path)
+            _remove_base(path)
         except BlockingIOError:
             continue  # in use
         finally:
             os.close(lock)
+
+
+def _is_remnant(path: Path) -> bool:
+    """Whether it is a folder of ours that lost its lock: earlier versions were killed while they removed it."""
+    try:
+        names = set(os.listdir(path))
+        return names <= _INSIDE - {"lock"} and "disk" in names and time.time() - path.stat().st_mtime > _NEW
+    except OSError:
+        return False
+
+
+def _remove_base(path: Path) -> None:
+    """The lock goes last: cut short before, the next process finds the folder abandoned."""
+    for name in os.listdir(path):
+        if name != "lock":
+            _remove(path / name)
+    _remove(path)
 
 
 def _remove(path: Path) -> None:

@@ -22,7 +22,7 @@ _Index = Annotated[int, msgspec.Meta(ge=0, le=100_000)]
 
 
 class FigureFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    axes: Annotated[tuple[Axes | None, ...], msgspec.Meta(max_length=100)]
+    axes: Annotated[tuple[Axes | None, ...], msgspec.Meta(max_length=20)]
     picture: _Index | None
 
 
@@ -65,7 +65,7 @@ class CellFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="ce
     status: Literal["ok", "error", "timeout"]
     error: _Words
     outputs: Annotated[list[Output], msgspec.Meta(max_length=1_000)]
-    figures: Annotated[list[FigureFrame], msgspec.Meta(max_length=100)]
+    figures: Annotated[list[FigureFrame], msgspec.Meta(max_length=20)]
     values: Annotated[dict[_Words, Encoded], msgspec.Meta(max_length=10_000)]
 
 

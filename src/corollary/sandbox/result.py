@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
+
+import msgspec
 
 from corollary.formula.value import Value
 from corollary.sandbox.isolation import Isolation
 
 Status = Literal["ok", "error", "timeout", "not run"]
 
+# What a worker describes at most (worker/figures.py): a frame with more is forged.
+_Points = Annotated[tuple[float, ...], msgspec.Meta(max_length=5_000)]
+_Words = Annotated[str, msgspec.Meta(max_length=500)]
+
 
 @dataclass(frozen=True, slots=True)
 class DrawnLine:
     """One curve, cloud of points or row of bars: `x` and `y` are equally long, in data coordinates."""
 
-    x: tuple[float, ...]
-    y: tuple[float, ...]
-    label: str
+    x: _Points
+    y: _Points
+    label: _Words
     kind: Literal["line", "points", "bars"]
 
 
@@ -25,15 +31,15 @@ class DrawnLine:
 class Axes:
     """One pair of axes as drawn: the labels as typed, the limits, the scales ("linear", "log"…), the legend's entries."""
 
-    title: str
-    xlabel: str
-    ylabel: str
+    title: _Words
+    xlabel: _Words
+    ylabel: _Words
     xlim: tuple[float, float]
     ylim: tuple[float, float]
-    xscale: str
-    yscale: str
-    legend: tuple[str, ...]
-    lines: tuple[DrawnLine, ...]
+    xscale: _Words
+    yscale: _Words
+    legend: Annotated[tuple[_Words, ...], msgspec.Meta(max_length=60)]
+    lines: Annotated[tuple[DrawnLine, ...], msgspec.Meta(max_length=60)]
 
 
 @dataclass(frozen=True, slots=True)

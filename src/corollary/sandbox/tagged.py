@@ -7,7 +7,18 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from corollary.formula.value import Complex, Exact, Items, Measured, Nothing, Real, Refused, Text, Value
+from corollary.formula.value import (
+    Complex,
+    Exact,
+    Items,
+    Measured,
+    Named,
+    Nothing,
+    Real,
+    Text,
+    Value,
+)
+from corollary.sandbox.refusals import refused
 
 DEEPEST = 20  # an honest worker refuses what is nested deeper than 12 lists
 
@@ -15,7 +26,7 @@ DEEPEST = 20  # an honest worker refuses what is nested deeper than 12 lists
 def value_of(tagged: Sequence[Any], depth: int = DEEPEST) -> Value:
     """The value itself; what contradicts itself (a zero denominator, a shape of other length) is refused."""
     if depth < 0:
-        return Refused("is nested too deeply")
+        return refused("nesting")
     match tagged:
         case ["nothing"]:
             return Nothing()
@@ -23,11 +34,7 @@ def value_of(tagged: Sequence[Any], depth: int = DEEPEST) -> Value:
             return Real(value)
         case ["exact", numerator, denominator]:
             below = int(denominator, 16)
-            return (
-                Exact(Fraction(int(numerator, 16), below))
-                if below
-                else Refused("is a fraction with denominator zero")
-            )
+            return Exact(Fraction(int(numerator, 16), below)) if below else refused("denominator")
         case ["complex", real, imaginary]:
             return Complex(real, imaginary)
         case ["text", text]:
@@ -36,9 +43,13 @@ def value_of(tagged: Sequence[Any], depth: int = DEEPEST) -> Value:
             return Measured(value, unit)
         case ["items", items, shape]:
             if prod(shape) != len(items):
-                return Refused("is an array whose shape does not fit its numbers")
+                return refused("shape")
             return Items(tuple(value_of(each, depth - 1) for each in items), tuple(shape))
-        case ["refused", why, excerpt]:
-            return Refused(why, excerpt)
+        case ["named", names, items]:
+            if len(names) != len(items):
+                return refused("names")
+            return Named(tuple(names), tuple(value_of(each, depth - 1) for each in items))
+        case ["refused", word, what, excerpt]:
+            return refused(word, what, excerpt)
         case _:
-            return Refused("could not be read")
+            return refused("unknown")

@@ -40,6 +40,9 @@ _MODULES = (
 _FOR_CELLS = {"outputs", "encode", "figures", "shell", "executor"}  # no probe needs them
 _PRELOAD = ("numpy", "matplotlib.pyplot", "sympy", "scipy.integrate", "scipy.optimize", "IPython.display")
 _PACKAGE = Path(__file__).parents[1]
+_NEED_PROC = (
+    "psutil",
+)  # it fails where /proc is not mounted; dask, and with it pint, does without it where it is absent
 _SECONDS_TO_START = 120.0  # a cold disk and a loaded machine; 2 to 6 s are usual
 _SECONDS_TO_FORK = 60.0
 _SECONDS_TO_EXIT = 30.0
@@ -235,7 +238,7 @@ class Zygote:
             "base": str(self._base.root),
             "folder": str(self._base.folder),
             "hidden": _installation(libraries),
-            "absent": sorted({_PACKAGE.name} | without),
+            "absent": sorted({_PACKAGE.name, *_NEED_PROC} | without),
         }
 
 

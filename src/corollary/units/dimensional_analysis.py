@@ -82,7 +82,8 @@ def _same(terms: tuple[Expr, ...], of: Mapping[str, Dimension], unlike: str) -> 
 
 def _described(tree: Expr, dimension: Dimension) -> str:
     bare = tree.term if isinstance(tree, Negative) else tree
-    return f"{text(bare)} ({show(si_unit(dimension)) or _('a plain number')})"
+    unit = show(si_unit(dimension)) or _("a plain number")
+    return f"{text(bare)} ({unit})"
 
 
 def _check_dimensionless(tree: Expr, of: Mapping[str, Dimension], misplaced: str, function: str = "") -> None:

@@ -13,6 +13,8 @@ IN_WORDS = {"micro": "u", "milli": "m", "centi": "c", "kilo": "k", "mega": "M"}
 
 ROWS: list[tuple[str, ...]] = []
 """Every unit as it was registered."""
+ENGLISH: set[str] = set()
+"""Names of units that are offered for a word with one letter amiss: no `times` for `timme`."""
 UNITS: dict[str, Unit] = {}
 """What may be typed for a single unit, with its prefix: `kN`, `µs`, `Newton`, `milliseconds`."""
 
@@ -33,6 +35,8 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
         signs = TYPED.get(prefix, prefix) if prefix else ("",)
         found |= {sign + symbol: unit for symbol in symbols.split() for sign in signs}
         spoken = [word for word, sign in IN_WORDS.items() if sign == prefix] or [""]
+        if words and not prefix:
+            ENGLISH.update(before + words.split()[0] + end for before in ("", *IN_WORDS) for end in ("", "s"))
         for word in (before + each for each in words.split() for before in spoken if before or not prefix):
             found |= dict.fromkeys(_numbers(word), unit)
     for typed, unit in found.items():
@@ -77,7 +81,7 @@ kat     | mol s^-1           | 1                 | n u m         | katal
 MECHANICS = """
 g       | kg                 | 1/1000            | n u m k       | gram gramme gramm
 m       | m                  | 1                 | n u m c d k   | meter metre mètre
-s       | s                  | 1                 | p n u m       | sec second seconde sekunde sekund
+s sec secs | s               | 1                 | p n u m       | second seconde sekunde sekund
 N       | kg m s^-2          | 1                 | u m k M G     | newton
 J       | kg m^2 s^-2        | 1                 | u m k M G     | joule
 W       | kg m^2 s^-3        | 1                 | u m k M G     | watt

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from difflib import get_close_matches
 from fractions import Fraction
-from functools import lru_cache
 
+from corollary.formula.characters import legible
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.numerals import RAISED, TO_ASCII
 from corollary.messages import catalogue
 from corollary.units.dimension import BASE, ONE, PURE, Dimension, Unit
-from corollary.units.table import CALLED, NAMED, UNITS, UNSUGGESTED
+from corollary.units.suggested import suggested
+from corollary.units.table import CALLED, NAMED, UNITS
 from corollary.units.words import in_signs
 
 __all__ = [
@@ -47,6 +47,7 @@ MARK = re.compile(
 TEMPERATURE = re.compile(
     r"(?:[°º]|(?<![A-Za-z])deg(?:rees?)?)\s?[CFK](?![A-Za-z])"
 )  # °C is no degree times a coulomb
+SECONDS = re.compile(r"(?:sec|secs)$")
 Factors = list[tuple[Unit, Fraction]]
 
 
@@ -71,7 +72,7 @@ _READ: dict[tuple[str, int], Unit] = {}
 
 
 def _read(text: str) -> Unit | ParseError:
-    normalized = in_signs(text.translate(TO_ASCII))
+    normalized = in_signs(legible(text).translate(TO_ASCII))
     if temperature := TEMPERATURE.search(normalized):
         written = normalized[temperature.start() : temperature.end()]
         why = _("{written} is not a unit known here", written=written)
@@ -154,7 +155,8 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
         return ambiguous(
             _("ms can be milliseconds, or metres times seconds"), at, f"m s^{power}", _written("1/ms", -power)
         )
-    if known := UNITS.get(symbol) or (UNITS.get(symbol.lower()) if len(symbol) > 3 else None):
+    named = len(symbol) > 3 and not SECONDS.search(symbol)  # `kOhm`, `NEWTON`; `Nsec` is N s
+    if known := UNITS.get(symbol) or (UNITS.get(symbol.lower()) if named else None):
         return [(known, power)]
     splits = [[*((each, Fraction(1)) for each in before), (last, power)] for *before, last in _splits(symbol)]
     if len(splits) > 1:
@@ -165,19 +167,12 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
         )
     if splits:
         return splits[0]
-    low = _suggestions(len(UNITS))
-    near = [low[symbol.lower()]] if symbol.lower() in low else get_close_matches(symbol[:20], low.values(), 1)
+    near = suggested(symbol)
     return refused(
         _("{written} is not a unit known here", written=symbol[:20]),
         at,
-        _("did you mean {near}?", near=near[0]) if near else "",
+        _("did you mean {near}?", near=near) if near else "",
     )
-
-
-@lru_cache(maxsize=1)
-def _suggestions(units: int) -> dict[str, str]:
-    """Units by their small letters, for as many as there are by now."""
-    return {known.lower(): known for known in UNITS if known not in UNSUGGESTED and known[0] != "K"}
 
 
 def _splits(run: str) -> list[tuple[Unit, ...]]:

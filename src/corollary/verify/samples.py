@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 from corollary.answers.evaluation import number
+from corollary.answers.proof.argument import sufficient
+from corollary.answers.proof.judging import grounds_of
 from corollary.answers.quantity import read_quantity
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
@@ -15,6 +17,7 @@ from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
 from corollary.formula.errors import ParseError
 from corollary.formula.text import text
+from corollary.grading.expected import expected_of
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key, named
@@ -38,6 +41,20 @@ def check_samples(key: Key, tally: Tally) -> None:
                     f"{key.variant.problem.path.name}:{part.line}: part {part.id}: "
                     f"the sample {sample.answer!r} should be {sample.verdict} and is {got}"
                 )
+
+
+def check_claims(key: Key, tally: Tally) -> None:
+    """The laws that a proof names imply what it is to show."""
+    for part in key.variant.problem.parts:
+        expected = expected_of(key, part)
+        if expected.claim is None:
+            continue
+        grounds = grounds_of(expected.claim, expected.claim.points(), expected.question)
+        if not tally.check(bool(sufficient(grounds)), "claims shown"):
+            tally.complain(
+                f"{key.variant.problem.path.name}:{part.line}: part {part.id}: the laws of the proof are not found to imply "
+                f"{text(expected.claim.target)}: every derivation would wait for a person; name the law that is missing"
+            )
 
 
 def samples(key: Key, part: Part) -> tuple[Sample, ...]:

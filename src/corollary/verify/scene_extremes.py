@@ -51,7 +51,7 @@ def play(extreme: Extreme) -> ExtremeRun:
         return ExtremeRun(
             extreme.what, extreme.scene, "refused", str(refused), 0.0, 0.0, time.perf_counter() - begin
         )
-    off, stated = extreme.law.off(found), found.errors[extreme.law.observed]
+    off, stated = extreme.law.off(found), found.relative_error(extreme.law.observed)
     seconds = time.perf_counter() - begin
     # A law that cannot even be evaluated is broken.
     return ExtremeRun(

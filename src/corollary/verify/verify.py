@@ -16,7 +16,7 @@ from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.laws import check_dimensions, check_laws
 from corollary.verify.programs import check_programs
-from corollary.verify.samples import check_printed, check_samples
+from corollary.verify.samples import check_claims, check_printed, check_samples
 from corollary.verify.walk import LEAST, walk
 
 
@@ -35,6 +35,7 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
         check_laws(bank, solution, tally)
         check_dimensions(bank, solution, tally)
         own = make_key(solution, chapter(problem))
+        check_claims(own, tally)
         check_samples(own, tally)
         check_programs(bank, own, tally, runner)
         check_printed(bank, solution, tally)

@@ -19,7 +19,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
 from corollary.scenes.catalogue import run
-from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, GuardFailed, components
 from corollary.verify.checked import Tally
 
 LEAST = 100  # variants
@@ -106,7 +106,7 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
         about = f"{path.name}:{wanted.line}: scene {wanted.scene} on {key.variant.label}"
         try:
-            found = run(wanted.scene, wanted.settings, tolerance=1e-12)
+            found = run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
         except (BadSetting, GuardFailed) as error:
             tally.complain(f"{about}: {error}")
             continue
@@ -115,9 +115,8 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
                 tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
                 continue
             mine, theirs = _list(expected), _list(found.observed[name])
-            allowed = (AGREE + 3 * found.errors.get(name, found.error) + wanted.neglected) * max(
-                map(abs, (*mine, *theirs))
-            )
+            allowed = (AGREE + wanted.neglected) * max(map(abs, (*mine, *theirs)))
+            allowed += 3 * math.hypot(*components(found.errors[name]))
             agree = len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed
             if not tally.check(agree, "simulations met"):
                 tally.complain(f"{about}: {name} is {theirs} where the algebra says {mine}")

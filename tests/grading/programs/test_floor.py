@@ -13,10 +13,8 @@ from corollary.grading.programs.floor import (
     ARGUMENTS,
     bounce_inputs,
     judge_bounce,
-    judge_bounce_plot,
     reference,
 )
-from corollary.sandbox.result import Axes, DrawnLine
 
 from .conftest import RIGHT, bounce, forward_euler
 
@@ -121,29 +119,3 @@ def test_nonsense_is_refused_with_a_sentence(answer):
     said = judged(1, lambda inputs: answer)
     assert isinstance(said, Fault)
     assert said.sentence.endswith(".")
-
-
-def axes(ylabel, x, *ys, xlabel="t [s]"):
-    lines = tuple(DrawnLine(tuple(x), tuple(y), "", "line") for y in ys)
-    return Axes("", xlabel, ylabel, (0.0, 1.0), (0.0, 1.0), "linear", "linear", (), lines)
-
-
-def test_a_plot_is_judged_by_its_curves_and_labels():
-    t, _, v, force = stepped(**OWN, dt=1e-5).T
-    good = axes("F [N]", t, force), axes("p [kg m/s]", t, 0.1 * v)
-    assert judge_bounce_plot(OWN, good) is None
-    assert judge_bounce_plot(OWN, good[::-1]) is None
-    for bad, word in (
-        ((good[0],), "momentum"),
-        ((good[1],), "net force"),
-        ((axes("", t, force), good[1]), "label"),
-        ((good[0], axes("p [kg m/s]", t, 0.1 * v, xlabel="")), "label"),
-        ((axes("F [N]", t, force + 0.98), good[1]), "floor"),
-        ((axes("F [N]", t, 1.1 * force), good[1]), "net force"),
-        ((axes("F [N]", t, force), axes("p [kg m/s]", t, 0.1 * np.abs(v))), "momentum"),
-        ((axes("F [N]", t[:300], force[:300]), good[1]), "end after"),
-        ((), "net force"),
-    ):
-        said = judge_bounce_plot(OWN, bad)
-        assert said is not None
-        assert word in said.sentence

@@ -6,7 +6,7 @@ from corollary.answers.answer import Answer, Letter
 from corollary.answers.expected import Expected
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
-from corollary.answers.verdict import Mistaken, Right, Verdict, Wrong
+from corollary.answers.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
@@ -16,6 +16,10 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
     """Right, or what the option chosen overlooks."""
     assert isinstance(answer, Letter)
     assert expected.option is not None
+    if not expected.option.letter:
+        return Unmarked(
+            _("The options were corrected after this sheet was handed out: a person will decide.")
+        )
     if answer.letter == expected.option.letter:
         return Right()
     overlooked = expected.option.misconceptions.get(answer.letter)

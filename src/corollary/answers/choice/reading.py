@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from typing import final
 
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
+from corollary.formula.characters import legible
 from corollary.formula.numerals import TO_ASCII
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
 
 _ = catalogue(__name__)
 
-LONGEST = 200
+LONGEST = 400
 AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
+LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |my )?(?:the )?"
+NAMED = r"(?:option|answer|choice|alternative|letter|svar|antwort)(?: is)?"
 LETTER = re.compile(
-    rf"{AROUND}(?:(?:the )?(?:option|answer|choice|alternative|letter|svar|antwort)(?: is)?{AROUND})?(?P<letter>[A-Za-z]){AROUND}",
+    rf"{AROUND}(?:{LEAD}(?:{NAMED}{AROUND})?)?(?P<letter>[A-Za-z]){AROUND}",
     re.IGNORECASE,
 )
+
+LABEL = re.compile(
+    r"\s*[\[(]?(?P<letter>[A-Za-z])(?:\s*[).:\]–-]+\s*(?=\S)|\s+(?=\())|\s*(?:option|answer)\s+(?P<word>[A-Za-z])\s*[).:,–-]*\s+",
+    re.IGNORECASE,
+)
+LABEL_BEHIND = re.compile(r"\s*[\[(](?P<letter>[A-Za-z])[\])]\s*$")
+CLAUSE, COMMAND = re.compile(r"[:;,.]"), re.compile(r"\\[A-Za-z]+")
 
 
 @final
@@ -32,12 +43,12 @@ class ChoiceType(AnswerType):
         return _("One letter.")
 
     def blank(self, question: Question) -> str:
-        first, last = question.options[0], question.options[-1]
+        first, last = question.options[0].upper(), question.options[-1].upper()
         remark = _('one letter, "{first}" to "{last}"', first=first, last=last)
         return f"{question.name} = None   # {remark}"
 
     def read(self, value: Value, question: Question) -> Answer:
-        wanted = _("answer with one letter of {letters}", letters=", ".join(question.options))
+        wanted = _("answer with one letter of {letters}", letters=", ".join(question.options).upper())
         while isinstance(value, Items) and len(value.items) == 1:
             value = value.items[0]
         match value:
@@ -45,15 +56,45 @@ class ChoiceType(AnswerType):
                 return Blank()
             case Text(text) if text.strip() in PLACEHOLDERS:
                 return Blank()
+            case Text(text) if len(text) <= LONGEST and (letter := _by_its_words(text, question)):
+                return Letter(letter, f"({letter})")
             case Text(text):
-                found = LETTER.fullmatch(text.translate(TO_ASCII)) if len(text) <= LONGEST else None
+                found = LETTER.fullmatch(legible(text).translate(TO_ASCII)) if len(text) <= LONGEST else None
                 if found and (letter := found["letter"].lower()) in question.options:
-                    return Letter(letter, f"({letter})")
+                    return Letter(letter, f"({letter.upper()})")
                 return Unclear(wanted, text.strip()[:40])
             case Refused():
                 return turned_away(value)
             case _:
                 return Unclear(_("{wanted}, as text", wanted=wanted), _("no letter"))
+
+
+def _by_its_words(text: str, question: Question) -> str:
+    """The letter of the option whose words were copied, alone or with its letter: all of them, or all up to a mark; else ""."""
+    label = LABEL.match(text) or LABEL_BEHIND.search(text)
+    letter = (label["letter"] or label["word"]).lower() if label else ""
+    options = dict(zip(question.options, map(_bare, question.option_texts), strict=True))
+    if label and letter in options:
+        words = _bare(text[: label.start()] + text[label.end() :])
+        return letter if words and options[letter].startswith(words) else ""
+    words = _bare(text)
+    same = [each for each, option in options.items() if words == option]
+    if not same:
+        begun = zip(question.options, question.option_texts, strict=True)
+        starts = {
+            (each, _bare(option[: mark.start()]))
+            for each, option in begun
+            for mark in CLAUSE.finditer(option)
+        }
+        same = [each for each, start in starts if words == start]
+    return same[0] if words and len(same) == 1 else ""
+
+
+def _bare(text: str) -> str:
+    """Letters, digits and signs that mean something, without TeX, accents and spaces."""
+    text = COMMAND.sub("", legible(text).replace("\\le ", "≤").replace("\\ge ", "≥"))
+    apart = unicodedata.normalize("NFKD", text).lower()
+    return re.sub(r"[^a-z0-9<>≤≥=+-]", "", apart).removeprefix("the")
 
 
 TYPE = ChoiceType()

@@ -8,8 +8,9 @@ from typing import final
 from corollary.answers.answer import Answer, Formulas, Numbers, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.blanks import blank_number, blank_numbers
-from corollary.answers.numbers import scalar, vector
+from corollary.answers.numbers import scalar
 from corollary.answers.question import Question
+from corollary.answers.vectors import vector
 from corollary.formula.value import Value
 from corollary.messages import catalogue
 

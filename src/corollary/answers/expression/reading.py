@@ -72,7 +72,7 @@ class ExpressionType(AnswerType):
             if isinstance(tree, Unclear):
                 return tree if count == 1 else replace(tree, readings=())
             trees.append(tree)
-        return formulas(*trees)
+        return formulas(*trees, typed=" ".join(texts))
 
 
 def _tree(text: str, question: Question) -> Expr | Unclear:

@@ -1,127 +1,166 @@
-"""A proof judged: every line true, none empty, the first a law, the last what was to be shown; and samples."""
+"""A proof judged: no line may be false, the laws must stand among them, and all else must follow from the lines above it."""
 
 from __future__ import annotations
 
-import random
 from collections.abc import Sequence
+from fractions import Fraction
 
-from corollary.answers.answer import Answer, Chain
-from corollary.answers.evaluation import as_exact, holds_nearly, number
-from corollary.answers.expected import Expected, Point
+from corollary.answers.answer import Answer, Chain, Equation
+from corollary.answers.expected import Claim, Expected, Point
+from corollary.answers.proof.argument import Grounds, equal_to, standings, sufficient
+from corollary.answers.proof.form import repeats
+from corollary.answers.proof.truth import truths
 from corollary.answers.question import Question
 from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import Mistaken, Right, Unmarked, Verdict, Wrong
-from corollary.formula.ast import Name, Negative, Relation, Sum, names
-from corollary.formula.ball import RationalPi, Undefined
+from corollary.formula.ast import names
 from corollary.formula.text import text
 from corollary.messages import catalogue
+from corollary.polynomials.signs import Bounds
+from corollary.sandbox.limited import NotFinished, limited
 
 _ = catalogue(__name__)
 
-EXACT = 1e-9  # relative: doubles lose some seven digits on the way through a derivation at worst
-SECANTS = 60
+SECONDS = 2.0  # of the processor, for all that is decided on one derivation
 
 
 def judge(answer: Answer, expected: Expected) -> Verdict:
-    """Checked at points where all laws hold (for truth) and at points where none does (for content).
+    """Right where a set of laws that implies the claim stands among the lines and each line, the claim too, follows from those above.
 
-    That each line *follows* from the one before is taken from this: it is true wherever the laws are, and says something.
+    A line that does not hold is wrong. A line that holds and is not seen to follow is for a person.
     """
     assert isinstance(answer, Chain)
     claim = expected.claim
     assert claim is not None
-    lawful = claim.points()
-    for place, line in enumerate(answer.lines, 1):
-        if not all(_true(line, point) for point in lawful):
-            for wrong, sentence in claim.wrong:
-                if _equivalent(line, wrong, lawful):
-                    return Mistaken(sentence)
-            return Wrong(_("Line {place} does not hold: {line}.", place=place, line=text(line)))
-        if all(_true(line, point) for point in _lawless_points(lawful)):
-            return Wrong(_("Line {place} says nothing: it is true whatever the quantities are.", place=place))
-    first, last = answer.lines[0], answer.lines[-1]
-    if not any(_equivalent(first, law, lawful) for law in claim.laws):
-        return Wrong(_("Begin with a law, as the first line, before anything is put in or left out."))
-    if not _equivalent(last, claim.target, lawful):
-        return Wrong(_("The last line is true, but it is not yet what was to be shown."))
-    if len(answer.lines) < 2:
-        return Wrong(_("One line is a claim; a proof shows the way from a law to it."))
-    if _leaps(answer.lines, claim.laws, claim.target, lawful):
-        return Unmarked(
-            _(
-                "Every line holds, but the way from the law to the last line is not written down; a person will look at it."
-            )
+    steps, points = answer.steps, claim.points()
+    grounds = grounds_of(claim, points, expected.question)
+    held = truths(steps, points)
+    if not points:
+        return Unmarked(_("This could not be checked; a person will look at it."), _rubric(claim))
+    unknown = next((step for step in steps if step.undefined), None)
+    if unknown is not None and ("false" not in held or unknown.line <= steps[held.index("false")].line):
+        why = _(
+            "{letter} in line {line} is no letter of the problem, and no line says what it is; a person will look at it.",
+            letter=unknown.undefined,
+            line=unknown.line,
         )
-    return Right(_("Every line holds, from the law to what was to be shown."))
+        return Unmarked(why, _rubric(claim))
+    if "false" in held:
+        place = held.index("false")
+        if any(repeats(step.relation, claim.target) for step in steps[:place]) and isinstance(
+            _on_the_way(steps[:place], held[:place], claim, grounds), Right
+        ):  # it had been shown; what is said of it then, for r = 0 perhaps, need not hold for every r
+            return _open(steps[place].line, claim)
+        return _false(steps, place, claim, grounds)
+    return _on_the_way(steps, held, claim, grounds)
 
 
-def _leaps(
-    lines: Sequence[Relation], laws: Sequence[Relation], target: Relation, lawful: Sequence[Point]
-) -> bool:
-    """Whether nothing stands between some of the laws and the claim: no step, and not every law that it takes."""
-    written = {text(line): line for line in lines}.values()
-    if len(written) > len(laws) + 1:
-        return False
-    steps = [line for line in written if text(line) not in (text(lines[-1]), text(target))]
-    stated = [[_equivalent(step, law, lawful) for law in laws] for step in steps]
-    return all(map(any, stated)) and not all(
-        any(each[place] for each in stated) for place in range(len(laws))
+def grounds_of(claim: Claim, points: Sequence[Point], question: Question) -> Grounds:
+    """What a derivation of the claim stands on."""
+    known: dict[str, Bounds] = {
+        name: (Fraction(low), Fraction(high)) for name, (low, high) in claim.domain().items()
+    }
+    seen: dict[
+        str, Bounds
+    ] = {}  # a letter of one sign in all that is drawn has it by the physics of the problem
+    for name in question.components:
+        signs = {(point[name].ratio > 0) - (point[name].ratio < 0) for point in points if name in point}
+        if len(signs) == 1 and signs != {0}:
+            seen[name] = (Fraction(0), None) if signs == {1} else (None, Fraction(0))
+    return Grounds(
+        claim.laws,
+        claim.given,
+        claim.target,
+        question.components,
+        tuple(sorted(known.items())),
+        tuple(sorted(seen.items())),
     )
 
 
-def _lawless_points(lawful: Sequence[Point]) -> list[Point]:
-    """The same letters, each moved on its own, so that no law holds any more but by chance."""
-    dice = random.Random(7)
-    return [
-        {
-            name: RationalPi(value.ratio * (1000 + dice.randint(50, 900)) / 1000, value.pi)
-            for name, value in point.items()
-        }
-        for point in lawful
+def _on_the_way(steps: Sequence[Equation], held: Sequence[str], claim: Claim, grounds: Grounds) -> Verdict:
+    """The verdict on lines of which none is false."""
+    try:
+        found = limited(standings, tuple(steps), grounds, seconds=SECONDS)
+    except NotFinished:
+        return Unmarked(_("This took too long to check; a person will look at it."), _rubric(claim))
+    content = [each for each in found if each.kind not in ("definition", "empty")]
+    if not content:
+        return Wrong(_("The lines say nothing: they are true whatever the quantities are."))
+    if not any(each.claims for each in found):
+        if any(each.kind == "undecided" for each in found):
+            return Unmarked(_("This could not be checked; a person will look at it."), _rubric(claim))
+        return Wrong(_("What is written holds, but what was to be shown is not yet among the lines."))
+    if all(each.claims for each in content):
+        return Wrong(_("This is the claim alone; a proof shows the way from the laws to it."))
+    reached = next(
+        (place for place, each in enumerate(found) if each.claims and each.kind == "follows"), len(found)
+    )
+    for place, each in enumerate(found[: reached + 1]):
+        if held[place] == "otherwise":
+            why = _(
+                "Line {line} can be read in two ways, and holds with the bracket below the line: a person will decide.",
+                line=steps[place].line,
+            )
+            return Unmarked(why, _rubric(claim))
+        if held[place] != "true" or each.kind in ("open", "undecided"):
+            return _open(steps[place].line, claim)
+    stated = {each.law for each in found[:reached]}
+    if reached == len(found) or not any(laws <= stated for laws in sufficient(grounds)):
+        return _open(steps[-1].line, claim)
+    return Right(_("The laws stand there, and every line follows from those above it."))
+
+
+def _open(line: int, claim: Claim) -> Unmarked:
+    return Unmarked(
+        _(
+            "Nothing that is written is false, but it was not seen how line {line} follows from the lines above it, "
+            "without a law that is not written; a person will look at it.",
+            line=line,
+        ),
+        _rubric(claim),
+    )
+
+
+def _false(steps: Sequence[Equation], place: int, claim: Claim, grounds: Grounds) -> Verdict:
+    """Names the line, and those that say what the letters of the student's own in it stand for."""
+    step = steps[place]
+    own = [
+        _("{letter} as line {line} defines it", letter=each.defines, line=each.line)
+        for each in steps
+        if each.defines and each.defines in names(step.relation)
     ]
-
-
-def _true(line: Relation, point: Point) -> bool:
     try:
-        return holds_nearly(line, point, EXACT)
-    except Undefined:
-        return False
+        mistake = limited(
+            equal_to,
+            step,
+            tuple(wrong for wrong, _sentence in claim.wrong),
+            tuple(steps),
+            grounds,
+            seconds=SECONDS,
+        )
+    except NotFinished:
+        mistake = -1
+    if mistake >= 0:
+        return Mistaken(_("Line {line}: {mistake}", line=step.line, mistake=claim.wrong[mistake][1]))
+    relation = text(step.relation)
+    if own:
+        return Wrong(
+            _(
+                "Line {line} does not hold, with {own}: {relation}.",
+                line=step.line,
+                own=", ".join(own),
+                relation=relation,
+            )
+        )
+    return Wrong(_("Line {line} does not hold: {relation}.", line=step.line, relation=relation))
 
 
-def _equivalent(line: Relation, other: Relation, lawful: Sequence[Point]) -> bool:
-    """Whether two equations say the same: where the letter they share is changed so that one holds, the other holds too.
-
-    The other equation is solved for that letter at lawless points.
-    """
-    for letter in sorted(names(other) & names(line)):
-        checks = [_solved(other, letter, point) for point in _lawless_points(lawful)]
-        solved = [point for point in checks if point is not None]
-        if len(solved) == len(checks) and solved:
-            return all(_true(line, point) for point in solved)
-    return False
-
-
-def _solved(equation: Relation, letter: str, point: Point) -> Point | None:
-    """The point with one letter changed so that the equation holds, found by secants; None where none is found."""
-    difference = Sum((equation.left, Negative(equation.right)))
-
-    def at(value: float) -> float:
-        return number(difference, {**point, letter: as_exact(value)})
-
-    try:
-        before = number(Name(letter), point)
-        here, low, high = 1.3 * before, at(before), at(1.3 * before)
-        for _step in range(SECANTS):
-            if low == high:
-                break
-            before, here, low = here, here - high * (here - before) / (high - low), high
-            high = at(here)
-        if abs(here) < EXACT * abs(number(Name(letter), point)):
-            return None  # a common factor of both sides set to zero makes any equation hold
-        changed = {**point, letter: as_exact(here)}
-        return changed if holds_nearly(equation, changed, EXACT) else None
-    except (Undefined, OverflowError):
-        return None
+def _rubric(claim: Claim) -> tuple[str, ...]:
+    """What the person looks for."""
+    return (
+        *(_("states or uses rightly: {law}", law=text(law)) for law in claim.laws),
+        _("arrives at {target} without a gap", target=text(claim.target)),
+    )
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:

@@ -34,7 +34,7 @@ def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
         Sample(f"{value:.4g}{unit}" if value else f"0{unit}", "right"),
         Sample(f"{comma}{unit}", "right"),
         Sample(f"{off!r}{unit}", "wrong"),
-        Sample("about five", "unread"),
+        Sample("rather a lot", "unread"),
         Sample(float("nan"), "unread"),
         Sample(None, "unread"),
         Sample([1.0, 2.0, 3.0, 4.0], "unread"),

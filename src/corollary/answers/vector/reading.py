@@ -8,8 +8,8 @@ from corollary.answers.answer import Answer
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.blanks import blank_numbers
 from corollary.answers.direction import on_usual_axes
-from corollary.answers.numbers import vector
 from corollary.answers.question import Question
+from corollary.answers.vectors import vector
 from corollary.formula.value import Value
 from corollary.messages import catalogue
 from corollary.units.unit import show

@@ -11,11 +11,15 @@ from typing import Any
 
 FAMILIES = {
     "catch": ("catch_inputs", "judge_catch"),
-    "floor": ("bounce_inputs", "judge_bounce", "judge_bounce_plot"),
+    "floor": ("bounce_inputs", "judge_bounce"),
+    "floor_figure": ("judge_bounce_plot",),
     "ions": ("ion_inputs", "judge_ions"),
-    "orbit": ("orbit_inputs", "judge_orbit", "judge_orbit_plot", "judge_potential_plot"),
-    "row": ("cradle_inputs", "judge_cradle", "judge_contact", "judge_velocity_plot"),
-    "spheres": ("sphere_inputs", "judge_spheres", "judge_spheres_plot"),
+    "orbit": ("orbit_inputs", "judge_orbit"),
+    "orbit_figure": ("judge_orbit_plot", "judge_potential_plot"),
+    "row": ("cradle_inputs", "judge_cradle", "judge_contact"),
+    "row_figure": ("judge_velocity_plot",),
+    "spheres": ("sphere_inputs", "judge_spheres"),
+    "spheres_figure": ("judge_spheres_plot",),
 }
 
 

@@ -1,12 +1,12 @@
-"""A ball on the floor: what students' programs are called with, how they and figures are judged, and the usual bugs."""
+"""A ball on the floor: what students' programs are called with, how they are judged, and the usual bugs."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Literal
+from typing import Literal
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import (
@@ -47,7 +47,6 @@ USUAL: dict[Scheme, str] = {
 }
 ARGUMENTS = ("m", "k", "R", "y0", "v0", "g")
 COUNTED = 2.5  # steps: a contact counted in steps may be one longer or shorter at each end
-OF_PLOT = 0.03  # of the largest force or momentum: a figure is judged, not a measurement
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,67 +206,3 @@ def wrong_bounce(
         a = (push - pull) / m
         y, v = y + (v if scheme == "euler" else v + a * dt) * dt, v + a * dt
     return None
-
-
-def judge_bounce_plot(given: Given, figures: Sequence[Any]) -> Fault | None:
-    """Net force and momentum against time, each with labelled axes, from before the contact till after it."""
-    m, g = given["m"], given["g"]
-    truth = reference(*(given[name] for name in ARGUMENTS))
-    weight, momentum = m * g, m * truth.velocity
-    off, odd = OF_PLOT * truth.force, OF_PLOT * momentum
-    force = _curve(figures, lambda y: abs(max(y) - truth.force) <= off and abs(min(y) + weight) <= off)
-    if force is None:
-        return Fault(
-            _(
-                "There is no curve of the net force for your numbers: from -m g to the largest net force, and back."
-            )
-        )
-    if abs(force[1][-1] + weight) > off or abs(force[1][0] + weight) > off:
-        return Fault(
-            _(
-                "The curve of the net force must begin before the ball touches the floor and end after it has left it."
-            )
-        )
-    if abs(force[1][0] + weight) > 0.2 * weight:
-        return Fault(
-            _("At the start only gravity acts, and the net force is -m g; you drew the force of the floor."),
-            known=True,
-        )
-    path = _curve(figures, lambda y: abs(min(y) + momentum) <= odd and abs(max(y) - momentum) <= odd)
-    if path is None:
-        return Fault(
-            _(
-                "There is no curve of the momentum p(t) for your numbers: from m v at the first touch to the opposite value."
-            )
-        )
-    for (axes, *_rest), name, words in (
-        (force, "F [N]", "f force kraft"),
-        (path, "p [kg m/s]", "p momentum"),
-    ):
-        if not _named(axes.xlabel, "t time zeit tid s"):
-            return Fault(_("The x axis needs a label that names the quantity and its unit: t [s]."))
-        if not _named(axes.ylabel, words):
-            return Fault(
-                _("The y axis needs a label that names the quantity and its unit: {name}.", name=name)
-            )
-    return None
-
-
-def _curve(
-    figures: Sequence[Any], fits: Callable[[Sequence[float]], bool]
-) -> tuple[Any, Sequence[float]] | None:
-    """The first curve of many points whose heights fit, with its axes."""
-    for axes in figures:
-        for line in axes.lines:
-            if (
-                line.kind in {"line", "points"}
-                and len(line.y) > 20
-                and all(map(math.isfinite, line.y))
-                and fits(line.y)
-            ):
-                return axes, line.y
-    return None
-
-
-def _named(label: str, words: str) -> bool:
-    return any(word in label.lower() for word in words.split())

@@ -6,22 +6,28 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, assert_never
 
 from corollary.answers.answer import Numbers, Unclear
-from corollary.answers.numbers import vector
 from corollary.answers.question import Question
-from corollary.answers.verdict import Mistaken, Right, Unread, Verdict, Wrong
+from corollary.answers.vectors import vector
+from corollary.answers.verdict import Mistaken, Right, Unmarked, Unread, Verdict, Wrong
 from corollary.derive.solution import Solution
-from corollary.derive.statements import Code, Fault, Plot, Remark
+from corollary.derive.statements import Code, Doubt, Fault, Plot, Remark
 from corollary.formula.value import Exact, Items, Nothing, Real, Value
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.convergence import Called
+from corollary.grading.programs.work import TooMuchCompared, limited
 from corollary.messages import catalogue
 from corollary.problem.part import Part
 from corollary.problem.sampling import digest
 from corollary.problem.variant import Variant
 from corollary.sandbox.job import Argument, FunctionCall
+from corollary.sandbox.result import Figure
 from corollary.units.unit import unit
 
 _ = catalogue(__name__)
+
+MOST_ELSEWHERE = (
+    20  # figures of other cells, where the cell that was meant for one shows none, or not the right one
+)
 
 
 def code_of(solution: Solution, part: Part) -> Code | None:
@@ -76,7 +82,7 @@ def verdicts_on_runs(
         return {}
     return {
         "code": lambda: judge_code(solution, variant, part, run, secret, student),
-        "plot": lambda: judge_plot(solution, variant, part, run),
+        "plot": lambda: judge_plot(solution, variant, part, run, secret, student),
     }
 
 
@@ -86,6 +92,20 @@ def judge_code(
     """Every call must have come back; then the solution's judge looks at all of them together."""
     code = code_of(solution, part)
     assert code is not None
+    called = _called(code, variant, part, run, secret, student)
+    if isinstance(called, Unread):
+        return called
+    verdict = _verdict(code.judge(variant.si, called))
+    if isinstance(verdict, Mistaken) and len(called) > 1 and len({each.returned for each in called}) == 1:
+        # a constant is no program with a usual mistake
+        return Wrong(_("{function} returns the same, whatever it is called with.", function=part.function))
+    return verdict
+
+
+def _called(
+    code: Code, variant: Variant, part: Part, run: ProgramRun, secret: bytes, student: str
+) -> list[Called] | Unread:
+    """What all calls of the part's function returned; or the first that did not return numbers."""
     called: list[Called] = []
     for place, inputs in enumerate(inputs_of(code, variant, part, secret, student)):
         answered = run.calls.get(f"{variant.problem.answer_name(part)}/{place}")
@@ -107,25 +127,62 @@ def judge_code(
                 )
             )
         called.append(Called(inputs, returned))
-    return _verdict(code.judge(variant.si, called))
+    return called
 
 
-def judge_plot(solution: Solution, variant: Variant, part: Part, run: ProgramRun) -> Verdict:
-    """The figures of the plot cell, axes by axes."""
-    plot = plot_of(solution, part)
+def judge_plot(
+    solution: Solution, variant: Variant, part: Part, run: ProgramRun, secret: bytes, student: str
+) -> Verdict:
+    """The figures of the plot cell, axes by axes; where they are not what is asked for, those of each other cell.
+
+    Where all of them together are more than is compared for one part, a person looks.
+    """
+    try:
+        with limited():
+            return _judge_plot(solution, variant, part, run, secret, student)
+    except TooMuchCompared:
+        return Unmarked(_("More is drawn than is compared for one part: a person will look at it."))
+
+
+def _judge_plot(
+    solution: Solution, variant: Variant, part: Part, run: ProgramRun, secret: bytes, student: str
+) -> Verdict:
+    plot, code = plot_of(solution, part), code_of(solution, part)
     assert plot is not None
-    axes = [each for figure in run.figures for each in figure.axes]
-    if not axes:
-        return Unread(_("No figure was drawn."), blank=True)
-    return _verdict(plot.judge(variant.si, axes))
+    called: tuple[Sequence[Called], ...] = ()
+    if plot.with_calls:
+        returned = [] if code is None else _called(code, variant, part, run, secret, student)
+        called = ([] if isinstance(returned, Unread) else returned,)
+
+    blank = Unread(_("No figure was drawn."), blank=True)
+
+    def verdict_on(figures: Sequence[Figure]) -> Verdict:
+        axes = [each for figure in figures for each in figure.axes]
+        return _verdict(plot.judge(variant.si, axes, *called)) if axes else blank
+
+    own = verdict_on(run.figures)
+    if isinstance(own, Right | Unmarked):
+        return own
+    others = run.elsewhere[:MOST_ELSEWHERE] + run.of_others[:MOST_ELSEWHERE]
+    cells = dict.fromkeys(figure.cell for figure in others)
+    right = any(
+        isinstance(verdict_on([figure for figure in others if figure.cell == cell]), Right) for cell in cells
+    )
+    if right and own is blank:
+        return Right(_("Right. (The figure was drawn in another cell than its own.)"))
+    if right or (own is blank and run.elsewhere):
+        return Unmarked(_("The figure may be one that was drawn in another cell: a person will look at it."))
+    return own
 
 
-def _verdict(finding: Fault | Remark | None) -> Verdict:
+def _verdict(finding: Fault | Remark | Doubt | None) -> Verdict:
     match finding:
         case None:
             return Right()
         case Remark(sentence):
             return Right(sentence)
+        case Doubt(sentence):
+            return Unmarked(sentence)
         case Fault(sentence, known):
             return Mistaken(sentence) if known else Wrong(sentence)
         case _:

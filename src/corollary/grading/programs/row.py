@@ -1,4 +1,4 @@
-"""A row of balls: what students' programs are called with, how they and figures are judged, and the usual bugs."""
+"""A row of balls: what students' programs are called with, how they are judged, and the usual bugs."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from itertools import islice, pairwise
-from typing import Any, Literal
+from typing import Literal
 
 from corollary.derive.statements import Fault, Remark
 from corollary.grading.programs.convergence import (
@@ -89,7 +89,7 @@ def bounds(balls: int, q: float) -> tuple[Bound, ...]:
         dt = contact / steps
         path = march(
             EULER_CROMER,
-            _pushed(q),
+            pushed(q),
             [0.0] * balls,
             [1.0] + [0.0] * (balls - 1),
             dt,
@@ -100,7 +100,7 @@ def bounds(balls: int, q: float) -> tuple[Bound, ...]:
     return measured(2, errors)
 
 
-def _pushed(
+def pushed(
     q: float, stiffness: float = 1.0, *, both: bool = True
 ) -> Callable[[Sequence[float], Sequence[float]], list[float]]:
     """Accelerations in a row of equal balls (`stiffness` is k/m); places are counted from where the balls just touch.
@@ -190,7 +190,7 @@ def wrong_cradle(
 ) -> tuple[float, ...] | None:
     """The velocities that a wrong program ends with (`stiffness` is k/m), or None when it never ends."""
     method = EULER if scheme == "euler" else EULER_CROMER
-    acceleration = _pushed(q, stiffness, both=scheme != "one-sided")
+    acceleration = pushed(q, stiffness, both=scheme != "one-sided")
     touched = False
     path = states(method, acceleration, [0.0] * balls, [v0] + [0.0] * (balls - 1), dt)
     try:
@@ -204,51 +204,3 @@ def wrong_cradle(
     except OverflowError:  # a power beyond the doubles
         return None
     return None
-
-
-def judge_velocity_plot(given: Given, figures: Sequence[Any], balls: int) -> Fault | None:
-    """Velocities against time: a curve for each ball, from (v0, 0, …) to where only the last one moves, with labelled axes."""
-    v0 = given["v0"]
-    for axes in figures:
-        curves = [line for line in axes.lines if line.kind in {"line", "points"} and len(line.x) > 10]
-        if len(curves) < balls:
-            continue
-        if missing := [
-            name
-            for name, label, words in (
-                ("x", axes.xlabel, "t time zeit tid s"),
-                ("y", axes.ylabel, "v velocity m/s"),
-            )
-            if not any(word in label.lower() for word in words.split())
-        ]:
-            return Fault(
-                _(
-                    "The axes need labels that name quantity and unit: t [s] and v [m/s]; look at {names}.",
-                    names=", ".join(missing),
-                )
-            )
-        starts, ends = sorted(line.y[0] for line in curves[:balls]), [line.y[-1] for line in curves[:balls]]
-        if not _near(starts, [0.0] * (balls - 1) + [v0], v0, 0.03):
-            return Fault(
-                _.plural(
-                    "The curves must start with one ball at v0 = {v0} m/s and the other at rest.",
-                    "The curves must start with one ball at v0 = {v0} m/s and the others at rest.",
-                    balls - 1,
-                    v0=f"{v0:g}",
-                )
-            )
-        if not _near(sorted(ends), [0.0] * (balls - 1) + [v0], v0, 0.06):
-            return Fault(
-                _("The curves must run until the balls have parted; then only the last ball moves with v0.")
-            )
-        return None
-    return Fault(
-        _(
-            "No axes with a curve for each of the {balls} balls were found; plot every velocity against time.",
-            balls=balls,
-        )
-    )
-
-
-def _near(values: Sequence[float], others: Sequence[float], scale: float, tolerance: float) -> bool:
-    return len(values) == len(others) and math.dist(values, others) <= tolerance * scale

@@ -7,6 +7,8 @@ from fractions import Fraction
 MOST_ITEMS = 20_000
 MOST_BITS = 100_000
 MOST_LETTERS = 10_000
+MOST_NAMES = 20
+LONGEST_NAME = 40
 DEEPEST = 12
 
 # Read a class through `type` itself: a class of the student's may answer for `__name__` with anything.
@@ -14,34 +16,30 @@ _NAME = type.__dict__["__name__"].__get__
 _MODULE = type.__dict__["__module__"].__get__
 _ANCESTORS = type.__dict__["__mro__"].__get__
 
+# The word for each kind that has one; the sentences are in sandbox/refusals.py.
 _KINDS = {
-    "bool": "is True or False, not a number",
-    "dict": "is a dictionary: give the number itself",
-    "set": "is a set, which has no order: give a list",
-    "frozenset": "is a set, which has no order: give a list",
-    "generator": "is a generator: turn it into a list first",
-    "range": "is a range: turn it into a list first",
-    "map": "is a map: turn it into a list first",
-    "zip": "is a zip: turn it into a list first",
-    "function": "is a function: call it, and give what it returns",
-    "builtin_function_or_method": "is a function: call it, and give what it returns",
-    "method": "is a function: call it, and give what it returns",
-    "type": "is a class, not a value",
-    "module": "is a module, not a value",
-    "bytes": "is bytes: give a number or text",
-    "Figure": "is a figure: the plot itself is looked at, no variable is needed",
+    name: name
+    for name in ("bool", "dict", "set", "generator", "range", "map", "zip", "function", "module", "bytes")
+} | {
+    "frozenset": "set",
+    "builtin_function_or_method": "function",
+    "method": "function",
+    "type": "class",
+    "Figure": "figure",
 }
 _NUMPY_REALS = {"float16", "float32", "float64", "longdouble", "float128"}
 _NUMPY_WHOLES = {f"{sign}{size}" for sign in ("int", "uint") for size in (8, 16, 32, 64)} | {
     "longlong",
     "ulonglong",
 }
+# What has `value` and `unit`; an angle is a quantity of its own kind.
+_ASTROPY_QUANTITIES = {"Quantity", "Angle", "Latitude", "Longitude"}
 _NUMPY_COMPLEX = {"complex64", "complex128", "clongdouble", "complex256"}
 
 
 def encode(value: object) -> tuple[object, ...]:
     """Gives a tagged tuple: ("nothing",), ("real", float), ("exact", hex, hex), ("complex", float, float), ("text", str),
-    ("measured", float, unit), ("items", [tagged…], [shape…]) or ("refused", why, shown).
+    ("measured", float, unit), ("items", [tagged…], [shape…]), ("named", [names…], [tagged…]) or ("refused", word, what, excerpt).
 
     Never raises, except KeyboardInterrupt when the clock runs out.
     """
@@ -50,15 +48,15 @@ def encode(value: object) -> tuple[object, ...]:
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # whatever a strange object does, the answer is that it could not be read
-        return _refused(f"could not be read: looking at it raised {_kind(error)[1]}")
+        return _refused("raised", _kind(error)[1])
 
 
 def _encode(value, depth, left):
     left[0] -= 1
     if left[0] < 0:
-        return _refused(f"has more than {MOST_ITEMS} items")
+        return _refused("items")
     if depth < 0:
-        return _refused(f"is nested deeper than {DEEPEST} lists")
+        return _refused("depth")
     kind = type(value)
     if value is None or value is Ellipsis:
         return ("nothing",)
@@ -72,6 +70,9 @@ def _encode(value, depth, left):
         return _text(value)
     if kind is list or kind is tuple:
         return _items(list(value), [len(value)], depth, left)
+    if kind is dict and value and len(value) <= MOST_NAMES and all(type(key) is str for key in value):
+        names = [_printable(key[:LONGEST_NAME]) for key in value]
+        return ("named", names, [_encode(each, depth - 1, left) for each in value.values()])
     if kind is Fraction:
         return _exact(value.numerator, value.denominator)
     if kind is Decimal:
@@ -83,9 +84,9 @@ def _encode(value, depth, left):
     if family == "sympy":
         return _sympy(value, kind, name, depth, left)
     if family == "pint" and name == "Quantity":
-        return _measured(value.magnitude, value.units)
-    if family == "astropy" and name == "Quantity":
-        return _measured(value.value, value.unit)
+        return _measured(_encode(value.magnitude, depth - 1, left), str(value.units))
+    if family == "astropy" and name in _ASTROPY_QUANTITIES:
+        return _measured(_encode(value.value, depth - 1, left), str(value.unit))
     return _unfit(value, name)
 
 
@@ -95,23 +96,21 @@ def _kind(value):
     return (module if type(module) is str else ""), name[:60]
 
 
-def _refused(why, excerpt=""):
-    return ("refused", why, excerpt)
+def _refused(word, what: object = "", excerpt=""):
+    return ("refused", word, _printable(f"{what}")[:200], _printable(excerpt))
 
 
 def _unfit(value, name):
     excerpt = repr(value) if type(value) is bool else name
-    return _refused(
-        _KINDS.get(name, f"is an object of the kind {name}, from which no answer can be read"), excerpt
-    )
+    return _refused(_KINDS.get(name, "object"), name, excerpt)
 
 
 def _exact(numerator, denominator):
     if type(numerator) is not int or type(denominator) is not int:
-        return _refused("is a fraction whose parts are not whole numbers")
+        return _refused("fraction")
     bits = max(numerator.bit_length(), denominator.bit_length())
     if bits > MOST_BITS:
-        return _refused(f"is a whole number of about {bits * 30103 // 100000} digits")
+        return _refused("digits", bits * 30103 // 100000)
     return ("exact", f"{numerator:x}", f"{denominator:x}")
 
 
@@ -124,7 +123,7 @@ def _decimal(value):
 
 def _text(value):
     if len(value) > MOST_LETTERS:
-        return _refused(f"is a text of {len(value)} letters", _printable(value[:80]))
+        return _refused("letters", len(value), _printable(value[:80]))
     return ("text", _printable(value))
 
 
@@ -134,7 +133,7 @@ def _printable(text):
 
 def _items(values, shape, depth, left):
     if len(values) > left[0]:
-        return _refused(f"has more than {MOST_ITEMS} items")
+        return _refused("items")
     return ("items", [_encode(each, depth - 1, left) for each in values], shape)
 
 
@@ -148,16 +147,14 @@ def _numpy(value, name, depth, left):
     if name == "str_":
         return _text(str.__str__(value))
     if name in ("bool", "bool_"):
-        return _refused(_KINDS["bool"], str(bool(value)))
+        return _refused("bool", excerpt=str(bool(value)))
     if type(value) is not sys.modules["numpy"].ndarray:
         return _unfit(value, name)
     shape = [int(length) for length in value.shape]
     if value.size > left[0]:  # before any copy: a broadcast array of a million million items takes no room
-        return _refused(
-            f"is an array of {int(value.size)} numbers, more than {MOST_ITEMS}", f"shape {tuple(shape)}"[:80]
-        )
+        return _refused("numbers", int(value.size), f"shape {tuple(shape)}"[:80])
     if value.dtype.kind not in "iufcUO":
-        return _refused(f"is an array of {value.dtype.kind!r}, not of numbers", str(value.dtype)[:80])
+        return _refused("no numbers", repr(value.dtype.kind), str(value.dtype)[:80])
     if not shape:
         return _encode(value[()], depth - 1, left)
     return _items(value.ravel().tolist(), shape, depth, left)
@@ -174,7 +171,7 @@ def _sympy(value, kind, name, depth, left):
         shape = [len(value)] if name == "Tuple" else list(value.shape)
         return _items(list(value), shape, depth, left)
     if not any(_MODULE(each) == "sympy.core.expr" and _NAME(each) == "Expr" for each in _ANCESTORS(kind)):
-        return _refused(f"is a {name} of sympy, not an expression", _printable(str(value)[:80]))
+        return _refused("sympy", name, _printable(str(value)[:80]))
     if value.free_symbols:
         return _text(_printable(str(value)))
     try:
@@ -188,4 +185,13 @@ def _sympy(value, kind, name, depth, left):
 
 
 def _measured(magnitude, unit):
-    return ("measured", float(magnitude), _printable(str(unit))[:200])
+    """Every number in it with the unit; a text is what a number too strange to be one is."""
+    match magnitude:
+        case ("real", number):
+            return ("measured", number, _printable(unit)[:200])
+        case ("exact", numerator, denominator):
+            return ("measured", int(numerator, 16) / int(denominator, 16), _printable(unit)[:200])
+        case ("items", items, shape):
+            return ("items", [_measured(item, unit) for item in items], shape)
+        case _:
+            return magnitude

@@ -1,6 +1,7 @@
 """One notebook from first cell to last: run each, collect its outputs, send the answers it changed; then call its functions."""
 
 import getpass
+import importlib
 import os
 import signal
 import sys
@@ -90,6 +91,7 @@ def warm_up(shell, outputs, sources):
 def _run_cell(session, index, source):
     session.outputs.start()
     session.figures = []
+    importlib.invalidate_caches()  # a module that the cell before wrote can be imported at once
     error = ""
     values = {}
     _restore_streams(session)
@@ -202,7 +204,7 @@ def _result(session, index, value, trouble):
         "output": text[:_MOST_CALL_OUTPUT],
         "trouble": trouble,
     }
-    return frame, {**frame, "value": ("refused", "is too large to be brought back", "")}
+    return frame, {**frame, "value": ("refused", "size", "", "")}
 
 
 def _one_line(error):

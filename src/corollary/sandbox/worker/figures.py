@@ -60,8 +60,8 @@ def _axes(axes, figure):
     legend = axes.get_legend()
     return {
         "title": _short(title),
-        "xlabel": _short(axes.get_xlabel()),
-        "ylabel": _short(axes.get_ylabel()),
+        "xlabel": _short(_label(axes, figure, "x")),
+        "ylabel": _short(_label(axes, figure, "y")),
         "xlim": [float(edge) for edge in axes.get_xlim()],
         "ylim": [float(edge) for edge in axes.get_ylim()],
         "xscale": _short(axes.get_xscale()),
@@ -71,12 +71,23 @@ def _axes(axes, figure):
     }
 
 
+def _label(axes, figure, way):
+    """The label of an axis; of a shared one (`sharex`, `twinx`) that of the axes it is shared with; else the figure's own."""
+    sharing = getattr(axes, f"get_shared_{way}_axes")().get_siblings(axes)
+    labels = [getattr(each, f"get_{way}label")() for each in (axes, *sharing)]
+    return next(filter(None, labels), "") or getattr(figure, f"get_sup{way}label")()
+
+
 def _lines(axes):
     for line in axes.lines[:MOST_LINES]:
-        yield _attempt(_curve, line, axes)
+        if line.get_visible():
+            yield _attempt(_curve, line, axes)
     for cloud in axes.collections[:MOST_LINES]:
-        if type(cloud).__name__ == "PathCollection":
+        if type(cloud).__name__ == "PathCollection" and cloud.get_visible():
             yield _attempt(_cloud, cloud)
+        elif type(cloud).__name__ == "LineCollection" and cloud.get_visible():
+            for segment in cloud.get_segments()[:MOST_LINES]:
+                yield _attempt(_segment, segment, cloud)
     for bars in axes.containers[:MOST_LINES]:
         if type(bars).__name__ == "BarContainer":
             yield _attempt(_bars, bars)
@@ -91,6 +102,11 @@ def _curve(line, axes):
     y = y if y_is_data else [_along(axes.get_ylim(), each) for each in y]
     drawn = str(line.get_linestyle()) not in ("None", "none", "", " ")
     return _as_line(x, y, line.get_label(), "line" if drawn else "points")
+
+
+def _segment(places, lines):
+    """One line of `hlines`, `vlines` and their like."""
+    return _as_line(_numbers(places[:, 0]), _numbers(places[:, 1]), lines.get_label(), "line")
 
 
 def _cloud(cloud):

@@ -40,6 +40,7 @@ def _confine(isolation, channel, baseline):
     processes = None if isolation.filter else 1024 if isolation.user is None else 64
     privileges.set_limits(isolation.limits, baseline, processes)
     os.chdir(isolation.folder)
+    sys.path.insert(0, "")  # as in Jupyter: what a cell writes beside the notebook can be imported
     privileges.drop_privileges(isolation.user)
     privileges.die_with_parent()  # a change of user clears it (prctl(2), PR_SET_PDEATHSIG)
     random.seed()

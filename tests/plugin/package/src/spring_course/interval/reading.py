@@ -8,8 +8,8 @@ from typing import final
 
 from corollary.answers.answer import Answer, Numbers
 from corollary.answers.answer_type import AnswerType
-from corollary.answers.numbers import vector
 from corollary.answers.question import Question
+from corollary.answers.vectors import vector
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
 from corollary.units.unit import show

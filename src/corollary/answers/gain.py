@@ -1,0 +1,57 @@
+"""What a text says of gain and loss: `85.3 J lost`, `loss: 85.3 J`, `an increase of 2 J`. The word is the sign."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from corollary.answers.question import Question
+
+LOSSES = (
+    "losses loss lose loses lost losing decreases decreased decrease drops dropped drop reduced reduction dissipated "
+    "verlust verloren less"
+)
+GAINS = "gains gained gain increases increased increase gewinn more"
+WORDS = "|".join(f"{LOSSES} {GAINS}".split())
+WHAT = r"(?:in |of )?(?:the |its |their )?(?:total |kinetic |mechanical |internal )*(?:energy|momentum|speed|velocity|K)"
+BEFORE = re.compile(
+    rf"^\s*(?:(?:the|a|an|it|they|we|there|system|car|energy|kinetic|mechanical|total|momentum|K|E|is|are|was|were|has|have)\s+)*"
+    rf"(?P<word>{WORDS})(?:\s+{WHAT})?\s*(?:(?:of|by|is|was|about|:|=|≈)\s*)*(?=[-+]?\s*[0-9.,])",
+    re.IGNORECASE,
+)
+VERB = re.compile(
+    r"^\s*(?:the )?(?!no|never|n't)[a-z]+ (?P<word>loses|lost|gains|gained|dissipated)\s+(?:about\s+)?(?=[-+]?\s*[0-9.,])",
+    re.IGNORECASE,
+)
+OF_ENERGY = re.compile(rf"\s+(?:of|in)\s+{WHAT}\s*$", re.IGNORECASE)
+BEHIND = re.compile(
+    rf"(?<=[A-Za-z0-9²)%])[\s,;(]+(?:(?:{WHAT}|is|are|was|were|has|have|been|got|a)\s+)*"
+    rf"(?P<word>{WORDS})(?:\s+(?:{WHAT}|(?:to|as|into) (?:heat|friction|sound)))?\)?\.?\s*$",
+    re.IGNORECASE,
+)
+# The loss itself is asked for: then what is lost is positive.
+ASKED_AS_LOSS = re.compile(
+    r"\b(?:lost|loss|losses|loses|dissipated|given (?:away|off)|verlust|verloren)\b", re.IGNORECASE
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Gain:
+    """A text without its word for gain or loss, the sign that the word gives, and the word."""
+
+    text: str
+    sign: int
+    word: str
+
+
+def gain_in(text: str, question: Question) -> Gain | None:
+    """What a text of bounded length says is gained or lost, if anything. A loss is negative, unless the loss is asked for."""
+    found = BEFORE.search(text) or VERB.search(text) or BEHIND.search(text)
+    if found is None:
+        return None
+    word = found["word"].lower()
+    sign = 1 if word in GAINS.split() else -1
+    if ASKED_AS_LOSS.search(question.title):
+        sign = -sign
+    without = OF_ENERGY.sub("", text[: found.start()] + text[found.end() :])
+    return Gain(without, sign, found[0].strip(" ,;().:=≈\t\n"))

@@ -1,0 +1,37 @@
+"""A text as one would type it by hand: legible, without TeX, and without what Python writes around numbers."""
+
+from __future__ import annotations
+
+import re
+
+from corollary.formula.characters import legible
+from corollary.formula.tex import without_tex
+
+MODULE = re.compile(r"(?<![\w.])(?:np|numpy|math|sp|sympy|scipy|ureg|u)\.(?=[A-Za-z])")
+NUMBER = re.compile(
+    r"(?<!\w)(?:float(?:16|32|64|128)?|int(?:32|64)?|mpf|Float|Integer|Decimal)\(\s*[\"']?([^()\"',]*)[\"']?\s*\)"
+)
+FRACTION = re.compile(r"(?<!\w)(?:Fraction|Rational)\(\s*(-?[0-9]+)\s*,\s*([0-9]+)\s*\)")
+ARRAY = re.compile(
+    r"(?<!\w)(?:array|asarray|matrix|Matrix|ImmutableDenseMatrix|Vector|vector|tuple|list|Tuple)\s*"
+    r"\((\s*[\[(].*[\])])\s*(?:,\s*dtype\s*=\s*[\w.]+)?\)"
+)
+ROW = re.compile(r"\[\s*([^\[\],;()]*?)\s*\]")
+QUANTITY = re.compile(r"<Quantity(?:\s+([^<>()]*)|\((.*),\s*'([^']*)'\))>")
+KEY = re.compile(r"[\"']([^\W\d]\w*)[\"']\s*:")
+
+
+def by_hand(text: str) -> str:
+    """What the text says, in the fewest signs: `\\frac{m}{2}` is (m/2), `np.array([1, 2])` is [1, 2], `𝑚` is m."""
+    return _without_python(without_tex(legible(text)))
+
+
+def _without_python(text: str) -> str:
+    if "(" in text or "." in text:
+        text = NUMBER.sub(r"\1", MODULE.sub("", text))
+        text = ARRAY.sub(r"\1", FRACTION.sub(r"(\1/\2)", text))
+    if "[[" in text:
+        text = ROW.sub(r"\1", text)
+    if "<Quantity" in text:
+        text = QUANTITY.sub(lambda found: found[1] or f"{found[2]} {found[3]}", text)
+    return KEY.sub(r"\1:", text) if "{" in text else text

@@ -1,0 +1,1 @@
+"""Equations as polynomials: what follows from what, decided exactly and within limits."""

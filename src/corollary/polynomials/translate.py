@@ -1,0 +1,199 @@
+"""From our trees to quotients of polynomials: roots, sines and whatever else is no quotient become letters of their own."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportMissingTypeStubs=false
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from fractions import Fraction as Rational
+from typing import Any
+
+from flint.utils.flint_exceptions import DomainError
+
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    names,
+    walk,
+)
+from corollary.formula.exact import constant
+from corollary.polynomials.angles import Angles
+from corollary.polynomials.fraction import Fraction
+from corollary.polynomials.polynomial import Polynomial, TooLarge, context
+from corollary.polynomials.signs import Bounds, Signs
+
+MOST_MADE = 24  # letters for roots, sines and the like
+POSITIVE: Bounds = (Rational(0), None)
+
+
+class Translation:
+    """One context of letters for some equations, and what is true of the letters made for roots, sines and the like.
+
+    `known` are bounds that hold whatever the equations say; `seen` further ones, that hold where all laws do.
+    `definitions` are the meanings of letters that stand for formulas. `relations` are equations of the letters made,
+    `divisors` all that a quotient was divided by so far.
+    """
+
+    def __init__(
+        self, trees: Iterable[Expr], known: Mapping[str, Bounds], seen: Mapping[str, Bounds] | None = None
+    ) -> None:
+        trees = list(trees)
+        letters = sorted(frozenset[str]().union(*map(names, trees)) | {"pi"})
+        nodes = [node for tree in trees for node in walk(tree)]
+        count = min(MOST_MADE, 2 * sum(map(_makes_a_letter, nodes)))
+        self.context = context((*letters, *(f"#{place}" for place in range(count)), "#spare"))
+        self.known = Signs({"pi": POSITIVE} | {name: known[name] for name in letters if name in known})
+        self.seen = Signs(self.known | dict(seen or {}))
+        self.spare = len(letters) + count
+        self.relations: list[Polynomial] = []
+        self.divisors: list[Polynomial] = []
+        self.definitions: dict[str, Fraction] = {}
+        self._made: dict[tuple[Any, ...], Fraction] = {}
+        self._free = list(range(len(letters), self.spare))
+        halves = any(
+            isinstance(inner, Quotient) or (isinstance(inner, Number) and inner.value.denominator > 1)
+            for node in nodes
+            if isinstance(node, Call) and node.function in ("sin", "cos", "tan")
+            for inner in walk(node)
+        )
+        self._angles = Angles(self, 2 if halves else 1)
+
+    def equation(self, relation: Relation) -> Polynomial:
+        """The numerator of left minus right. Raises TooLarge, and Undefined where something is divided by 0."""
+        return (self.fraction(relation.left) - self.fraction(relation.right)).top
+
+    def fraction(self, tree: Expr) -> Fraction:
+        """Raises TooLarge, and Undefined where something is divided by 0."""
+        match tree:
+            case Number(value):
+                return self.number(value)
+            case Name(name):
+                return self.definitions[name] if name in self.definitions else self.letter(name)
+            case Negative(term):
+                return -self.fraction(term)
+            case Sum(terms):
+                return self._added(terms)
+            case Product(factors):
+                made = self.number(Rational(1))
+                for factor in factors:
+                    made = made * self.fraction(factor)
+                return made
+            case Quotient(top, bottom):
+                below = self.fraction(bottom)
+                if not below.top.is_constant():
+                    self.divisors.append(below.top)
+                return self.fraction(top) * below.inverse()
+            case Power(base, exponent):
+                return self._power(self.fraction(base), exponent)
+            case Call(function, arguments):
+                return self._call(function, tuple(map(self.fraction, arguments)))
+            case Relation():
+                raise TooLarge
+
+    def number(self, value: Rational) -> Fraction:
+        return Fraction(self.context.constant(value.numerator), self.context.constant(value.denominator))
+
+    def letter(self, name: str) -> Fraction:
+        return Fraction(self.context.gen(self.context.variable_to_index(name)), self.context.constant(1))
+
+    def made(
+        self, meaning: tuple[Any, ...], bounds: Bounds = (None, None), seen: Bounds | None = None
+    ) -> tuple[Fraction, bool]:
+        """The letter that stands for this, and whether it is new. Raises TooLarge where there are too many."""
+        new = meaning not in self._made
+        if new:
+            if not self._free:
+                raise TooLarge
+            place = self._free.pop(0)
+            name = self.context.names()[place]
+            self.known[name], self.seen[name] = bounds, seen or bounds
+            self._made[meaning] = self.letter(name)
+        return self._made[meaning], new
+
+    def _added(self, terms: tuple[Expr, ...]) -> Fraction:
+        made = self.fraction(terms[0])
+        for term in terms[1:]:
+            made = made + self.fraction(term)
+        return made
+
+    def _power(self, base: Fraction, exponent: Expr) -> Fraction:
+        value = constant(exponent)
+        if value is None:
+            return self._opaque("power", base, self.fraction(exponent))
+        if value.denominator > 1:
+            base = self.root(base, value.denominator)
+        if value < 0 and not base.top.is_constant():
+            self.divisors.append(base.top)
+        return base**value.numerator
+
+    def _call(self, function: str, arguments: tuple[Fraction, ...]) -> Fraction:
+        match function:
+            case "sqrt":
+                return self.root(arguments[0], 2)
+            case "abs":
+                return self.root(arguments[0] * arguments[0], 2)
+            case "sin" | "cos":
+                return self._angles.of(function, arguments[0])
+            case "tan":
+                below = self._angles.of("cos", arguments[0])
+                self.divisors.append(below.top)
+                return self._angles.of("sin", arguments[0]) * below.inverse()
+            case _:
+                return self._opaque(function, *arguments)
+
+    def root(self, of: Fraction, degree: int) -> Fraction:
+        """The root that is not negative; a polynomial where there is one of known sign, else a letter."""
+        if degree == 2 and (exact := self._exact_root(of)) is not None:
+            return exact
+        known, seen = (
+            POSITIVE if _sign(of.top, signs) * _sign(of.bottom, signs) > 0 else (None, None)
+            for signs in (self.known, self.seen)
+        )
+        root, new = self.made(("root", degree, str(of)), known, seen)
+        if new:
+            self.relations.append(((root**degree) - of).top)
+        return root
+
+    def _exact_root(self, of: Fraction) -> Fraction | None:
+        try:
+            top, bottom = of.top.sqrt(), of.bottom.sqrt()
+        except DomainError:
+            return None
+        its_sign = _sign(top, self.seen) * _sign(bottom, self.seen)
+        if top.is_zero():
+            return Fraction(top, bottom)
+        return Fraction(its_sign * top, bottom) if its_sign else None
+
+    def _opaque(self, function: str, *arguments: Fraction) -> Fraction:
+        """Some number: nothing is known of it but that equal arguments give an equal one."""
+        return self.made((function, *map(str, arguments)))[0]
+
+
+def _makes_a_letter(node: Expr) -> bool:
+    """Whether this is no quotient of polynomials."""
+    match node:
+        case Call():
+            return True
+        case Power(_, exponent):
+            value = constant(exponent)
+            return value is None or value.denominator > 1
+        case _:
+            return False
+
+
+def _sign(polynomial: Polynomial, signs: Signs) -> int:
+    """By its factors."""
+    content, factors = polynomial.factor()
+    return math.prod(
+        (signs.of(factor) ** (2 - exponent % 2) for factor, exponent in factors),
+        start=1 if int(content) > 0 else -1,
+    )

@@ -1,0 +1,50 @@
+"""Answers as students type them: the honest ones are right, however they are written, and no wrong one becomes right by that."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from corollary.answers.verdict import Follows, Right
+from corollary.grading.from_json import from_json
+from corollary.grading.judge import judge
+from corollary.grading.key import Key
+
+FOLDER = Path(__file__).with_name("answers")
+
+
+def groups(name: str) -> Iterator[Any]:
+    """What is asked, and the answers to it, by what is odd about them."""
+    for group, questions in json.loads(FOLDER.joinpath(f"{name}.json").read_text(encoding="utf-8")).items():
+        for question in questions:
+            yield pytest.param(question, id=f"{group}, {question['code']} {question['part']}")
+
+
+def verdicts(key: Callable[..., Key], question: dict[str, Any]) -> list[tuple[Any, Any]]:
+    """Each answer and its verdict, as if it were the only one given."""
+    own = key(question["code"], **{name: str(value) for name, value in question["given"].items()})
+    part = question["part"]
+    return [(answer, judge(own, {part: from_json(answer)})[part][0][0]) for answer in question["answers"]]
+
+
+@pytest.mark.parametrize("question", list(groups("honest")))
+def test_an_honest_answer_is_right(key, question: dict[str, Any]):
+    assert not [each for each in verdicts(key, question) if not isinstance(each[1], Right)]
+
+
+@pytest.mark.parametrize("question", list(groups("wrong")))
+def test_a_wrong_answer_is_not(key, question: dict[str, Any]):
+    assert not [each for each in verdicts(key, question) if isinstance(each[1], Right | Follows)]
+
+
+def test_there_are_many_of_both():
+    counted = {
+        name: sum(len(question.values[0]["answers"]) for question in groups(name))
+        for name in ("honest", "wrong")
+    }
+    assert counted["honest"] > 600
+    assert counted["wrong"] > 300

@@ -1,0 +1,119 @@
+"""What earns nothing though it fits something."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Wrong
+from corollary.grading.from_json import from_json
+from corollary.grading.judge import judge
+from corollary.grading.key import Key, make_key
+from corollary.grading.points import grade
+from corollary.problem.problem_set import Scheme
+from corollary.problem.variant import chosen
+
+from .small import solved
+
+GIVENS = """
+    m: {is: mass, value: 2, unit: kg}
+    v: {is: speed, value: 3, unit: m/s}
+    t: {is: time, value: 2, unit: s}
+"""
+STEPS = """
+    p, K, F, s = unknowns("p K F s")
+    return derivation(
+        step(p, "Mass times speed.", law("Momentum", "p = m*v", p=p, m=m, v=v), answers="a",
+             mistakes=[mistake("The object moves.", law("At rest", "p = 0*v", p=p, v=v))]),
+        step(K, "By its definition.", law("Energy", "K = p^2/(2*m)", K=K, p=p, m=m), answers="b",
+             mistakes=[mistake("That is the momentum.", law("Energy", "K = p", K=K, p=p))]),
+        step(F, "Per time.", law("Force", "F = p/t", F=F, p=p, t=t), answers="c"),
+        step(s, "Half the way at full speed.", law("Way", "s = v*t/2", s=s, v=v, t=t), answers="d"),
+    )
+"""
+
+
+@pytest.fixture(scope="module")
+def stone(tmp_path_factory: pytest.TempPathFactory) -> Key:
+    """6 kg m/s, 9 J, 3 N and 3 m."""
+    folder = tmp_path_factory.mktemp("stone")
+    solution = solved(folder, GIVENS, "a kg*m/s\nb J\nc N\nd m", STEPS, "m, v, t")
+    return make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
+
+
+def judged(key: Key, **answers: object) -> dict[str, object]:
+    found = judge(key, {part: from_json(value) for part, value in answers.items()})
+    return {part: found[part][0][0] for part in answers}
+
+
+def points(key: Key, **answers: object) -> dict[str, float]:
+    found = judge(key, {part: from_json(value) for part, value in answers.items()})
+    return {each.part.id: each.points for each in grade(key, found).parts if each.part.id in answers}
+
+
+def test_one_number_in_every_part_earns_what_is_right_and_nothing_else(stone):
+    assert points(stone, a=3, b=3, c=3, d=3) == {"a": 0, "b": 0, "c": 1, "d": 1}
+    assert points(stone, a=12, b=12, c=12, d=12) == {"a": 0, "b": 0, "c": 0, "d": 0}
+    assert points(stone, a=12) == {"a": 0.5}  # alone a factor of 2 is a slip
+
+
+def test_a_number_that_stands_twice_among_others_is_no_guess(stone):
+    found = judged(stone, a=12.0, b=36.0, c=6.0, d=12.0)
+    assert isinstance(found["a"], Slip)
+    assert found["b"] == Follows(("a",))
+    assert found["c"] == Follows(("a",))
+
+
+def test_one_sign_wrong_in_several_parts_is_no_guess(verdicts):
+    """The loss is asked for twice, and what is left in the frame of a car has the same size."""
+    found = verdicts("X12.3", b="480 kJ", c="960 kJ", d="480 kJ", e="480 kJ")
+    assert isinstance(found["b"], Mistaken)
+    assert not found["b"].nothing
+    assert found["d"] == Right()
+
+
+def test_a_zero_is_named_and_earns_nothing(stone):
+    assert isinstance(judged(stone, a=0)["a"], Mistaken)
+    assert points(stone, a=0) == {"a": 0}
+
+
+def test_a_small_number_is_no_zero(stone):
+    assert isinstance(judged(stone, a=0.01)["a"], Wrong)
+
+
+def test_a_mistake_that_copies_a_wrong_answer_earns_nothing(stone):
+    assert points(stone, b=6.0) == {"b": 0.25}
+    assert points(stone, a=7.0, b=7.0, c=1.0, d=2.0)["b"] == 0
+
+
+def test_one_figure_is_never_right_nor_nearly(stone):
+    """1e1 is what 9 J comes to in one figure, and 5.1 kg m/s and 14 kg m/s as well."""
+    assert isinstance(judged(stone, b="1e1 J")["b"], Slip)
+    assert points(stone, a="5 kg m/s", b="1e1 J") == {"a": 0, "b": 0}
+
+
+def test_a_slip_of_one_digit_is_told_and_earns_nothing_but_for_its_sign(stone):
+    """300 N is a hundred times 3 N, and what anybody may type; -3 N is 3 N the wrong way round."""
+    assert isinstance(judged(stone, c=300)["c"], Slip)
+    assert points(stone, c=300) == {"c": 0}
+    assert points(stone, c=-3) == {"c": 0.5}
+    assert points(stone, b="4.5 J") == {"b": 0.5}
+
+
+def test_another_factor_is_another_slip(stone):
+    """Told in the same words, for these give no factor away; only the very same is paid for."""
+    assert points(stone, a="12 kg m/s", b="4.5 J")["b"] == 0.5
+    assert points(stone, c="6.00001 N", d="6.00002 m") == {"c": 0.5, "d": 1.0}
+    assert points(stone, c=300, d=300)["d"] == 0
+
+
+def test_the_wrong_option_earns_what_the_set_says(key):
+    stone = key("T1")
+    found = judge(stone, {"d": from_json("c")})
+    assert isinstance(found["d"][0][0], Mistaken)
+    marks = [
+        {each.part.id: each.points for each in grade(stone, found, scheme).parts}
+        for scheme in (Scheme(), Scheme(choice=0.2))
+    ]
+    assert (marks[0]["d"], marks[1]["d"]) == (0, 0.2)

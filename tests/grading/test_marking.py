@@ -1,0 +1,147 @@
+"""Whole notebooks that are honest and look odd: they earn what the answers in them are worth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbformat import NotebookNode
+
+from corollary.answers.verdict import Right, Unmarked, Verdict
+from corollary.course.demo.player import right_sources
+from corollary.grading.marking import mark
+from corollary.grading.solutions import Solutions
+from corollary.notebook.notebook import filled_in
+from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.bank import chapter_bank, find
+from corollary.problem.problem_set import read_set
+from corollary.problem.roster import Student
+from corollary.problem.variant import chapter
+from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.runner import Runner
+
+CODES = ("X12.5", "S12.2", "X12.12", "E12.3.1s", "X12.11")
+Marks = Callable[[NotebookNode], Mapping[str, Verdict]]
+WORDS = "The ball loses momentum to the floor, which moves away; in the frame of the floor it turns round."
+ASTROPY = """
+import sys, types
+import numpy as np
+package, units, module = (types.ModuleType(name) for name in ("astropy", "astropy.units", "astropy.units.quantity"))
+class Quantity:
+    def __init__(self, value, unit):
+        self.value, self.unit = value, unit
+Quantity.__module__ = "astropy.units.quantity"
+"""
+
+
+@pytest.fixture(scope="module")
+def sheet(tmp_path_factory: pytest.TempPathFactory) -> Worksheet:
+    bank = chapter_bank()
+    path: Path = tmp_path_factory.mktemp("set") / "odd.md"
+    path.write_text(f"---\ntitle: Odd\nproblems: [{', '.join(CODES)}]\n---\n")
+    return worksheet(read_set(bank, path), Student("ada"), [chapter(find(bank, code)) for code in CODES])
+
+
+@pytest.fixture(scope="module")
+def marks(sheet: Worksheet) -> Iterator[Marks]:
+    """The verdicts on a notebook, by the name of the answer: of two (program and figure) the worse."""
+    solutions = Solutions(chapter_bank())
+    keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
+    with Runner() as runner:
+
+        def of(node: NotebookNode) -> Mapping[str, Verdict]:
+            book = notebook_of(nbformat.writes(node).encode())
+            assert isinstance(book, Notebook)
+            marked = mark(sheet, keys, book, runner, b"secret", 0.0)
+            return {
+                grade.variant.problem.answer_name(part.part): part.verdict
+                for grade in marked.grades
+                for part in grade.parts
+            }
+
+        yield of
+
+
+@pytest.fixture
+def whole(sheet: Worksheet) -> NotebookNode:
+    """A notebook in which everything is right."""
+    solutions = Solutions(chapter_bank())
+    keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
+    written = {prompt.key: WORDS for prompt in sheet.prompts if prompt.part.answer_type == "explain"}
+    return nbformat.reads(filled_in(sheet, right_sources(sheet, keys) | written), as_version=4)
+
+
+def all_right(found: Mapping[str, Verdict]) -> bool:
+    """Full marks, but for what a person reads."""
+    return len(found) > 15 and all(isinstance(each, Right | Unmarked) for each in found.values())
+
+
+def set_answer(node: NotebookNode, name: str, source: str) -> None:
+    next(cell for cell in node.cells if cell.id == f"{name}_answer").source = source
+
+
+def test_metadata_and_ids_both_lost(marks: Marks, whole: NotebookNode):
+    for cell in whole.cells:
+        cell.metadata = NotebookNode()
+        del cell["id"]
+    whole.metadata = NotebookNode()
+    whole.nbformat_minor = 4
+    found = marks(whole)
+    assert all_right(found), found
+    assert [name for name, each in found.items() if isinstance(each, Unmarked)] == ["X12_11_c"]
+
+
+def test_a_module_that_a_cell_writes_is_imported(marks: Marks, whole: NotebookNode):
+    module = "%%writefile helper.py\ndef momentum(m, v):\n    return m * v\n"
+    whole.cells.insert(3, nbformat.v4.new_code_cell("import os\nos.listdir('.')\nimport json"))
+    whole.cells.insert(4, nbformat.v4.new_code_cell(module))
+    set_answer(whole, "X12_5_a", "import helper\nX12_5_a = helper.momentum(0.43, 20)")
+    set_answer(whole, "X12_5_b", "from helper import momentum\nX12_5_b = momentum(m=0.43, v=20)")
+    assert all_right(marks(whole))
+
+
+def test_quantities_of_pint_as_they_are(marks: Marks, whole: NotebookNode):
+    set_answer(
+        whole,
+        "X12_5_a",
+        "import pint\nureg = pint.UnitRegistry()\nm, v = 0.43 * ureg.kg, ureg.Quantity('72 km/h')\nX12_5_a = m * v",
+    )
+    set_answer(whole, "X12_5_b", "X12_5_b = (m * v).to('newton * second')")
+    set_answer(whole, "X12_5_c", "X12_5_c = (m * v / (100 * ureg.ms)).to(ureg.kilonewton)")
+    set_answer(
+        whole,
+        "S12_2_a",
+        "import numpy as np\nS12_2_a = 2.5 * ureg.kg * np.array([3.0, -4.0]) * ureg.m / ureg.s",
+    )
+    set_answer(whole, "S12_2_b", "S12_2_b = (S12_2_a[0]**2 + S12_2_a[1]**2)**0.5")
+    assert all_right(marks(whole))
+
+
+def test_quantities_of_astropy_as_they_are(marks: Marks, whole: NotebookNode):
+    """Astropy is 80 MB; what is read of its quantities is their class, `value` and `unit`."""
+    set_answer(whole, "X12_5_a", ASTROPY + "X12_5_a = Quantity(8.6, 'kg m / s')")
+    set_answer(whole, "X12_5_c", "X12_5_c = Quantity(np.float64(0.086), 'kN')")
+    set_answer(whole, "S12_2_a", "S12_2_a = Quantity(np.array([7.5, -10.0]), 'kg m / s')")
+    set_answer(whole, "S12_2_b", "S12_2_b = Quantity(12.5, 'kg m s-1')")
+    assert all_right(marks(whole))
+
+
+def test_dictionaries_arrays_texts_and_words(marks: Marks, whole: NotebookNode):
+    set_answer(whole, "X12_5_a", "X12_5_a = '8,6'")
+    set_answer(whole, "X12_5_b", "X12_5_b = '8.6\\u200b kg\\u200dm/s'")
+    set_answer(whole, "S12_2_a", "S12_2_a = {'y': -10, 'x': '7.5 kg m/s'}")
+    set_answer(whole, "S12_2_c", "S12_2_c = 'the momentum only'")
+    set_answer(whole, "X12_12_a", "X12_12_a = ['1.476 m/s to the left', '2.951 m/s to the right']")
+    assert all_right(marks(whole))
+    set_answer(whole, "S12_2_a", "import numpy as np\nS12_2_a = np.array([[7.5], [-10]])")
+    set_answer(
+        whole, "X12_12_a", "X12_12_a = {'block': '2.951 m/s to the right', 'sphere': '1.476 m/s to the left'}"
+    )
+    assert all_right(marks(whole))
+
+
+def test_half_a_surrogate_costs_nothing(marks: Marks, whole: NotebookNode):
+    set_answer(whole, "X12_5_a", "X12_5_a = '8.6 \\ud800'")
+    assert all_right(dict(marks(whole)))
