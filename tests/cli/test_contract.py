@@ -200,7 +200,7 @@ def test_judge(cases):
     asked = [
         {"given": {"m": 0.43}, "answers": {"a": "8.6 kg m/s", "b": 8.6, "c": "0.86 N", "d": "-172 N"}},
         {"given": {}, "answers": {"a": "5 kg m/s", "b": "5 Ns", "c": 60, "d": None}},
-        {"answers": {"a": "five"}},
+        {"answers": {"a": "plenty"}},
         {"given": {"m": -1}, "answers": {}},
         {"given": {}, "answers": {"z": 1}},
         7,

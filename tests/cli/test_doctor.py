@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from corollary.cli.commands import app
 from corollary.problem.roster import Student
-from corollary.records.files import create_course
+from corollary.records.files import create_course, one_writer, open_course
 
 Doctor = Callable[..., tuple[int, dict[str, dict[str, str]]]]
 
@@ -62,6 +62,72 @@ def test_a_folder_that_is_no_course(tmp_path: Path, course: Path):
     status, found = doctor("--course", tmp_path)
     assert (status, found["course"]["state"]) == (1, "broken")
     assert "is no course of ours" in found["course"]["sentence"]
+
+
+def roster_is_a_folder(course: Path) -> None:
+    (course / ".corollary" / "roster.csv").unlink()
+    (course / ".corollary" / "roster.csv").mkdir()
+
+
+def key_is_damaged(course: Path) -> None:
+    (course / ".corollary" / "key").write_bytes(b"short")
+
+
+def rows(*lines: str) -> Callable[[Path], None]:
+    def write(course: Path) -> None:
+        text = "\n".join(["id,first_name,last_name,email", *lines, ""])
+        (course / ".corollary" / "roster.csv").write_text(text)
+
+    return write
+
+
+@pytest.mark.parametrize(
+    ("harm", "sentence", "remedy"),
+    [
+        (roster_is_a_folder, "is a folder", "roster.csv away, then corollary generate SET --roster FILE"),
+        (key_is_damaged, "is damaged: 5 bytes", "restore .corollary from a backup"),
+        (rows("ada,Ada"), "roster.csv:2: ada, Ada is no student", "corollary generate SET --roster FILE"),
+        (rows("../ada,Ada,L,"), "roster.csv:2: ../ada", "corollary generate SET --roster FILE"),
+        (rows(), "nobody on the roster", "corollary generate SET --roster FILE"),
+    ],
+)
+def test_a_course_whose_record_is_damaged(
+    course: Path, harm: Callable[[Path], None], sentence: str, remedy: str
+):
+    harm(course)
+    status, found = doctor()
+    assert (status, found["course"]["state"]) == (1, "broken")
+    assert sentence in found["course"]["sentence"]
+    assert remedy in found["course"]["remedy"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other rights")
+def test_a_key_that_others_can_read(course: Path):
+    assert doctor()[1]["key"]["state"] == "good"
+    (course / ".corollary" / "key").chmod(0o644)
+    assert doctor()[1]["key"]["state"] == "good"  # nobody comes that far
+    (course / ".corollary").chmod(0o755)
+    status, found = doctor()
+    assert (status, found["key"]["state"]) == (1, "broken")
+    assert found["key"]["remedy"].startswith("chmod 700 ")
+
+
+def test_a_folder_that_cannot_be_written_in(course: Path, monkeypatch):
+    (course / "submitted").mkdir()
+    may = os.access
+    monkeypatch.setattr(os, "access", lambda path, mode: Path(path).name != "submitted" and may(path, mode))
+    status, found = doctor()
+    assert (status, found["rights"]["state"]) == (1, "broken")
+    assert f"chmod u+rwx {course / 'submitted'}" in found["rights"]["remedy"]
+
+
+def test_a_lock_is_that_of_a_run_at_work_and_goes_with_it(course: Path):
+    (course / ".corollary" / "lock").touch()  # left over: it says nothing
+    assert "lock" not in doctor()[1]
+    with one_writer(open_course(course)):
+        status, found = doctor()
+        assert (status, found["lock"]["state"]) == (0, "weak")
+    assert "lock" not in doctor()[1]
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -16,6 +17,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, find_set
 from corollary.problem.roster import Student
 from corollary.records.files import Course
+from corollary.records.regrading import Change
 from corollary.sandbox.runner import Runner
 
 # By id: title, unit, and the law that gives the answer.
@@ -116,7 +118,13 @@ class ChangingBank:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(filled_in(sheet, sources))
 
-    def grade(self, course: Course, *, regrade: bool = False) -> Outcome:
+    def grade(
+        self,
+        course: Course,
+        *,
+        regrade: bool = False,
+        ask: Callable[[tuple[Change, ...]], bool] = lambda changed: True,
+    ) -> Outcome:
         return grade_set(
             course,
             self.problem_set,
@@ -124,6 +132,7 @@ class ChangingBank:
             partial(Runner, require=0),
             jobs=1,
             regrade=regrade,
+            ask=ask,
         )
 
 

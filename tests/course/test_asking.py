@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import subprocess
 from pathlib import Path
 
 import pytest
 
 pytest.importorskip("nbgrader")
 
-from .conftest import grade
+from .conftest import COMMAND, grade
 
 
 @pytest.fixture
@@ -53,6 +54,53 @@ def test_what_is_handed_in_anew_is_marked_while_others_wait_for_consent(
     assert done.points["ben"] < 5.0
     assert done.points["ada"] == 5.0
     assert [each["student"] for each in done.document["changed"]] == ["ada"]
+
+
+def lines(course: Path) -> int:
+    return len((course / ".corollary/history/one.jsonl").read_text().splitlines())
+
+
+def test_a_regrade_that_nobody_agrees_to_writes_nothing_of_anybody(corrected: Path, graded: Path) -> None:
+    before = lines(graded)
+    done = grade(graded, "--regrade", name=corrected)
+    assert (done.status, done.document["graded"], set(done.document["held"])) == (1, 0, {"ada", "ben", "cyd"})
+    assert lines(graded) == before
+    assert grade(graded, "--regrade", "--yes", name=corrected).document["graded"] == 3
+    assert lines(graded) == before + 3
+
+
+def test_what_happened_is_said_and_nothing_else(corrected: Path, graded: Path) -> None:
+    def said(*words: str) -> str:
+        line = [COMMAND, "grade", corrected, "--course", graded, "--jobs", "1", *words]
+        return subprocess.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False).stdout
+
+    assert "would grade 3, unchanged 0" in said("--dry-run")
+    assert "graded 2, held back 1 (nobody agreed), unchanged 0" in said()
+    assert "graded 0, held back 1 (nobody agreed), unchanged 2" in said()
+    dry = grade(graded, "--dry-run", name=corrected).document
+    assert (dry["graded"], dry["held"], dry["written"]) == (0, ["ada"], False)
+
+
+def test_more_time_is_agreed_to_by_whoever_gave_it(graded: Path, tmp_path: Path) -> None:
+    """`extend` is consent: `grade` moves that student's marks up without asking, and asks when the time is taken back."""
+    (graded / "submitted/ada/one/timestamp.txt").write_text("2099-03-03 12:00:00 UTC")
+    own = tmp_path / "one.md"
+    own.write_text(
+        "---\ntitle: One exercise\ndue: 2099-03-02T12:00+00:00\ncredit: {late: 0.5}\nproblems:\n  - X12.5\n---\nOne.\n"
+    )
+    assert grade(graded, name=own).points["ada"] == 2.5
+
+    def extend(*words: str) -> None:
+        line = [COMMAND, "extend", "ada", own, *words, "--course", graded]
+        subprocess.run(list(map(str, line)), check=True, capture_output=True)
+
+    extend("2099-03-05")
+    done = grade(graded, name=own)
+    assert (done.status, done.points["ada"]) == (0, 5.0), done.errors
+    assert "ada has 5 points and no longer 2.5" in done.errors
+    extend("--remove")
+    done = grade(graded, name=own)
+    assert (done.status, done.points["ada"]) == (1, 5.0), done.errors
 
 
 def test_a_broken_file_is_listed_and_costs_the_status_only_when_it_is_asked_to(graded: Path) -> None:

@@ -16,9 +16,9 @@ import pytest
 from corollary.course.collect import Collected, collect
 from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
 from corollary.records.files import open_course
+from corollary.records.hand_in_time import handed_in as moment_of
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
-from corollary.records.submission import handed_in as moment_of
 
 NOW = datetime(2026, 12, 20, tzinfo=UTC)
 ROSTER = (
@@ -366,6 +366,25 @@ def test_a_worksheet_that_comes_later_moves_the_times_of_what_is_there(course: P
     assert when(course, "ada") == "02 10:00"
 
 
+def test_of_two_files_handed_in_at_one_moment_it_is_said_by_what_one_is_taken(
+    course: Path, tmp_path: Path
+) -> None:
+    times = grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM")
+    folder = "Ada Lovelace_171_assignsubmission_file_"
+    first, second = f"{folder}/one (1).ipynb", f"{folder}/one.ipynb"
+    files = {first: sheet(course, "ada", note="a"), second: sheet(course, "ada", note="b")}
+    found = collected(course, archive(tmp_path / "dates.zip", files, 2), times=times)
+    assert taken(course)["ada"] == files[second]
+    (left,) = found.of(OLDER)
+    assert left.why.startswith("nothing says that it is older than")
+    assert left.why.endswith("which is taken for the later date of its file")
+    shutil.rmtree(course / "submitted/ada/one")
+    found = collected(course, archive(tmp_path / "no_dates.zip", files, 2, minutes=0), times=times)
+    assert taken(course)["ada"] == files[first]
+    assert [each.why.rpartition(", ")[2] for each in found.of(OLDER)] == ["which is taken for its name"]
+    assert any("that one is taken" in each for each in found.conflicts)
+
+
 def test_a_guessed_time_makes_nothing_older(course: Path, tmp_path: Path) -> None:
     first, second = (moodle(course, tmp_path / f"{day}.zip", day, f"{day}") for day in (10, 11))
     collected(course, first, times=grades(tmp_path / "grades.csv", "5 December 2026, 9:03 AM"))
@@ -385,3 +404,72 @@ def test_a_guessed_time_makes_nothing_older(course: Path, tmp_path: Path) -> Non
     third = moodle(course, tmp_path / "12.zip", 12, "12")
     collected(course, third, times=grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM"))
     assert (taken(course)["ada"], when(course, "ada")) == (sheet(course, "ada", note="12"), "04 08:00")
+
+
+def test_a_real_time_counts_before_a_guess_in_one_run(course: Path, tmp_path: Path) -> None:
+    """Moodle's archive is of after the deadline; what came by mail says when it was saved."""
+    inbox = tmp_path / "inbox"
+    inbox.mkdir()
+    (inbox / "ada one.ipynb").write_bytes(sheet(course, "ada", note="by mail"))
+    mailed = datetime(2026, 12, 3, 9, 0, tzinfo=UTC).timestamp()
+    os.utime(inbox / "ada one.ipynb", (mailed, mailed))
+    zipped = moodle(course, tmp_path / "all.zip", 10)
+    found = collected(course, zipped, inbox)
+    assert taken(course)["ada"] == sheet(course, "ada", note="by mail")
+    assert when(course, "ada") == "03 09:00"
+    (conflict,) = found.conflicts
+    assert conflict.startswith("ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb says no time")
+    # with the worksheet both are known, and the later is taken
+    shutil.rmtree(course / "submitted")
+    times = grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM")
+    assert collected(course, zipped, inbox, times=times).conflicts == ()
+    assert (taken(course)["ada"], when(course, "ada")) == (sheet(course, "ada", note=""), "04 08:00")
+
+
+def test_of_two_downloads_the_later_is_taken_though_the_first_said_late(course: Path, tmp_path: Path) -> None:
+    """Canvas says LATE, and no time; before the deadline was moved, and not after."""
+    first = archive(tmp_path / "1.zip", {"lovelaceada_LATE_2001_5001_one.ipynb": sheet(course, "ada")}, day=6)
+    content = sheet(course, "ada", note="second")
+    second = archive(tmp_path / "2.zip", {"lovelaceada_2001_5009_one-1.ipynb": content}, day=7)
+    collected(course, first, second)
+    assert (taken(course), when(course, "ada")) == ({"ada": content}, "04 23:59")
+
+
+def test_a_download_of_a_large_class_takes_its_time_and_makes_nobody_late(
+    course: Path, tmp_path: Path
+) -> None:
+    files = {f"{name}_{number}_assignsubmission_file_/one.ipynb": sheet(course, who) for name, number, who in
+             (("Ada Lovelace", 171, "ada"), ("Ben Bóol", 172, "ben"), ("Cyd Charisse", 173, "cyd"))}  # fmt: skip
+    collected(course, archive(tmp_path / "all.zip", files, day=10, minutes=4))
+    assert {when(course, who) for who in ("ada", "ben", "cyd")} == {"04 23:59"}
+
+
+def test_an_archive_that_was_unpacked_makes_nobody_late(course: Path, tmp_path: Path) -> None:
+    with zipfile.ZipFile(moodle(course, tmp_path / "all.zip", 10)) as zipped:
+        zipped.extractall(tmp_path / "all")
+    unpacked = datetime(2026, 12, 10, 9, 0, tzinfo=UTC).timestamp()
+    for path in (tmp_path / "all").rglob("*.ipynb"):
+        os.utime(path, (unpacked, unpacked))
+    found = collected(course, tmp_path / "all")
+    assert {when(course, who) for who in ("ada", "ben")} == {"04 23:59"}
+    assert "the folder does not say when anything was handed in" in found.remarks[0]
+
+
+def test_a_deadline_in_the_hour_that_comes_twice_is_the_later_of_the_two(
+    course: Path, tmp_path: Path
+) -> None:
+    (course / "corollary.toml").write_text('timezone = "Europe/Oslo"\n')
+    (course.parent / "one.md").write_text(SET.replace("2026-12-04T23:59+00:00", "2026-10-25 02:30"))
+    zipped = moodle(course, tmp_path / "all.zip", 10)
+    assert {each.when[:16] for each in collected(course, zipped).of(ACCEPTED)} == {"2026-10-25 01:30"}
+    opened = open_course(course)
+    problem_set = set_of(opened, str(course.parent / "one.md"))[1]
+    assert problem_set.due is not None
+    assert problem_set.due.timestamp() == datetime(2026, 10, 25, 1, 30, tzinfo=UTC).timestamp()
+    # what came again is known for the guess it was
+    content = sheet(course, "ada", note="again")
+    again = archive(
+        tmp_path / "2.zip", {"Ada Lovelace_171_assignsubmission_file_/one.ipynb": content}, day=11
+    )
+    collected(course, again)
+    assert (taken(course)["ada"], when(course, "ada")) == (content, "25 01:30")

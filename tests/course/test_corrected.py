@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import sqlite3
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from corollary.course.export import sheets_of_course
+from corollary.course.marks_export import marks_table
 from corollary.grading.solutions import Solutions
 from corollary.problem.roster import Student
 from corollary.records.files import students
-from corollary.records.marks_table import MarksTable, every_column
+from corollary.records.marks_table import MarksTable, Notation, every_column
+from corollary.records.regrading import Change
 from corollary.render.exports import target
 
 from .changing_bank import ChangingBank, Text, replace
@@ -144,3 +148,80 @@ def test_who_is_shown_a_sheet_is_shown_the_one_that_was_handed_out(ball: Changin
     assert variant.si == before.si
     assert "(a) Momentum" in Solutions(ball.bank).worked_solution(variant)
     assert Student("ada") in students(open_course(ball.course))
+
+
+def test_points_that_a_part_is_out_of_do_not_move_unseen(ball: ChangingBank) -> None:
+    """Nobody's points change, and 0 of 3 would be 0 of 6: asked about like any other mark."""
+    made = ball.generate("ada", "ben")
+    ball.hand_in(made, "ben", X1_1_a="1e9", X1_1_b="1e9", X1_1_c="1e9")
+    (made.course.folder / "submitted/ada/week/week.ipynb").unlink()
+    assert ball.grade(made.course).records["ben"].out_of == 3.0
+    ball.write(Text(points=2))
+    shown: list[Change] = []
+    refused = ball.grade(made.course, ask=lambda changed: bool(shown.extend(changed)))
+    assert (refused.held, refused.graded, refused.written) == (("ben",), (), False)
+    assert (refused.records["ben"].points, refused.records["ben"].out_of) == (0.0, 3.0)
+    (change,) = shown
+    assert (change.by, change.out_of_before, change.out_of) == (0.0, 3.0, 6.0)
+    assert [(part.part, part.out_of_before, part.out_of) for part in change.parts] == [
+        (f"X1_1_{part}", 1.0, 2.0) for part in "abc"
+    ]
+    agreed = ball.grade(made.course, ask=lambda changed: True)
+    assert (agreed.records["ben"].points, agreed.records["ben"].out_of) == (0.0, 6.0)
+
+
+def test_who_has_an_older_sheet_and_has_not_handed_in_has_the_points_of_that_sheet(
+    ball: ChangingBank,
+) -> None:
+    ball.generate("ada", "ben", "cyd")
+    ball.write(Text(parts=("a", "b", "c", "d")))
+    made = ball.generate("ada", "ben", "cyd", "dan")
+    ball.grade(made.course)
+    table = marks_table(made.course, [ball.problem_set], "every", Notation())
+    out_of = table.columns[-1]
+    assert out_of.title == "out_of"
+    assert {each.id: table.cell(each, out_of) for each in table.students} == {
+        "ada": "3",
+        "ben": "3",
+        "cyd": "3",
+        "dan": "4",
+    }
+
+
+def test_nbgraders_autograde_in_a_corrected_course_gives_the_same_marks(ball: ChangingBank) -> None:
+    """A part is gone, one is new, one is renamed, and all are worth more: who has which sheet is known to nbgrader, too."""
+    ball.write(Text(parts=("a", "d", "b"), givens=RANGE, points=2))
+    made = ball.generate("ada", "ben", "cyd")
+    ball.hand_in(made, "cyd", X1_1_d="1e9")
+    done = subprocess.run(
+        [Path(sys.executable).with_name("nbgrader"), "autograde", "week", "--force"],
+        cwd=ball.course,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    found = scores(ball.course)
+    assert {key: score for key, (score, _) in found.items()} == {
+        ("ada", "X1_1_a"): 2.0,
+        ("ada", "X1_1_b"): 2.0,
+        ("ada", "X1_1_c"): 1.0,
+        ("ada", "X1_1_d"): None,
+        ("ben", "X1_1_a"): 2.0,
+        ("ben", "X1_1_b"): 2.0,
+        ("ben", "X1_1_c"): 0.0,
+        ("ben", "X1_1_d"): None,
+        ("cyd", "X1_1_a"): 2.0,
+        ("cyd", "X1_1_b"): 2.0,
+        ("cyd", "X1_1_c"): None,
+        ("cyd", "X1_1_d"): 0.0,
+    }
+    assert not any(waits for _, waits in found.values())
+    again = ball.grade(made.course)
+    assert (again.graded, again.changed) == ((), ()), "our own command has nothing left to do"
+    assert {student: (record.points, record.out_of) for student, record in again.records.items()} == {
+        "ada": (5.0, 5.0),
+        "ben": (4.0, 5.0),
+        "cyd": (4.0, 6.0),
+    }
+    assert scores(ball.course) == found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from datetime import UTC, datetime, timedelta
 from functools import partial
 from pathlib import Path
@@ -40,11 +41,11 @@ def course(handed_in: Path, tmp_path: Path) -> Path:
     return handed_in
 
 
-def grade(course: Path, now: datetime, text: str = SET) -> Outcome:
+def grade(course: Path, now: datetime, text: str = SET, runner: type[Runner] = Runner) -> Outcome:
     (course.parent / "one.md").write_text(text)
     opened = open_course(course)
     bank, problem_set = set_of(opened, str(course.parent / "one.md"))
-    return grade_set(opened, problem_set, Solutions(bank), partial(Runner, require=0), jobs=1, now=now)
+    return grade_set(opened, problem_set, Solutions(bank), partial(runner, require=0), jobs=1, now=now)
 
 
 def pages(course: Path) -> dict[str, str]:
@@ -71,6 +72,43 @@ def test_lateness_is_ones_own_and_solutions_wait_for_everybodys_date(course: Pat
     assert [student for student, page in pages(course).items() if WORKED in page] == ["ada", "ben"]
     assert set(grade(course, DUE + 2 * DAY).graded) == {"cyd"}
     assert all(WORKED in page for page in pages(course).values())
+
+
+def test_what_may_be_seen_by_now_is_added_without_running_anything(course: Path):
+    """The page, the record and the marked notebook are those that a run of every notebook would have made."""
+    path = course / "submitted" / "ada" / "one" / "one.ipynb"
+    notebook = json.loads(path.read_text())
+    for cell in notebook["cells"]:
+        if cell["id"] == "X12_5_c_answer":
+            cell["source"] = "X12_5_c = 1e9"
+    path.write_text(json.dumps(notebook))
+    grade(course, DUE)
+
+    class NeverRun(Runner):
+        def execute(self, job):
+            raise AssertionError("a notebook was run")
+
+    later = grade(course, DUE + 2 * DAY, runner=NeverRun)
+    assert set(later.graded) == {"ada", "ben", "cyd"}
+    assert later.changed == ()
+    rendered, records = pages(course), later.records
+    assert "The answer is" in rendered["ada"]
+    assert all(WORKED in page for page in rendered.values())
+    marked = (course / "autograded/ada/one/one.ipynb").read_text()
+    assert grade(course, DUE + 2 * DAY).graded == ()
+    opened = open_course(course)
+    bank, problem_set = set_of(opened, str(course.parent / "one.md"))
+    again = grade_set(
+        opened,
+        problem_set,
+        Solutions(bank),
+        partial(Runner, require=0),
+        jobs=1,
+        now=DUE + 2 * DAY,
+        regrade=True,
+    )
+    assert (pages(course), again.records) == (rendered, records)
+    assert (course / "autograded/ada/one/one.ipynb").read_text() == marked
 
 
 def test_moving_the_date_moves_lateness_alone_and_accuses_nobody(course: Path):

@@ -25,6 +25,7 @@ from corollary.problem.roster import Student
 from corollary.records.deadlines import Extension, write_extension
 
 from .conftest import COMMAND, grade
+from .importers import Canvas, Refused, moodle
 
 SET = """---
 title: Week 1, impulse
@@ -55,6 +56,7 @@ class Done:
 
     @property
     def text(self) -> str:
+        assert "files" in self.document, self.errors
         (name,) = self.document["files"]
         return (self.folder / name).read_bytes().decode()
 
@@ -139,7 +141,8 @@ def test_canvas_reads_its_columns_its_second_row_and_the_title(folder: Path) -> 
     assert header == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Week 1, impulse"]
     assert points_row[0].strip() == "Points Possible"
     assert float(points_row[-1]) == sum(points_possible(folder))
-    assert rows[0][:5] == ["Lovelace, Ada", "", "", "007", ""]
+    assert rows[0][:5] == ["Lovelace, Ada", "", "", "", ""]  # the roster was not Canvas's
+    assert "it goes by the name alone" in done.errors
     assert [row[-1] for row in rows][2:] == ["", ""]
     assert float(rows[0][-1]) == pytest.approx(points(folder)["007"], abs=0.05)
 
@@ -218,6 +221,76 @@ def test_two_sets_are_two_columns(folder: Path) -> None:
     assert [list(row.values())[4:] for row in done.rows][2:] == [["", ""], ["", done.rows[3]["Week 2"]]]
     assert float(done.rows[3]["Week 2"]) > 0  # excused in the first week only
     assert done.rows[0]["Week 1, impulse"] == done.rows[0]["Week 2"] != ""
+
+
+MOODLE = {"007": "ada", "0100": "luk", "0101": "cyd", "0102": "dag"}
+IN_CANVAS = Canvas(
+    {
+        "2001": ("Lovelace, Ada", "S-1", "ada"),
+        "2002": (f"Łukasiewicz-Østby, {FORMULA}", "S-2", "luk"),
+        "2003": ("Missing, Cyd", "S-3", "cyd"),
+    }
+)
+
+
+@pytest.mark.parametrize("words", [(), ("--blank", "-"), ("--round", "0"), ("--out-of", "100")])
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_moodles_rules_take_the_file_in_any_language(
+    folder: Path, words: tuple[str, ...], decimal: str
+) -> None:
+    done = export(folder, "--to", "moodle-grades", *words)
+    title = "Week 1, impulse"
+    found = moodle(done.text.encode(), "ID number", MOODLE, title, decimal)
+    of_file = {MOODLE[row["ID number"]]: row[title] for row in done.rows}
+    assert found == {who: None if mark in ("", "-") else float(mark) for who, mark in of_file.items()}
+    assert found["ada"]
+    assert (found["cyd"], found["dag"]) == (None, None)
+    by_mail = moodle(
+        done.text.encode(),
+        "Email address",
+        {row["Email address"]: row["ID number"] for row in done.rows},
+        title,
+    )
+    assert by_mail["007"] == found["ada"]
+    with pytest.raises(Refused, match="nobody is 0102"):
+        moodle(done.text.encode(), "ID number", {"007": "ada", "0100": "luk", "0101": "cyd"}, title)
+
+
+def test_a_template_with_decimal_commas_is_taken_where_moodle_speaks_so(folder: Path) -> None:
+    text = '\ufeffID-Nummer,"Aufgabe: Week 1, impulse (Punkte)"\r\n007,"1,50"\r\n0100,-\r\n'
+    (folder / "grades.csv").write_text(text, encoding="utf-8", newline="")
+    title = "Aufgabe: Week 1, impulse (Punkte)"
+    done = export(folder, "--to", "moodle-grades", "--template", "grades.csv", "--column", title)
+    found = moodle(done.text.encode(), "ID-Nummer", MOODLE, title, ",")
+    assert found == {"ada": points(folder)["007"], "luk": points(folder)["0100"]}
+    with pytest.raises(Refused, match="is no number"):
+        moodle(done.text.encode(), "ID-Nummer", MOODLE, title, ".")
+
+
+def test_a_mark_that_moodle_refuses_is_said(folder: Path) -> None:
+    done = export(folder, "--to", "moodle-grades", "--out-of", "200")
+    with pytest.raises(Refused, match="too large"):
+        moodle(done.text.encode(), "ID number", MOODLE, "Week 1, impulse")
+    assert "Moodle takes no file with a mark above 100" in done.errors
+
+
+@pytest.mark.parametrize("template", [False, True])
+def test_canvas_rules_find_everybody_and_ask_about_none(folder: Path, template: bool) -> None:
+    words: tuple[str, ...] = ()
+    if template:
+        head = "Student;ID;SIS User ID;SIS Login ID;Section;Week 1, impulse (4411)"
+        names = {number: about[0].replace('"', '""') for number, about in IN_CANVAS.students.items()}
+        lines = [f'"{name}";{number};;;A;' for number, name in names.items()]
+        (folder / "gradebook.csv").write_text(
+            "\n".join([head, "    Points Possible;;;;;1.234,00", *lines, ""])
+        )
+        words = ("--template", "gradebook.csv")
+    done = export(folder, "--to", "canvas-grades", *words)
+    found, asked, out_of = IN_CANVAS.taken(done.text.encode(), "Week 1, impulse")
+    assert float(found["2001"]) == points(folder)["007"]
+    assert found["2003"] == ""
+    assert asked == ([] if template else ["Excused, Dag"])  # who is in our course and not in Canvas's
+    assert out_of == (1234 if template else sum(points_possible(folder)))
 
 
 REFUSED = [

@@ -156,3 +156,16 @@ def test_a_problem_of_another_code_is_asked_about(ball: ChangingBank) -> None:
     assert generate(ball, "--yes")[0] == 0
     assert numbers(ball) == before
     assert ball.grade(open_course(ball.course)).records["ada"].points == 3.0
+
+
+def test_what_looks_renamed_is_not_where_somebody_says_so(ball: ChangingBank) -> None:
+    """As the word no on a terminal; scripts have none."""
+    ball.grade(open_course(ball.course))
+    ball.write(replace(Text(), code="X1.7"))
+    status, _, said = generate(ball)
+    assert (status, "say --not-renamed" in said) == (1, True)
+    status, document, said = generate(ball, "--not-renamed")
+    assert status == 0, said
+    assert "X1.1 is no longer in the set" in said
+    assert document["students"]["ada"]["variants"] == {}, "nobody was asked X1.7"
+    assert generate(ball)[0] == 0, "it is asked once"

@@ -72,6 +72,14 @@ def test_side_by_side_gives_what_one_by_one_gives(by: GradingContext, papers: li
     assert all(one.marked.isolation for name, one in together.items() if name != "nils")
 
 
+def test_nothing_is_left_where_temporary_files_go(
+    by: GradingContext, papers: list[Submission], tmp_path: Path, monkeypatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    marked(side_by_side(2), by, papers)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_few_are_marked_in_this_process_and_many_on_all_cores() -> None:
     assert here(None, 3) is in_turn
     assert here(1, 1000) is in_turn

@@ -19,6 +19,7 @@ pytest.importorskip("nbgrader")
 
 from corollary.course.generate import generate
 from corollary.grading.solutions import Solutions
+from corollary.nbgrader.exchange import open_for
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
@@ -32,7 +33,7 @@ SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 NBGRADER = Path(sys.executable).with_name("nbgrader")
 ORDINARY_USER = Path(__file__).parents[1] / "adversary" / "ordinary_user.py"
 # Accounts that every Debian has: no user is made for a test.
-ADA, BEN = (pwd.getpwnam(name) for name in ("daemon", "games"))
+ADA, BEN, TEACHER = (pwd.getpwnam(name) for name in ("daemon", "games", "bin"))
 HUB = """\
 c = get_config()
 c.CourseDirectory.course_id = "course"
@@ -58,8 +59,8 @@ class Hub:
         return self.folder / who.pw_name
 
     def run(self, who: pwd.struct_passwd | None, *words: object) -> subprocess.CompletedProcess[str]:
-        """A command of nbgrader's, by a student or by the instructor."""
-        home = self.course if who is None else self.home(who)
+        """A command of nbgrader's, by a student or by the instructor, who is root or an account."""
+        home = self.course if who in (None, TEACHER) else self.home(who)
         by = [] if who is None else [sys.executable, ORDINARY_USER]
         about = {"HOME": home, "PATH": os.environ["PATH"], "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": home}
         about |= {} if who is None else {"AS_ACCOUNT": who.pw_uid}
@@ -161,3 +162,37 @@ def test_zip_collect_works_by_default(hub: Hub) -> None:
         assert notebook(place / "one.ipynb") == notebook(sheet)
         assert (place / "timestamp.txt").is_file()
     assert "scan.pdf is no notebook, and is left out" in done.stderr
+
+
+def test_an_instructor_who_is_not_root_opens_each_sheet_for_its_student_alone(hub: Hub) -> None:
+    """By the access lists of the file system."""
+    for path in (hub.course, *hub.course.rglob("*")):
+        shutil.chown(path, TEACHER.pw_uid, -1)
+    released = hub.run(TEACHER, "release_assignment", "one")
+    assert released.returncode == 0, released.stderr
+    assert {path.stat().st_uid for path in hub.outbound.iterdir()} == {TEACHER.pw_uid}
+    for who, other in ((ADA, BEN), (BEN, ADA)):
+        done = hub.run(who, "fetch_assignment", "one")
+        assert done.returncode == 0, done.stderr
+        own = hub.course / "release" / who.pw_name / "one" / "one.ipynb"
+        assert notebook(hub.home(who) / "one" / "one.ipynb") == notebook(own)
+        theirs = hub.outbound / other.pw_name
+        for place in (theirs, theirs / "one.ipynb"):
+            assert may_read(hub, who, place) is False
+    assert may_read(hub, TEACHER, hub.outbound / ADA.pw_name)
+
+
+def may_read(hub: Hub, who: pwd.struct_passwd, place: Path) -> bool:
+    script = hub.folder / "read.py"
+    script.write_text("import os, sys; print(os.access(sys.argv[1], os.R_OK))")
+    line = [sys.executable, str(ORDINARY_USER), str(script), str(place)]
+    about = {"PATH": os.environ["PATH"], "AS_ACCOUNT": str(who.pw_uid), "TMPDIR": str(hub.folder)}
+    done = subprocess.run(line, env=about, capture_output=True, encoding="utf-8", timeout=60, check=True)
+    return done.stdout.strip() == "True"
+
+
+def test_a_file_system_without_access_lists_says_so(monkeypatch) -> None:
+    """As on some network disks: `/proc` is one without."""
+    monkeypatch.setattr(os, "geteuid", lambda: BEN.pw_uid)
+    with pytest.raises(OSError, match="not supported"):
+        open_for(Path("/proc/self/status"), ADA.pw_uid)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import shutil
 import sqlite3
 from collections.abc import Callable
@@ -182,6 +183,20 @@ def test_another_answer_is_shown_to_the_person_again(given: Course) -> None:
         ("ada", "the answer has changed since a person marked it")
     ]
     assert found["students"]["ada"]["points"] == found["out_of"], "until then it stands"
+    row = table(given)["ada"]
+    parts = [float(points) for name, points in row.items() if name.startswith("X12.11")]
+    assert row["X12.11 c"] == "2"
+    assert sum(parts) == float(row["total"]) == found["out_of"], "and so in every table"
+    exported = run(
+        given, "corollary", "export", "words", "--to", "csv", "--columns", "parts", "--course", ".", "--json"
+    )
+    assert (exported.document["waiting"], exported.document["again"]) == ([], ["ada"])
+    assert "1 have answered again what a person had marked" in exported.errors
+    assert "wait for a person" not in exported.errors
+    (file,) = exported.document["files"]
+    with (given.folder / file).open(encoding="utf-8") as lines:
+        ada = next(row for row in csv.reader(lines) if "ada" in row)
+    assert sum(float(cell) for cell in ada if re.fullmatch(r"[\d.]+", cell)) == found["out_of"]
     give(given, "ada", 2.0, "Well <b>argued</b>.")  # formgrader's Resolve
     assert report(given)["waiting"] == []
     assert grade(given, "--regrade").status == 0

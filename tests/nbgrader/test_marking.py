@@ -100,8 +100,9 @@ def test_a_part_that_was_taken_out_since_is_marked_as_it_was_handed_out(
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        ("ada/X12.11c=3", "from 0 to 2 points"),
+        ("ada/X12.11c=3", "from 0 to 2 points, not 3; no mark was given"),
         ("zoe/X12.11c=1", "nothing of zoe is graded"),
+        ("adda/X12.11c=1", "nothing of adda is graded (did you mean ada?)"),
         ("ada/X99=1", "has no part X99"),
         ("ada=1", "write it as STUDENT/PART=POINTS"),
         ("ada/X12.11c=two", "no number of points"),
@@ -111,6 +112,32 @@ def test_what_cannot_be_given_is_said(marked_course: Course, words: str, why: st
     done = mark(marked_course, "--set", words)
     assert done.status == 2
     assert why in done.errors
+
+
+def test_with_all_the_mark_of_the_program_is_seen_and_tells_equal_texts_apart(marked_course: Course) -> None:
+    """The same number is right for one student's numbers and wrong for another's: they are no group."""
+    ada = next(
+        group["answer"]
+        for part in mark(marked_course, "--all", "--json").document["parts"]
+        if part["key"] == "X12_11_b"
+        for group in part["groups"]
+        if "ada" in group["students"]
+    )
+    hand_in(marked_course, STUDENTS[1], X12_11_b_answer=ada[0])
+    assert grade(marked_course).status == 0
+    parts = mark(marked_course, "--all", "--json").document["parts"]
+    groups = {
+        student: group
+        for part in parts
+        if part["key"] == "X12_11_b"
+        for group in part["groups"]
+        for student in group["students"]
+    }
+    assert groups["ada"]["answer"] == groups["ben"]["answer"]
+    assert groups["ada"]["students"] == ["ada"]
+    assert groups["ada"]["why"].startswith("Marked by the program: right, ")
+    assert groups["ben"]["why"].startswith("Marked by the program: ")
+    assert groups["ben"]["why"] != groups["ada"]["why"]
 
 
 def test_equal_answers_are_marked_once_in_the_terminal(

@@ -38,7 +38,9 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, at, chapter
+from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
+from corollary.records.hand_in_time import settle_time
 from corollary.sandbox.result import CellRun
 
 FILES = {
@@ -247,6 +249,8 @@ def test_formgrader_sees_the_students_as_graded(course: Course, week: ProblemSet
     nb = hand_in(course, week, ADA)
     bare = hand_in(course, week, BOB, stamp=None)
     garbled = hand_in(course, week, EVE, stamp="soon")
+    for student in ("bob", "eve"):
+        settle_time(course, "week_1", student, Terms())
     record(
         course,
         week,

@@ -70,3 +70,15 @@ def test_without_a_record_it_is_the_chapters_and_a_damaged_one_is_told(course: C
     path.write_text("{")
     with pytest.raises(NotACourse, match="does not say which bank momentum_1 comes from"):
         set_of(course, "momentum_1")
+
+
+def test_another_set_of_the_bank_of_its_other_sets_is_found(
+    course: Course, foreign: Bank, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("COROLLARY_BANK", raising=False)
+    write_origin(course, "kicks", foreign)
+    (foreign.sets / "throws.md").write_text(SET.replace("Kicks", "Throws"))
+    bank, found = set_of(course, "throws")
+    assert (bank.folder, found.title) == (foreign.folder, "Throws")
+    with pytest.raises(UnknownCode, match=rf"the bank {foreign.place} has: kicks, throws"):
+        set_of(course, "rolls")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.verdict import Right, Verdict, Wrong
@@ -9,8 +10,8 @@ from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
-from corollary.records.record import record_of
-from corollary.records.regrading import changes
+from corollary.records.record import Record, record_of
+from corollary.records.regrading import Change, change, largest_first
 
 KICK = chapter(find(chapter_bank(), "X12.5"))
 
@@ -21,6 +22,13 @@ def marked(name: str, *points: float, late_share: float = 1.0) -> Marked:
         verdict: Verdict = Right() if earned else Wrong()
         parts.append(PartGrade(part, verdict, earned, 1.0, "", ""))
     return Marked(Student(name), (Grade(KICK, tuple(parts)),), (), (), "", "", 0.0, late_share)
+
+
+def changes(old: Mapping[str, Record], new: Sequence[Marked]) -> tuple[Change, ...]:
+    """Of those who had marks already."""
+    known = [each for each in new if each.student.id in old]
+    found = [change(each.student.id, old[each.student.id], record_of(each, "")) for each in known]
+    return largest_first(each for each in found if each is not None)
 
 
 def test_the_largest_change_comes_first_and_who_keeps_their_marks_is_not_named() -> None:

@@ -16,11 +16,9 @@ from corollary.problem.roster import Student
 from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
+from corollary.records.hand_in_time import handed_in, lateness, moment
 from corollary.records.submission import (
     fingerprint,
-    handed_in,
-    lateness,
-    moment,
     read_submission,
     submissions,
 )

@@ -16,7 +16,15 @@ from corollary.plug_ins import PlugInFault
 from corollary.problem.roster import Student
 from corollary.problem.variant import at, chapter
 from corollary.records.marks_table import Column, Mark, MarksTable, every_column
-from corollary.render.exports import Target, UnknownTarget, names, names_for_exercises, target
+from corollary.render.exports import (
+    FOR_EXERCISES,
+    OURS,
+    Target,
+    UnknownTarget,
+    names,
+    names_for_exercises,
+    target,
+)
 from corollary.render.spreadsheet import table_text
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
@@ -49,7 +57,7 @@ def test_text_reads_well_on_a_terminal(kick):
     )
     assert "[Figure: A ball of mass 0.43 kg [at rest].]" in text
     assert "(a) Momentum  [1 point, in kg m/s]\nBy how much does it change, Δp?" in text
-    assert "- (a) the momentum, ∑p" in text.replace("∑ p", "∑p")
+    assert "- (A) the momentum, ∑p" in text.replace("∑ p", "∑p")
     assert text.endswith("Worked solution\n\nBecause p = m v.\n")
     assert "$" not in text
     assert "Worked solution" not in written("text", kick)
@@ -92,7 +100,17 @@ def test_the_figures_of_a_sheet_do_not_share_their_names(tmp_path):
 def marks(name: str, table: MarksTable) -> list[str]:
     write = target(name).marks
     assert write is not None
-    return write(table).splitlines()
+    made = write(table)
+    return (made if isinstance(made, str) else made.text).splitlines()
+
+
+def notes(name: str, table: MarksTable) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Who is left out of the file, and what is said of it."""
+    write = target(name).marks
+    assert write is not None
+    made = write(table)
+    assert not isinstance(made, str)
+    return made.absent, made.notes
 
 
 def test_marks_are_blank_where_there_are_none(tmp_path):
@@ -136,9 +154,58 @@ def test_moodle_gets_no_column_of_ids_that_somebody_is_without():
     by_mail = Student("ada@uio.no", "Ada", "L", "ada@uio.no", (("Email address", "ada@uio.no"),))
     assert marks("moodle-grades", _of(by_mail))[0] == "First name,Last name,Email address,Week 1"
     assert marks("moodle-grades", _of(Student("bo", ids=(("column 1", "bo"),)))) == [
-        "First name,Last name,ID number,Week 1",
+        "First name,Last name,id,Week 1",
         ",,bo,",
     ]
+
+
+NUMBERED = Student(
+    "007", "Ada", "Lovelace", "ada@uio.no", (("ID number", "007"), ("Email address", "ada@uio.no"))
+)
+NEWCOMER = Student("ek-1f2e3d4c", "Bo", "Ek", "", (("id", "Ek, Bø"),))
+
+
+def test_a_newcomer_without_a_number_turns_nobodys_id_into_a_folder_name():
+    by_mail = Student("ek-1f2e3d4c", "Bo", "Ek", "bo@uio.no", (("id", "Ek, Bø"),))
+    table = _of(NUMBERED, by_mail)
+    assert marks("moodle-grades", table) == [
+        "First name,Last name,Email address,Week 1",
+        "Ada,Lovelace,ada@uio.no,",
+        "Bo,Ek,bo@uio.no,",
+    ]
+    assert notes("moodle-grades", table) == (
+        (),
+        (
+            'each row has Email address; choose it under "Map from" in Moodle',
+            "ID number is left out, for not everybody has one of their own: ek-1f2e3d4c",
+        ),
+    )
+
+
+def test_where_no_id_is_everybodys_most_are_in_the_file_and_the_others_are_named():
+    """A row without an id would make Moodle refuse the file, or give its marks to the student above."""
+    table = _of(NUMBERED, NEWCOMER, Student("008", "Cy", "C", "", (("Matrikelnummer", "008"),)))
+    assert marks("moodle-grades", table) == [
+        "First name,Last name,ID number,Week 1",
+        "Ada,Lovelace,007,",
+        "Cy,C,008,",
+    ]
+    absent, (of_all, of_absent) = notes("moodle-grades", table)
+    assert absent == ("ek-1f2e3d4c",)
+    assert of_all.startswith("each row has ID number; choose it")
+    assert of_absent == "no id is everybody's; without ID number on the roster: ek-1f2e3d4c"
+
+
+def test_an_id_as_the_roster_had_it_and_never_the_folders_name():
+    assert marks("moodle-grades", _of(NEWCOMER)) == ["First name,Last name,id,Week 1", 'Bo,Ek,"Ek, Bø",']
+    canvas = Student("s-1", "Ada", "L", ids=(("ID", "2001"), ("SIS User ID", "S/1")))
+    assert marks("moodle-grades", _of(canvas)) == ["First name,Last name,SIS User ID,Week 1", "Ada,L,S/1,"]
+
+
+@pytest.mark.parametrize("value", ["0", "007"])
+def test_an_id_that_moodle_takes_for_none_or_for_anothers_is_none(value):
+    twin = Student("bo", "Bo", "Ek", "bo@uio.no", (("ID number", value),))
+    assert marks("moodle-grades", _of(NUMBERED, twin))[0] == "First name,Last name,Email address,Week 1"
 
 
 def test_canvas_gets_its_own_numbers_where_the_roster_has_them():
@@ -147,8 +214,34 @@ def test_canvas_gets_its_own_numbers_where_the_roster_has_them():
         "Student,ID,SIS User ID,SIS Login ID,Section,Week 1",
         "    Points Possible,,,,,5",
         '"Lovelace, Ada",2001,S-1,ada,,4.5',
-        "bo,,,bo,,",
+        "bo,,,,,",
     ]
+
+
+def test_canvas_is_told_no_id_that_it_never_gave():
+    """It finds by the name whoever has none; of namesakes it takes the first."""
+    ada = Student("lovelace-7", "Ada", "Lovelace", "ada@uio.no", (("Username", "adal"), ("ID", "9")))
+    table = _of(ada, Student("k1", "Kim", "Lee"), Student("k2", "Kim", "Lee"))
+    assert marks("canvas-grades", table)[2:] == ['"Lovelace, Ada",,,,,']
+    absent, said = notes("canvas-grades", table)
+    assert absent == ("k1", "k2")
+    assert said[0].startswith(
+        "no id of Canvas's is on the roster, so it goes by the name alone: Ada Lovelace; --template"
+    )
+    assert "cannot tell people of one name apart" in said[1]
+    login = (("SIS Login ID", "kim2"),)
+    known = _of(
+        Student("k1", "Kim", "Lee", ids=(("ID", "31"), ("SIS Login ID", "kim1"))),
+        Student("k2", "Kim", "Lee", ids=login),
+    )
+    assert marks("canvas-grades", known)[2:] == ['"Lee, Kim",31,,kim1,,', '"Lee, Kim",,,kim2,,']
+    assert notes("canvas-grades", known) == ((), ())
+
+
+def test_a_title_by_which_canvas_overlooks_a_column_is_said():
+    title = "Week 1, Final Score"
+    table = MarksTable((ADA,), (Column(title, (), 5, {}),))
+    assert any(title in each for each in notes("canvas-grades", table)[1])
 
 
 def test_what_is_unknown_is_answered_with_what_there_is():
@@ -195,3 +288,13 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
     with pytest.raises(PlugInFault, match="the export gone of rollcall cannot be used: rollcall:MISSING"):
         target("gone")
     assert names_for_exercises() == ("text", "md", "html", "ipynb")
+
+
+def test_what_an_exercise_can_be_shown_as_is_what_the_targets_say() -> None:
+    assert tuple(name for name in OURS if target(name).exercise is not None) == FOR_EXERCISES
+
+
+@pytest.mark.parametrize(("word", "meant"), [("cvs", "csv"), ("moodle", "moodle-grades"), ("htlm", "html")])
+def test_a_target_that_is_nearly_right_is_guessed(word: str, meant: str) -> None:
+    with pytest.raises(UnknownTarget, match=rf"{word} is not known \(did you mean {meant}\?\)"):
+        target(word)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from msgspec import to_builtins
 
+from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.collect import Collected, collect
@@ -64,13 +65,12 @@ def run(
 
 def show(found: Collected, name: str, dry_run: bool) -> None:
     """What was not taken, and with a dry run what would be; then how many."""
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
     from corollary.messages import visible
 
-    console = Console()
+    out = console()
     for outcome, title in HEADINGS.items():
         arrivals = [each for each in found.of(outcome) if outcome != ACCEPTED or dry_run or each.why]
         if not arrivals:
@@ -88,17 +88,17 @@ def show(found: Collected, name: str, dry_run: bool) -> None:
                 each.why,
             )
             table.add_row(*(Text(visible(cell)) for cell in cells))
-        console.print(table)
+        out.print(table)
     accepted, same, older = (len(found.of(outcome)) for outcome in (ACCEPTED, UNCHANGED, OLDER))
     left = len(found.of(UNUSABLE)) + len(found.of(NOBODY))
     verb = "would be taken" if dry_run else "taken"
-    console.print(
+    out.print(
         f"{name}: {accepted} {verb}, {same} there already, {older} older, {left} that cannot be used",
         soft_wrap=True,
     )
     if found.missing:
         more = len(found.missing) - MOST_MISSING
         listed = ", ".join(found.missing[:MOST_MISSING]) + (f" and {more} more" if more > 0 else "")
-        console.print(f"nothing yet from {len(found.missing)}: {listed}", soft_wrap=True)
+        out.print(f"nothing yet from {len(found.missing)}: {listed}", soft_wrap=True)
     if dry_run:
-        console.print("nothing is written")
+        out.print("nothing is written")

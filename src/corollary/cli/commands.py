@@ -16,6 +16,7 @@ from corollary.cli.parameters import (
     BANK,
     CODE,
     COURSE,
+    FORMAT,
     GENERATED_BANK,
     JSON,
     MARKING,
@@ -85,7 +86,7 @@ _command(
     path("--course", text="Take the student's numbers from this course."),
     click.Option(["--variant"], type=int, help="The variant with this index in the grid."),
     SOLUTION,
-    click.Option(["--format", "fmt"], help="text (when left out), md, html or ipynb."),
+    FORMAT,
     JSON,
     path("--output", "-o", text="Write to this file."),
 )
@@ -158,6 +159,7 @@ _command(
     BANK,
     JSON,
     text("--id-column", "The roster's column with the ids, by name or number."),
+    flag("--not-renamed", "What looks renamed is not: what is gone is gone, and what is new is new."),
     flag("--renew", "Give who has not handed in the sheet of today, where the set was corrected since."),
     flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
 )

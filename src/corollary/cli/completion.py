@@ -74,6 +74,12 @@ def _targets(options: dict[str, Any]) -> Iterable[str]:
     return names()
 
 
+def _formats(options: dict[str, Any]) -> Iterable[str]:
+    from corollary.render.exports import names_for_exercises
+
+    return names_for_exercises()
+
+
 def _topics(options: dict[str, Any]) -> Iterable[str]:
     from corollary.problem.bank import files
 
@@ -82,3 +88,4 @@ def _topics(options: dict[str, Any]) -> Iterable[str]:
 
 CODES, SETS, STUDENTS = _completes(_codes), _completes(_sets), _completes(_students)
 SCENES, TARGETS, TOPICS = _completes(_scenes), _completes(_targets), _completes(_topics)
+FORMATS = _completes(_formats)

@@ -17,13 +17,17 @@ from corollary.records.numbers import Assigned
 MOST_NAMED = 5
 
 
-def names_settled(course: Course, problem_set: ProblemSet, record: Assigned, yes: bool) -> bool:
-    """Asks about every name that looks changed, and records the answer; False when there is nobody to answer."""
+def names_settled(
+    course: Course, problem_set: ProblemSet, record: Assigned, yes: bool, no: bool = False
+) -> bool:
+    """Asks about every name that looks changed, and records the answer, which is known where `no` or `yes`; False when there is nobody
+    to answer."""
     for renames in pending(course, problem_set, record):
         for each in renames:
             say(each.sentence)
-        take = agreed("Is it the same under another name?", yes)
-        if not take and not (sys.stdin.isatty() and sys.stderr.isatty()):
+        take = not no and agreed("Is it the same under another name?", yes)
+        if not no and not take and not (sys.stdin.isatty() and sys.stderr.isatty()):
+            say("where it is not the same, say --not-renamed")
             return False
         settle(record, renames, agreed=take)
         save_record(course, problem_set, record)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 
+from corollary.cli.corrected import named
 from corollary.cli.ending import refuse, say
 from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
@@ -46,6 +47,17 @@ def warn_of_grading_early(course: Course, problem_set: ProblemSet, at: datetime 
         say(
             f"{', '.join(more)} {'has' if len(more) == 1 else 'have'} more time in {problem_set.name}, until {written(last)} at the "
             "latest, and may still hand in"
+        )
+
+
+def warn_of_printed_dates(course: Course, problem_set: ProblemSet) -> None:
+    """Before marking: whose sheet prints a later moment than the set has by now, which holds for them."""
+    deadlines = read_deadlines(course, problem_set)
+    if deadlines.due is not None and (whose := deadlines.by_sheet):
+        say(
+            f"warning: {problem_set.name} is due {written(deadlines.due)} now, and a later moment stands on the sheets of "
+            f"{named(whose)}; they are late from that moment on. corollary generate {problem_set.name} says which it is, and "
+            "with --renew gives a new sheet to who has not handed in"
         )
 
 

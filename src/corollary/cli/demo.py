@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse
 from corollary.cli.progress import bar
 from corollary.course.demo.players import PLAYERS
@@ -61,13 +62,12 @@ def _aloud(progress: Callable[[str], None]) -> Callable[[str], None]:
 
 
 def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
-    from rich.console import Console
     from rich.table import Table
 
     from corollary.render.report_table import terminal
 
-    console = Console()
-    console.print(terminal(performed.outcome.report))
+    out = console()
+    out.print(terminal(performed.outcome.report))
     table = Table(title="What each student did, deserves, and got")
     for heading in ("student", "hands in", "deserves", "got", "of", ""):
         numbers = heading in {"deserves", "got", "of"}
@@ -81,10 +81,10 @@ def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
             f"{each.out_of:g}",
             "fair" if each.fair else "NOT FAIR",
         )
-    console.print(table)
+    out.print(table)
     for each in performed.played:
         for difference in each.differences:
-            console.print(f"{each.player.student.id}: {difference}", markup=False)
+            out.print(f"{each.player.student.id}: {difference}", markup=False)
     student = "finn"
     name = performed.outcome.page.stem
     there = performed.outcome.in_gradebook
@@ -94,11 +94,9 @@ def _show(performed: Demonstration, folder: Path, seconds: float) -> None:
         ("report for the instructor", folder / "reports" / f"{name}.html"),
         *([("nbgrader gradebook", folder / "gradebook.db")] if there else []),
     ):
-        console.print(f"{what:26} {where}", soft_wrap=True, highlight=False)
-    console.print(
-        f"isolation: {', '.join(performed.outcome.report.isolation)}", highlight=False, soft_wrap=True
-    )
-    console.print(
+        out.print(f"{what:26} {where}", soft_wrap=True, highlight=False)
+    out.print(f"isolation: {', '.join(performed.outcome.report.isolation)}", highlight=False, soft_wrap=True)
+    out.print(
         f"done in {seconds:.0f} s; "
         + (
             f"for formgrader: cd {folder} && jupyter lab, then Nbgrader > Formgrader in its menu"

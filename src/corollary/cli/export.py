@@ -70,7 +70,12 @@ def run(
         _say_of_marks(table, made)
         word = "" if to == "csv" else f"-{to}"
         files = {f"{'-'.join(names)}{word}.{chosen.ending}": made.content}
-        about |= {"strangers": made.strangers, "absent": made.absent, "waiting": table.waiting}
+        about |= {
+            "strangers": made.strangers,
+            "absent": made.absent,
+            "waiting": table.waiting,
+            "again": table.again,
+        }
     elif given := _of_marks(
         columns, decimals, out_of, blank, headings, template if chosen.feedback is None else None
     ):
@@ -121,6 +126,10 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
         (
             table.out_of_another,
             "have a sheet that is out of other points than the column; --out-of N makes all marks out of N",
+        ),
+        (
+            table.again,
+            "have answered again what a person had marked: the marks of the earlier answers count until the new ones are marked",
         ),
         (table.waiting, "have parts that wait for a person: those points are not in the marks yet"),
     ):

@@ -6,6 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from corollary.cli.asking import agreed
+from corollary.cli.console import console
 from corollary.cli.corrected import names_settled, say_corrections, say_renewals
 from corollary.cli.dates import warn_of_dates
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
@@ -17,11 +18,12 @@ from corollary.grading.solutions import Solutions
 from corollary.nbgrader.config import check_config
 from corollary.problem.bank import Bank, open_bank
 from corollary.problem.problem_set import ProblemSet, find_set
-from corollary.problem.roster import Student, read_roster
+from corollary.problem.roster import Student, ids_heading, read_roster
 from corollary.records.assigned import open_record, sheets
 from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
+from corollary.records.printed_dates import complete_dates
 from corollary.records.settings import read_settings
 
 
@@ -34,6 +36,7 @@ def run(
     id_column: str | None = None,
     yes: bool = False,
     renew: bool = False,
+    not_renamed: bool = False,
 ) -> int:
     if course.exists() and not course.is_dir():
         refuse(f"{course} is a file; name a folder for the course")
@@ -49,7 +52,8 @@ def run(
     if (course / ".corollary" / "key").exists():
         opened = open_course(course)
         record = open_record(opened, problem_set)
-        if not names_settled(opened, problem_set, record, yes):
+        complete_dates(opened, problem_set, record)
+        if not names_settled(opened, problem_set, record, yes, not_renamed):
             return FAILS
         before = sheets(opened, problem_set, record)
         found = corrections(opened, problem_set, record, before)
@@ -101,7 +105,7 @@ def run(
     print(
         f"{problem_set.title}: {count} notebook{'s' if count != 1 else ''} in {made.course.folder / 'release'}/STUDENT/{problem_set.name}/"
     )
-    print(f"{_whose_own(made)}; {sum(made.redrawn.values())} draws were rejected.")
+    print(f"{_whose_own(made)}; draws rejected: {sum(made.redrawn.values())}.")
     print(
         f"Hand-ins go to {made.course.folder / 'submitted'}/STUDENT/{problem_set.name}/{problem_set.name}.ipynb; then: corollary grade {problem_set.name} --course {course}"
     )
@@ -137,7 +141,7 @@ def _students(
 ) -> tuple[Student, ...] | None:
     """Who is in the course from now on; None when somebody would no longer be, and nobody agreed to it."""
     before = students_before(course)
-    found = read_roster(roster, id_column, {each.id for each in before})
+    found = read_roster(roster, id_column, {each.id for each in before}, ids_heading(before))
     for note in found.notes:
         say(note)
     change = roster_change(before, found.students)
@@ -157,7 +161,6 @@ def _students(
 
 def _show_missing(change: RosterChange, as_json: bool) -> None:
     """Who is in the course and not in the file."""
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
@@ -166,4 +169,4 @@ def _show_missing(change: RosterChange, as_json: bool) -> None:
     table = Table("id", "name", "in the file as", title="Not in the new roster", title_justify="left")
     for student, other in change.missing:
         table.add_row(*(Text(visible(each)) for each in (student.id, student.name, other)))
-    Console(stderr=as_json).print(table)
+    console(stderr=as_json).print(table)

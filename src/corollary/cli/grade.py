@@ -10,7 +10,8 @@ from typing import Any
 import msgspec
 
 from corollary.cli.asking import agreed
-from corollary.cli.dates import reveal_now, warn_of_grading_early
+from corollary.cli.console import console
+from corollary.cli.dates import reveal_now, warn_of_grading_early, warn_of_printed_dates
 from corollary.cli.ending import FAILS, HOLDS, answer, say
 from corollary.cli.progress import countdown
 from corollary.course.cluster import on_cluster
@@ -18,8 +19,9 @@ from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
 from corollary.messages import visible
 from corollary.records.files import one_writer, open_course
+from corollary.records.hand_in_time import why_guessed
 from corollary.records.origin import set_of
-from corollary.records.regrading import Change
+from corollary.records.regrading import Change, PartChange
 from corollary.records.submission import why_unclear
 from corollary.sandbox.isolation import Isolation
 from corollary.sandbox.runner import Runner, probe_isolation
@@ -44,6 +46,7 @@ def run(
     if reveal:
         reveal_now(opened, problem_set, dry_run)
     warn_of_grading_early(opened, problem_set)
+    warn_of_printed_dates(opened, problem_set)
     with one_writer(opened), countdown(f"grading {problem_set.name}") as progress:
         done = grade_set(
             opened,
@@ -72,10 +75,17 @@ def run(
         say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
     for student, names in done.unclear.items():
         say(f"{student} handed in {why_unclear(problem_set.name, names)}")
+    for student, guess in done.guessed.items():
+        if why := why_guessed(problem_set.name, student, guess):
+            say(f"{student}: {why}")
+    for each in done.extended:
+        say(
+            f"{each.student} has {each.after:g} points and no longer {each.before:g}: there was more time, and lateness takes less"
+        )
     if as_json:
         answer(document(problem_set.name, done))
     else:
-        show(done)
+        show(done, dry_run)
     if dry_run:
         show_changes(done.changed, as_json=as_json)
         say("nothing was written: this was a dry run")
@@ -109,12 +119,17 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
     return {
         "set": name,
         "graded": len(done.graded),
+        "held": list(done.held),
         "skipped": len(done.skipped),
         "failed": list(done.failed),
         "strangers": list(done.strangers),
         "in_gradebook": done.in_gradebook,
         "report": str(done.page),
         "unclear": {student: list(names) for student, names in done.unclear.items()},
+        "guessed_times": {
+            student: {"taken_as": guess.moment.isoformat(), "found": guess.found}
+            for student, guess in done.guessed.items()
+        },
         "written": done.written,
         "changed": [asdict(each) | {"by": round(each.by, 6)} for each in done.changed],
         "students": {
@@ -126,13 +141,12 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
 
 def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
     """Who changes, from what to what, and why; on standard output, unless a document goes there."""
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
-    console = Console(stderr=as_json)
+    out = console(stderr=as_json)
     if not changed:
-        console.print("nobody's marks change")
+        out.print("nobody's marks change")
         return
     table = Table(title="Whose marks change", title_justify="left", title_style="bold")
     for heading in ("student", "had", "gets", "by", "parts", "why"):
@@ -140,27 +154,51 @@ def show_changes(changed: tuple[Change, ...], *, as_json: bool) -> None:
             heading, justify="left" if heading in {"student", "parts", "why"} else "right", overflow="fold"
         )
     for each in changed:
-        parts = "; ".join(
-            f"{part.part}: {part.verdict_before or 'nothing'} to {part.verdict or 'nothing'} ({part.after - part.before:+g})"
-            for part in each.parts
+        parts = "; ".join(map(_part, each.parts))
+        out_of = each.out_of_before != each.out_of
+        had, gets = (
+            f"{points:g} of {most:g}" if out_of else f"{points:g}"
+            for points, most in ((each.before, each.out_of_before), (each.after, each.out_of))
         )
-        numbers = (f"{each.before:g}", f"{each.after:g}", f"{each.by:+g}")
+        numbers = (had, gets, f"{each.by:+g}")
         table.add_row(*(Text(visible(word)) for word in (each.student, *numbers, parts, each.why)))
-    console.print(table)
+    out.print(table)
 
 
-def show(done: Outcome) -> None:
+def _part(part: PartChange) -> str:
+    """`X12_5_a: wrong to right (+1)`, `X12_5_b: right (+0, out of 3 and no longer 2)`, `X12_5_c: by hand, 1 of 1 to 3 of 3`."""
+    if part.by_hand:
+        before, after = f"{part.before:g} of {part.out_of_before:g}", f"{part.after:g} of {part.out_of:g}"
+        look = "; to be looked at again" if part.out_of != part.out_of_before else ""
+        return f"{part.part}: by hand, {before} to {after} ({part.after - part.before:+g}{look})"
+    before, after = part.verdict_before or "nothing", part.verdict or "nothing"
+    verdict = before if before == after else f"{before} to {after}"
+    out_of = (
+        f", out of {part.out_of:g} and no longer {part.out_of_before:g}"
+        if part.out_of != part.out_of_before
+        else ""
+    )
+    return f"{part.part}: {verdict} ({part.after - part.before:+g}{out_of})"
+
+
+def show(done: Outcome, dry_run: bool) -> None:
     """The report on the terminal, and where to look."""
-    from rich.console import Console
 
     from corollary.render.report_table import terminal
 
-    console = Console()
-    console.print(terminal(done.report))
-    console.print(
-        f"graded {len(done.graded)}, unchanged {len(done.skipped)}; report: {done.page}", soft_wrap=True
-    )
-    if not done.in_gradebook:
+    out = console()
+    out.print(terminal(done.report))
+    out.print(f"{what_was_done(done, dry_run)}; report: {done.page}", soft_wrap=True, highlight=False)
+    if not done.in_gradebook and not dry_run:
         say(
             "nbgrader is not installed: the marks are in the report and the feedback pages, and not in a gradebook.db"
         )
+
+
+def what_was_done(done: Outcome, dry_run: bool) -> str:
+    """How many were graded, and how many were left as they are, and why."""
+    unchanged = f"unchanged {len(done.skipped)}"
+    if dry_run:
+        return f"would grade {len(done.held)}, {unchanged}"
+    refused = f"held back {len(done.held)} (nobody agreed), " if done.held else ""
+    return f"graded {len(done.graded)}, {refused}{unchanged}"

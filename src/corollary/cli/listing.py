@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from corollary import plug_ins, user_cache
+from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, counted, refuse
 from corollary.messages import did_you_mean
 from corollary.problem.bank import Bank, chapter_bank, chapter_order, files, load, open_bank
 from corollary.version import __version__
 
 HEADINGS = ("code", "title", "topic", "givens", "parts", "answers", "variants")
-WIDE = 180
 _SORT: dict[str, Callable[[dict[str, Any]], Any]] = {
     "code": lambda record: chapter_order(record["code"]),
     "title": lambda record: record["title"].lower(),
@@ -53,7 +53,6 @@ def run(
     if as_json:
         answer([record for record, _ in found])
         return HOLDS
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
@@ -68,9 +67,7 @@ def run(
         )
     for _, row in found:
         table.add_row(*map(escape, row))
-    # A pipe has no width of its own, and lines that a search goes through are better whole.
-    narrow = sys.stdout.isatty() or "COLUMNS" in os.environ
-    Console(width=None if narrow else WIDE).print(table)
+    console().print(table)
     return HOLDS
 
 

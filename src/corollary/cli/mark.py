@@ -47,7 +47,10 @@ def run(
     _, problem_set = set_of(opened, name, bank)
     marks = _from_words(opened, problem_set, given) | (_from_file(opened, problem_set, file) if file else {})
     if marks:
-        give_marks(opened, problem_set, marks)
+        try:
+            give_marks(opened, problem_set, marks)
+        except NotMarkable as error:
+            raise NotMarkable(f"{error}; no mark was given") from None
     elif terminal:
         parts = to_mark(opened, problem_set, everything=everything)
         mark_in_terminal(parts, lambda part, students, mark: _give(opened, problem_set, part, students, mark))

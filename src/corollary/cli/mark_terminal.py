@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from corollary.messages import visible
 from corollary.records.answers_to_mark import AnswerGroup, PartToMark
 from corollary.records.manual import ManualMark
-from corollary.render.wording import points
+from corollary.render.wording import points, points_earned
 
 Give = Callable[[str, Sequence[str], ManualMark], None]
 HELP = "points, or r and the rubric's numbers (r13), then a comment if you like; empty: leave it; q: end"
@@ -19,7 +19,7 @@ def mark_in_terminal(parts: Sequence[PartToMark], give: Give) -> None:
     if not parts:
         print("no answer waits for a person")
     for part in parts:
-        print(f"\n{part.problem} {part.part} {part.title} ({points(part.out_of)} points)")
+        print(f"\n{part.problem} {part.part} {part.title} ({points_earned(part.out_of)})")
         for number, item in enumerate(part.rubric, 1):
             print(f"  {number} {visible(item)}")
         for place, group in enumerate(part.groups, 1):

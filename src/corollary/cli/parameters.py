@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, SETS, Complete
+from corollary.cli.completion import CODES, FORMATS, SETS, Complete
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -14,14 +15,19 @@ AT_LEAST_1 = click.IntRange(min=1)
 
 
 class TargetOption(click.Option):
-    """Its help lists what there is, other packages' targets too: looked up only when somebody asks for it."""
+    """Its help lists what there is, other packages' targets too: looked up only when somebody asks for it. `exercises`: only
+    what one exercise can be shown as."""
+
+    def __init__(self, *words: Any, exercises: bool = False, **settings: Any) -> None:
+        super().__init__(*words, **settings)
+        self.exercises = exercises
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
         from corollary.plug_ins import PlugInFault
-        from corollary.render.exports import OURS, names
+        from corollary.render.exports import OURS, names, names_for_exercises
 
         try:
-            have = ", ".join(names())
+            have = ", ".join(names_for_exercises() if self.exercises else names())
         except PlugInFault as fault:
             have = f"{', '.join(OURS)}; but {fault}"
         sentence, self.help = self.help, f"{self.help} {have}."
@@ -73,6 +79,9 @@ GENERATED_BANK = click.Option(
     type=PATH,
     multiple=True,
     help="A folder with problems/ and solutions/, or an installed bank; the bank the set was dealt from when left out.",
+)
+FORMAT = TargetOption(
+    ["--format", "fmt"], help="text when left out; one of:", shell_complete=FORMATS, exercises=True
 )
 WAYS = ["exchange", "folder", "zip", "mail", "moodle", "canvas"]
 WAY_OUT = click.Option(["--to"], required=True, type=click.Choice(WAYS), help="The way out.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.course.up_to_date import up_to_date
 from corollary.records.files import open_course
@@ -33,9 +34,7 @@ def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path 
     if as_json:
         answer(report_record(found))
     elif output is None:
-        from rich.console import Console
-
         from corollary.render.report_table import terminal
 
-        Console().print(terminal(found))
+        console().print(terminal(found))
     return HOLDS

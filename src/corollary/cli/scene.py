@@ -7,13 +7,14 @@ from typing import Any
 from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.grading.from_json import finite
 from corollary.scenes.catalogue import run as play
-from corollary.scenes.run import GuardFailed, Observed
+from corollary.scenes.condition import with_conditions
+from corollary.scenes.run import GuardFailed, Observed, components
 
 
 def run(name: str, settings: list[str], tolerance: float, as_json: bool) -> int:
     chosen = dict(_setting(option) for option in settings)
     try:
-        found = play(name, chosen, tolerance)
+        found = with_conditions(play(name, chosen, tolerance), tolerance)
     except GuardFailed as error:
         say(f"corollary: {error}")
         return FAILS
@@ -23,7 +24,17 @@ def run(name: str, settings: list[str], tolerance: float, as_json: bool) -> int:
                 "scene": found.scene,
                 "set": {name: _number_or_row(value) for name, value in found.settings.items()},
                 "observed": {name: _number_or_row(value) for name, value in found.observed.items()},
+                "errors": {name: _number_or_row(error) for name, error in found.errors.items()},
+                "error_is": found.error_is,
+                "errors_are": {name: each.error_is for name, each in found.measured.items()},
                 "error": finite(found.error),
+                "models": {name: each.model for name, each in found.measured.items()},
+                "conditions": {
+                    name: finite(each.condition)
+                    for name, each in found.measured.items()
+                    if each.condition is not None
+                },
+                "warnings": list(found.warnings),
                 "model": found.model,
                 "why": found.why,
                 "evaluations": found.evaluations,
@@ -33,12 +44,13 @@ def run(name: str, settings: list[str], tolerance: float, as_json: bool) -> int:
         )
         return HOLDS
     print(f"{found.scene}: {found.outcome}, by {found.model}: {found.why}")
-    for observed, value in found.observed.items():
-        values = value if isinstance(value, tuple) else (value,)
-        print(f"  {observed:18} {', '.join(f'{each:.12g}' for each in values)}")
-    print(
-        f"  error {found.error:.1e} (of the natural scale), {found.evaluations} evaluations, {found.seconds * 1e3:.1f} ms"
-    )
+    for observed, each in found.measured.items():
+        values = ", ".join(f"{x:.12g}" for x in components(each.value))
+        error, sign = max(components(each.error), default=0.0), "<=" if each.error_is == "bound" else "~"
+        print(f"  {observed:18} {values}   error {sign} {error:.1e}")
+    for warning in found.warnings:
+        print(f"  note: {warning}")
+    print(f"  {found.evaluations} evaluations, {found.seconds * 1e3:.1f} ms")
     return HOLDS
 
 

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted
 from corollary.cli.progress import steps
 from corollary.problem.bank import Bank, doubles, files, home, open_bank
@@ -71,7 +72,6 @@ def _record(checked: Checked) -> dict[str, Any]:
 
 
 def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(title="Verified", box=None, padding=(0, 2, 0, 0), pad_edge=False)
@@ -89,12 +89,12 @@ def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
             *done,
             str(len(each.complaints) or "none"),
         )
-    console = Console()
-    console.print(table)
+    out = console()
+    out.print(table)
     for sentence in (*broken, *(sentence for each in found for sentence in each.complaints)):
         print(sentence, file=sys.stderr)
     total = sum(sum(each.checks.values()) for each in found)
     bad = len(broken) + sum(not each.ok for each in found)
-    console.print(
+    out.print(
         f"{counted(len(found), 'problem')}, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}"
     )

@@ -6,6 +6,7 @@ import sys
 import time
 from typing import Any
 
+from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer
 from corollary.cli.progress import steps
 from corollary.derive.load import NotDerivable
@@ -69,10 +70,9 @@ def _scene(each: ExtremeRun) -> dict[str, Any]:
 
 
 def _tables(pushed: list[Pushed], met: list[ExtremeRun], broken: list[str], seconds: float) -> None:
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console()
+    out = console()
     table = Table(
         title="Closed forms, one given at a time at 1e±12 and 1e±150 of itself, an angle within 1e-12 of 0 and 90 degrees"
     )
@@ -90,7 +90,7 @@ def _tables(pushed: list[Pushed], met: list[ExtremeRun], broken: list[str], seco
     for each in pushed:
         counts = (each.proven, each.unproven, sum(each.refused.values()), each.lost, each.cancelled)
         table.add_row(each.code, *map(str, counts), f"{each.worst:.3g}", each.where)
-    console.print(table)
+    out.print(table)
     if met:
         table = Table(title="Scenes: off from a law that holds there, and the error the run states")
         for heading in ("scene", "what", "outcome", "off", "stated", "ms"):
@@ -104,7 +104,7 @@ def _tables(pushed: list[Pushed], met: list[ExtremeRun], broken: list[str], seco
                 f"{one.stated:.1e}",
                 f"{1e3 * one.seconds:.0f}",
             )
-        console.print(table)
+        out.print(table)
     bad = [
         f"{one.what} ({one.scene}): off by {one.off:.1e}, stated {one.stated:.1e}"
         for one in met
@@ -114,6 +114,6 @@ def _tables(pushed: list[Pushed], met: list[ExtremeRun], broken: list[str], seco
     for sentence in (*broken, *bad):
         print(sentence, file=sys.stderr)
     total = sum(each.proven for each in pushed)
-    console.print(
+    out.print(
         f"{total:,} values certified, {len(met)} scenes in {seconds:.1f} s; {'all hold' if not broken + bad else 'not all hold'}"
     )

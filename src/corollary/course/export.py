@@ -11,8 +11,9 @@ from corollary.notebook.worksheet import Worksheet, worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, chapter
-from corollary.records.assigned import read_assigned
+from corollary.records.assigned import open_record, sheets
 from corollary.records.files import Course, students
+from corollary.records.printed_dates import as_printed, complete_dates
 from corollary.render.exports import Target
 
 NOBODY = Student("")
@@ -20,9 +21,11 @@ NOBODY = Student("")
 
 def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[Worksheet]:
     """The sheets as they were handed out; empty when the set was never generated. Raises NotACourse."""
-    assigned = read_assigned(course, problem_set)
+    record = open_record(course, problem_set)
+    complete_dates(course, problem_set, record)
+    assigned = sheets(course, problem_set, record)
     return [
-        worksheet(problem_set, student, assigned[student.id].variants)
+        worksheet(as_printed(problem_set, record, student.id), student, assigned[student.id].variants)
         for student in students(course)
         if student.id in assigned
     ]

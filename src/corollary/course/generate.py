@@ -24,6 +24,7 @@ from corollary.records.edition import values_now
 from corollary.records.files import Course, create_course, one_writer
 from corollary.records.numbers import Assigned, numbers_of
 from corollary.records.origin import write_origin
+from corollary.records.printed_dates import as_printed, complete_dates, printed_date
 from corollary.records.settings import write_settings
 
 if TYPE_CHECKING:
@@ -75,6 +76,7 @@ def generate(
     write_settings(course.folder)
     with one_writer(course):
         record = open_record(course, problem_set)
+        complete_dates(course, problem_set, record)
         new = tuple(student.id for student in roster if student.id not in record.students)
         for problem in problem_set.problems:  # in this order, by which the renewed name them
             record.place(problem, problem_set.weight(problem))
@@ -85,13 +87,18 @@ def generate(
             course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
         with makers(course, problem_set, solutions, len(new) + len(renewed), jobs) as by:
             redrawn = _deal(by, record, new, progress)
-            write_origin(course, problem_set.name, solutions.bank, file)
-            save_record(course, problem_set, record)
-            assigned = sheets(course, problem_set, record)
             notebooks = {
                 student.id: course.notebook("release", student.id, problem_set.name) for student in roster
             }
             todays = {*new, *(each.student for each in renewed)}
+            record.dates |= {
+                student: printed_date(problem_set.due)
+                for student, path in notebooks.items()
+                if student in todays or (student not in record.dates and not path.exists())
+            }
+            write_origin(course, problem_set.name, solutions.bank, file)
+            save_record(course, problem_set, record)
+            assigned = sheets(course, problem_set, record)
             # What was handed out stays as it is, to the byte.
             missing = [each for each in roster if each.id in todays or not notebooks[each.id].exists()]
             writing = by.write([_to_write(each, assigned[each.id]) for each in missing if each.id in todays])
@@ -100,7 +107,8 @@ def generate(
                 progress(f"notebook of {student}")
         for student in missing:
             if student.id not in todays:
-                sheet = worksheet(problem_set, student, assigned[student.id].variants)
+                own = as_printed(problem_set, record, student.id)
+                sheet = worksheet(own, student, assigned[student.id].variants)
                 write_whole(notebooks[student.id], file_text(notebook(sheet)))
     of_roster = {student.id: assigned[student.id] for student in roster}
     return Generated(course, notebooks, of_roster, redrawn, registered, new)

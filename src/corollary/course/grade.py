@@ -20,12 +20,14 @@ from corollary.grading.submission import GradingContext, Submission, state_by_na
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.marks import current_manual, stale_pages, synchronized, write_graded
+from corollary.nbgrader.revealed import with_right_values
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
-from corollary.records.causes import dependencies, is_handed_in_anew, why
+from corollary.records.causes import dependencies, is_extended, is_handed_in_anew, why
 from corollary.records.collusion import find_shared, write_shared
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
+from corollary.records.hand_in_time import GuessedTime, guessed_time, settle_time
 from corollary.records.marks import (
     page_facts_place,
     read_marks,
@@ -33,6 +35,7 @@ from corollary.records.marks import (
     read_records,
     report_place,
     settle,
+    with_out_of,
     write_page,
 )
 from corollary.records.record import Record, with_manual
@@ -61,8 +64,9 @@ class NotGenerated(LookupError):
 class Outcome:
     """What a run of grading did. `not_run` are those whose notebook the machine failed to run, with a sentence: nothing is
     recorded for them, and the next run marks them. `records` holds every student's marks, those skipped included; `refilled`
-    are those who had marks on record that nbgrader no longer had. `changed` are those whose marks are others than before, or would
-    be: when not all of it is `written`, those whose points move are as they were."""
+    are those who had marks on record that nbgrader no longer had, `guessed` those of whom no time of handing in is known.
+    `changed` are those whose marks are others than before, or would be; when not all of it is `written`, nothing was written of
+    `held`. `extended` are the changes that follow from more time given to one student."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -73,10 +77,13 @@ class Outcome:
     report: Report
     page: Path
     changed: tuple[Change, ...] = ()
+    extended: tuple[Change, ...] = ()
+    held: tuple[str, ...] = ()
     written: bool = True
     unclear: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     not_run: Mapping[str, str] = field(default_factory=dict)
     refilled: tuple[str, ...] = ()
+    guessed: Mapping[str, GuessedTime] = field(default_factory=dict)
 
 
 def grade_set(
@@ -96,8 +103,8 @@ def grade_set(
 ) -> Outcome:
     """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
 
-    Marks already given are moved only when `ask` agrees to the changes, unless the student handed in something else; a regrade
-    marks everything again; a dry run writes nothing at all, and asks nothing.
+    Marks already given are moved only when `ask` agrees to the changes, unless the student handed in something else or was
+    given more time; a regrade marks everything again, and writes all or nothing of it; a dry run writes nothing, and asks nothing.
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
     `begin` is called before the first notebook is run. `now` (None: this moment) decides what is revealed.
     `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
@@ -118,6 +125,9 @@ def grade_set(
     deadlines, moment = read_deadlines(course, problem_set), now or datetime.now(UTC)
     terms = {student: deadlines.terms(student, moment) for student in files}
     by_name = state_by_name(problem_set, solutions)
+    if not dry_run:
+        for student in files.keys() - set(strangers):
+            settle_time(course, name, student, terms[student])
     digests = {
         student: fingerprint(course, name, student, path, assigned[student], state, terms[student])
         for student, path in files.items()
@@ -140,42 +150,64 @@ def grade_set(
         )
         return replace(read, depends=depends)
 
-    waiting = map(submission, todo)
-    given = manual.by_student(name)
+    given = with_out_of(course, name, manual).by_student(name)
 
-    def change_by(one: GradedSubmission) -> Change | None:
-        """How marks already given would change; None as well where the student handed in something else."""
+    def standing(one: GradedSubmission) -> Record | None:
+        """The marks already given; None as well where the student handed in something else."""
         student, depends = one.marked.student.id, one.submission.depends
         old = read_record(course, problem_set, student)
         if old is None or (not dry_run and is_handed_in_anew(course, name, student, old, depends)):
             return None
+        return old
+
+    def change_by(one: GradedSubmission, old: Record) -> Change | None:
+        """How these would change."""
+        student = one.marked.student.id
         by_hand = given.get(student, {})
         found = change(student, with_manual(old, by_hand), with_manual(one.record, by_hand))
-        return None if found is None else found.because(why(old, depends))
+        return None if found is None else found.because(why(old, one.submission.depends))
 
     held: list[GradedSubmission] = []
     found: list[Change] = []
+    extended: list[Change] = []
+    asked = False
     not_run: dict[str, str] = {}
     changed: tuple[Change, ...] = ()
-    if todo:
+    made_again: set[str] = set()
+    if todo and not (regrade or dry_run):
+        marked_before = (each for each in todo if page_facts_place(course, name, each).exists())
+        pages = (
+            with_right_values(course, problem_set, solutions, submission(each)) for each in marked_before
+        )
+        with _gradebook(course, dry_run) as book:
+            for several in together(page for page in pages if page is not None):
+                write_graded(course, problem_set, several, given, book)
+                made_again |= {one.marked.student.id for one in several}
+    to_run = [student for student in todo if student not in made_again]
+    if to_run:
         for problem in problem_set.problems:
             solutions.of(problem)  # once, before there are workers who would each do it
         context = GradingContext(problem_set, solutions, course.key, runner)
         begin()
         with (
-            (execute or here(jobs, len(todo)))(context, waiting) as graded,
+            (execute or here(jobs, len(to_run)))(context, map(submission, to_run)) as graded,
             _gradebook(course, dry_run) as book,
         ):
-            left = len(todo)
+            left = len(to_run)
             for several in together(graded):
                 at_once: list[GradedSubmission] = []
                 for one in several:
                     if one.marked.machine_failed:
                         not_run[one.submission.student.id] = one.marked.trouble
                         continue
-                    moved = change_by(one)
-                    found += [moved] if moved is not None else []
-                    waits = dry_run or (moved is not None and moved.moves_points)
+                    old, moved = standing(one), None
+                    if old is not None and (moved := change_by(one, old)) is not None:
+                        found.append(moved)
+                        if is_extended(old, one.submission.depends, moved, deadlines):
+                            extended.append(moved)
+                    moves = moved is not None and moved.moves_points and moved not in extended
+                    asked = asked or moves
+                    waits = dry_run or moves or (regrade and old is not None)
                     (held if waits else at_once).append(one)
                 if at_once:
                     write_graded(course, problem_set, at_once, given, book)
@@ -183,12 +215,13 @@ def grade_set(
                     left -= 1
                     progress(one.submission.student.id, left)
             changed = largest_first(found)
-            agreed = not held if dry_run else not held or ask(changed)
-            if agreed:
+            if not dry_run and (not asked or ask(changed)):
                 for several in together(held):
                     write_graded(course, problem_set, several, given, book)
                 held = []
-    unwritten = set[str]() if dry_run else {one.marked.student.id for one in held}
+    if todo and not dry_run:
+        manual = synchronized(course)  # a person may have given some meanwhile
+    unwritten = {one.marked.student.id for one in held}
     records = read_marks(course, problem_set, files, manual)
     if not dry_run:
         programs_own = read_records(course, problem_set, files)
@@ -212,9 +245,12 @@ def grade_set(
         report=report,
         page=page,
         changed=changed,
+        extended=() if dry_run else tuple(extended),
+        held=tuple(student for student in todo if student in unwritten),
         unclear=unclear(course, name),
         not_run=not_run,
         refilled=tuple(student for student in done if student not in written),
+        guessed={one: guess for one in digests if (guess := guessed_time(course, name, one)) is not None},
     )
 
 

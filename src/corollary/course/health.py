@@ -13,15 +13,16 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from corollary import user_cache
+from corollary.course.course_health import of_course
 from corollary.course.workers import cores
 from corollary.nbgrader.health import nbgrader_findings
 from corollary.plug_ins import PlugInFault, load, plug_ins
 from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank
 from corollary.problem.dates import machine_zone, zone_named
 from corollary.problem.diagnostic import Finding, Malformed
-from corollary.records.files import Course, NotACourse, open_course, students
+from corollary.records.files import Course, NotACourse
 from corollary.records.origin import set_of
-from corollary.records.settings import FILE, Settings, read_settings
+from corollary.records.settings import FILE, Settings
 
 GROUPS = ("corollary.banks", "corollary.answers", "corollary.laws", "corollary.exports")
 NEEDED = ("sympy", "python-flint", "numpy", "matplotlib", "msgspec", "nbformat", "ipython")
@@ -37,20 +38,8 @@ def findings(folder: Path | None) -> Iterator[Finding]:
     yield from _programs()
     course, settings = None, Settings()
     if folder is not None:
-        try:
-            settings = read_settings(folder)
-            yield Finding(
-                "settings",
-                "good",
-                str(folder / FILE) if (folder / FILE).exists() else f"no {FILE}; all as usual",
-            )
-        except Malformed as error:
-            yield Finding("settings", "broken", str(error), f"correct {folder / FILE}")
-        try:
-            course = open_course(folder)
-            yield Finding("course", "good", f"{course.folder}, {len(students(course))} on the roster")
-        except NotACourse as error:
-            yield Finding("course", "broken", str(error), "name the course with --course, or generate a set")
+        course, settings, found = of_course(folder)
+        yield from found
     yield _isolation(settings)
     yield from nbgrader_findings(course)
     yield from _places(folder)

@@ -56,9 +56,9 @@ def places(
             if lms == "moodle"
             else " (Canvas gives files back to those only who have handed something in; --to mail or zip reaches all)"
         )
-        where = f"{file} says" if file else "nothing collected says"
+        where = f"{file} says nothing" if file else "nothing that was collected says anything"
         raise NoPlaces(
-            f"{where} nothing of the numbers {lms.capitalize()} has for the students; give {wanted} with --ids{hint}"
+            f"{where} of the numbers {lms.capitalize()} has for the students; give {wanted} with --ids{hint}"
         )
     return by_student
 

@@ -9,6 +9,7 @@ from typing import Literal
 
 from corollary.course.up_to_date import up_to_date
 from corollary.problem.problem_set import ProblemSet
+from corollary.records.assigned import read_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.lms_file import FilledIn, fill_in
@@ -20,7 +21,8 @@ from corollary.records.marks_table import (
     part_columns,
     set_column,
 )
-from corollary.render.exports import Target
+from corollary.records.renames import NotSettled
+from corollary.render.exports import MarksText, Target
 
 By = Literal["sets", "parts", "every"]
 
@@ -55,8 +57,24 @@ def marks_table(course: Course, sets: Sequence[ProblemSet], by: By, notation: No
         elif by == "parts":
             columns += part_columns(problem_set, report, excused)
         else:
-            columns += every_column(problem_set, report, roster, excused)
+            columns += every_column(problem_set, report, roster, excused, _out_of(course, problem_set))
     return MarksTable(roster, tuple(columns), notation)
+
+
+def _out_of(course: Course, problem_set: ProblemSet) -> dict[str, float]:
+    """What each student's own sheet is out of; nothing while a name is to be settled."""
+    try:
+        sheets = read_assigned(course, problem_set)
+    except NotSettled:
+        return {}
+    return {
+        student: sum(
+            part.points * problem_set.weight(variant.problem)
+            for variant in sheet.variants
+            for part in variant.problem.parts
+        )
+        for student, sheet in sheets.items()
+    }
 
 
 def marks_file(target: Target, table: MarksTable, template: Template | None) -> FilledIn:
@@ -65,4 +83,7 @@ def marks_file(target: Target, table: MarksTable, template: Template | None) -> 
         return fill_in(template.path, table, template.headings)
     if target.marks is None:
         raise TypeError("the target is not for marks")
-    return FilledIn(target.marks(table).encode(), (), (), ())
+    made = target.marks(table)
+    if isinstance(made, str):
+        made = MarksText(made)
+    return FilledIn(made.text.encode(), (), made.absent, made.notes)

@@ -15,6 +15,7 @@ from corollary.records.assigned import AssignedSheet
 from corollary.records.edition import fingerprint
 from corollary.records.files import Course
 from corollary.records.numbers import Assigned, Row, numbers_of
+from corollary.records.printed_dates import otherwise_dated
 from corollary.records.submission import submissions
 
 
@@ -45,11 +46,15 @@ def renewals(
 ) -> Renewals:
     """For the students of these ids. Numbers stay wherever they could be drawn today. Raises NoVariant and NotDerivable."""
     todays = {(each.code, fingerprint(each)) for each in problem_set.problems}
+    dated = otherwise_dated(problem_set, record)
     outdated = [
         student
         for student, row in record.students.items()
         if student in roster
-        and {(edition.code, edition.statement) for edition in map(record.edition, row.values())} != todays
+        and (
+            student in dated
+            or {(edition.code, edition.statement) for edition in map(record.edition, row.values())} != todays
+        )
     ]
     answered = submissions(course, problem_set.name)
     places = {each.code: record.place(each, problem_set.weight(each)) for each in problem_set.problems}

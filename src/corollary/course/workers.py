@@ -16,6 +16,7 @@ from threading import Thread
 
 from corollary.grading.submission import GradingContext, Submission
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
+from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 
 Execute = Callable[[GradingContext, Iterable[Submission]], AbstractContextManager[Iterator[GradedSubmission]]]
@@ -60,6 +61,7 @@ def side_by_side(jobs: int) -> Execute:
             yield _as_done(context, jobs, pool, pending, waiting)
         finally:
             pool.shutdown(cancel_futures=True)
+            remove_abandoned()  # a process of a pool ends without a word, by ctrl-C at once: its folder is left
 
     return execute
 

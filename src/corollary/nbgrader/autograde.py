@@ -10,6 +10,7 @@ from __future__ import annotations
 import atexit
 import os
 from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, cast
@@ -25,12 +26,18 @@ from nbgrader.coursedir import CourseDirectory
 from nbgrader.preprocessors import AssignLatePenalties, Execute, OverwriteCells, SaveAutoGrades
 from traitlets import Integer
 
-from corollary.nbgrader.alone import alone
+from corollary.nbgrader.alone import alone, course_of
 from corollary.nbgrader.assignment import Assignment, assignment_of
 from corollary.nbgrader.graded import GradedSubmission, grade_submission
 from corollary.nbgrader.marked_notebook import restored
 from corollary.nbgrader.marks import write_graded
+from corollary.records.assigned import is_assigned
+from corollary.records.deadlines import read_deadlines
+from corollary.records.hand_in_time import guessed_time, settle_time, why_guessed
 from corollary.records.manual import read_manual
+from corollary.records.marks import with_out_of
+from corollary.records.origin import read_origin
+from corollary.records.submission import submissions
 from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.runner import Runner
 
@@ -47,7 +54,7 @@ class OwnSheet(NotebookExporter):
         if isinstance(
             run, Autograde
         ):  # which makes its exporter before all else, and has no hook around a whole run
-            run.convert_notebooks = partial(alone, run, run.convert_notebooks)
+            run.convert_notebooks = partial(alone, run, partial(_with_times, run, run.convert_notebooks))
             run.init_assignment = partial(_without_links, run, run.init_assignment)  # pyright: ignore[reportAttributeAccessIssue]
 
     def from_file(
@@ -104,7 +111,8 @@ class RecordMarks(SaveAutoGrades):
             return super().preprocess(nb, resources)
         ours, graded = judged
         course, problem_set = ours.course, ours.context.problem_set
-        given = read_manual(course).by_student(problem_set.name)
+        name = problem_set.name
+        given = with_out_of(course, name, read_manual(course)).by_student(name)
         with Gradebook(resources["nbgrader"]["db_url"]) as book:
             write_graded(course, problem_set, [graded], given, book, anew=True)
         return nb, resources
@@ -124,6 +132,19 @@ def _assignment(about: Mapping[str, str]) -> Assignment | None:
     except Exception:
         _flag(about)
         raise
+
+
+def _with_times(run: Autograde, convert: Callable[[], None]) -> None:
+    """nbgrader cannot go on where a timestamp.txt says no time: ours are settled first."""
+    course, name = course_of(run), cast(CourseDirectory, run.coursedir).assignment_id
+    if course is not None and is_assigned(course, name):
+        deadlines, now = read_deadlines(course, read_origin(course, name)[1]), datetime.now(UTC)
+        for student in submissions(course, name):
+            settle_time(course, name, student, deadlines.terms(student, now))
+            guess = guessed_time(course, name, student)
+            if guess is not None and (why := why_guessed(name, student, guess)):
+                run.log.warning("%s: %s", student, why)
+    convert()
 
 
 def _without_links(run: Autograde, init: Callable[[str, str], None], assignment: str, student: str) -> None:

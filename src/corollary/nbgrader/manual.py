@@ -11,7 +11,7 @@ backup, or is new: then the journal is right. Otherwise what the gradebook says 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
@@ -75,9 +75,12 @@ def fill(notebook: SubmittedNotebook, given: OfStudent, record: Record | None = 
     is known whether the answer is still the one a mark was given for."""
     for grade in notebook.grades:
         if (mark := given.get(grade.name)) is not None:
+            again = False
+            if record is not None and grade.name in record.parts:
+                mark = mark.out_of_now(record.parts[grade.name].out_of)
+                again = bool(record.why_again(grade.name, mark))
             grade.manual_score, grade.extra_credit = mark.score, mark.extra_credit
-            other = record is not None and record.is_other_answer(grade.name, mark)
-            grade.needs_manual_grade = other if mark.score is not None else grade.auto_score is None
+            grade.needs_manual_grade = again or (mark.score is None and grade.auto_score is None)
     names = {grade.name for grade in notebook.grades}
     written: set[str] = set()
     for comment in sorted(notebook.comments, key=lambda one: one.name):
@@ -131,15 +134,23 @@ def _newer(course: Course, book: Gradebook, journal: ManualMarks) -> dict[Place,
     older = _is_older(book, journal)
     there = _given(book, set(graded_sets(course)))
     found: dict[Place, ManualMark] = {}
-    answers = cache(partial(_answers, course))
+    records = cache(partial(stored_record, course))
     for place, entry in there.items():
         before = journal.by_place.get(place)
         if before is not None and older:
             continue
-        answer = answers(place.set_name, place.student).get(place.part, "")
-        resolved = before is not None and before.answer != answer and not entry.flagged
-        if before is None or not before.equals(entry.mark) or (resolved and answer):
-            found[place] = replace(entry.mark, answer=answer)
+        record = records(place.set_name, place.student)
+        answer, out_of = ("", 0.0) if record is None else _now(record, place.part)
+        if before is not None and before.score == entry.mark.score and entry.flagged:
+            if not before.equals(entry.mark):  # the score itself is still to be looked at
+                about = replace(entry.mark, answer=before.answer, out_of=before.out_of, first=before.first)
+                found[place] = about
+            continue
+        resolved = before is not None and (bool(answer and before.answer != answer) or before.first)
+        if before is None or not before.equals(entry.mark) or resolved:
+            score = entry.mark.score
+            known = score is not None and score <= out_of  # more was given out of something else
+            found[place] = replace(entry.mark, answer=answer, out_of=out_of if known else 0.0)
     if older:
         return found
     gone = {place for place, mark in journal.by_place.items() if mark.is_given and place not in there}
@@ -153,10 +164,9 @@ def _newer(course: Course, book: Gradebook, journal: ManualMarks) -> dict[Place,
     return found
 
 
-def _answers(course: Course, set_name: str, student: str) -> Mapping[str, str]:
-    """A digest of each answer as it lies there now; nothing where it is not known."""
-    record = stored_record(course, set_name, student)
-    return {} if record is None else record.answers
+def _now(record: Record, part: str) -> tuple[str, float]:
+    """The digest of the answer that lies there, and what the part earns; nothing where it is not known."""
+    return record.answers.get(part, ""), record.parts[part].out_of if part in record.parts else 0.0
 
 
 def _given(book: Gradebook, sets: set[str]) -> dict[Place, FromGradebook]:

@@ -16,6 +16,7 @@ from corollary.grading.grade import Marked, PartGrade
 from corollary.messages import catalogue
 from corollary.nbgrader.safe import safe_attachments, safe_markdown, safe_outputs
 from corollary.notebook.cells import checksum
+from corollary.notebook.content import with_names
 from corollary.notebook.locate import cells_by_id
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
@@ -34,17 +35,23 @@ def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: Notebook
     person is to mark them by. Nothing of ours in it says whose it is: marking is anonymous."""
     sheet = worksheet(problem_set, NOBODY, (grade.variant for grade in marked.grades))
     nb = restored(sheet, submitted, marked.runs)
-    verdicts = dict(part_grades(marked))
-    for cell in nb.cells:
-        mark = cell.metadata.get("nbgrader")
-        if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
-            cell.outputs = [_verdict(verdicts[cell.id])]
-    _add_rubrics(nb, verdicts)
+    with_verdicts(nb, marked)
+    _add_rubrics(nb, dict(part_grades(marked)))
     noticed = _("Something was noticed in this notebook; the report says what.") if marked.notes else ""
     remarks = [f"> **{safe_markdown(text)}**" for text in (marked.trouble, noticed) if text]
     nb.cells[1:1] = [
         new_markdown_cell(remark, id=f"remark_{number}") for number, remark in enumerate(remarks)
     ]
+    return nb
+
+
+def with_verdicts(nb: NotebookNode, marked: Marked) -> NotebookNode:
+    """The same notebook, whose cells that carry points say what is said of each part."""
+    verdicts = dict(part_grades(marked))
+    for cell in nb.cells:
+        mark = cell.metadata.get("nbgrader")
+        if mark and mark["grade"] and not mark["solution"] and cell.id in verdicts:
+            cell.outputs = [_verdict(verdicts[cell.id])]
     return nb
 
 
@@ -66,6 +73,7 @@ def restored(sheet: Worksheet, submitted: NotebookNode | None, runs: Iterable[Ce
     sheet's own cells stand in their places, and what the student added stands, as code of no mark, below the cell it followed.
     """
     nb = notebook(sheet)
+    submitted = with_names(submitted, sheet) if submitted is not None else None
     answers = cells_by_id(submitted) if submitted is not None else {}
     ran = {run.id: run for run in runs}
     for cell in nb.cells:
@@ -151,7 +159,8 @@ def _verdict(grade: PartGrade) -> NotebookNode:
         points=f"{grade.points:g}",
         out_of=f"{grade.out_of:g}",
     )
-    words = f"**{look(grade.verdict).phrase}** ({_('points will follow') if grade.waits else earned})"
+    in_brackets = _("points will follow") if grade.waits else earned
+    words = f"**{look(grade.verdict).phrase}** ({in_brackets})"
     if grade.answer:
         words += "\n\n" + _("Your answer was read as: {answer}", answer=safe_markdown(grade.answer))
     # Not by new_output, which checks each one against the schema: that would be a third of the time a notebook takes to write.

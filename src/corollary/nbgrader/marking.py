@@ -11,6 +11,7 @@ from msgspec import UNSET
 from nbformat import NotebookNode
 from nbformat.v4 import new_notebook
 
+from corollary.messages import did_you_mean
 from corollary.nbgrader.given import give
 from corollary.nbgrader.marked_notebook import answer_cells
 from corollary.nbgrader.marks import stale_pages, synchronized
@@ -19,7 +20,7 @@ from corollary.records.answers_to_mark import AnswerGroup, PartToMark, WrittenCe
 from corollary.records.files import Course, one_writer, students
 from corollary.records.manual import ManualMark, Place
 from corollary.records.marks import read_marks, write_page
-from corollary.records.record import Record
+from corollary.records.record import Record, Row
 from corollary.render.wording import points
 
 
@@ -58,8 +59,13 @@ def give_marks(course: Course, problem_set: ProblemSet, marks: Mapping[tuple[str
         manual = synchronized(course)
         whose = sorted({student for student, _ in marks})
         records = read_marks(course, problem_set, whose, manual)
+        roster = [each.id for each in students(course)]
+        for student in whose:
+            if student not in records:
+                near = did_you_mean(student, roster) if student not in roster else ""
+                raise NotMarkable(f"nothing of {student} is graded{near}; grade first, or correct the name")
         given = {
-            Place(problem_set.name, student, part): _checked(records.get(student), student, part, mark)
+            Place(problem_set.name, student, part): _checked(records[student], student, part, mark)
             for (student, part), mark in marks.items()
         }
         now = give(course, given)
@@ -91,9 +97,7 @@ def _asked(problem_set: ProblemSet, records: Iterable[Record]) -> dict[str, tupl
     return found
 
 
-def _checked(record: Record | None, student: str, part: str, mark: ManualMark) -> ManualMark:
-    if record is None:
-        raise NotMarkable(f"nothing of {student} is graded; grade first, or correct the name")
+def _checked(record: Record, student: str, part: str, mark: ManualMark) -> ManualMark:
     if part not in record.parts:
         raise NotMarkable(f"{student} was not asked {part}; it is one of {', '.join(record.parts)}")
     most = record.parts[part].out_of
@@ -101,7 +105,8 @@ def _checked(record: Record | None, student: str, part: str, mark: ManualMark) -
         raise NotMarkable(f"{part} earns from 0 to {points(most)} points, not {mark.score:g}")
     before = record.parts[part].manual
     extra = None if before is UNSET else before.extra_credit
-    return ManualMark(mark.score, extra, mark.comment, record.answers.get(part, ""), mark.by)
+    out_of = 0.0 if mark.score is None else most
+    return ManualMark(mark.score, extra, mark.comment, record.answers.get(part, ""), mark.by, out_of=out_of)
 
 
 def _waits(record: Record, key: str) -> bool:
@@ -112,12 +117,16 @@ def _waits(record: Record, key: str) -> bool:
 def _groups(
     key: str, whose: Sequence[str], records: Mapping[str, Record], notebooks: Mapping[str, NotebookNode]
 ) -> Iterator[AnswerGroup]:
-    """Equal but for blanks and capitals. Answers with pictures are nobody else's, nor are those already marked otherwise."""
+    """Equal but for blanks and capitals. Answers with pictures are nobody else's, nor are those already marked otherwise, by
+    a person or, for other numbers, by the program."""
     by_answer: dict[object, list[tuple[str, tuple[WrittenCell, ...]]]] = {}
     for student in whose:
         cells = tuple(_cells(notebooks[student], key))
         manual = records[student].parts[key].manual
-        marked = None if manual is UNSET else (manual.score, manual.comment)
+        row = _row(records[student], key)
+        marked = (
+            (row.verdict, row.points) if manual is UNSET else (manual.score, manual.comment, manual.first)
+        )
         same = tuple(" ".join(cell.source.split()).lower() for cell in cells)
         alone = student if any(cell.pictures for cell in cells) or not cells else ""
         by_answer.setdefault((same, marked, alone), []).append((student, cells))
@@ -125,9 +134,24 @@ def _groups(
         first, cells = equal[0]
         record, names = records[first], tuple(student for student, _ in equal)
         manual = record.parts[key].manual
-        row = dict(zip(record.parts, record.rows, strict=True))[key]
+        row = _row(record, key)
         late = sum(records[student].late > 0 for student in names)
-        yield AnswerGroup(names, cells, late, row.why, None if manual is UNSET else manual, row.again)
+        yield AnswerGroup(names, cells, late, _why(row), None if manual is UNSET else manual, row.again)
+
+
+def _row(record: Record, key: str) -> Row:
+    return dict(zip(record.parts, record.rows, strict=True))[key]
+
+
+def _why(row: Row) -> str:
+    """What there is to know of an answer; of one that the program marked, how."""
+    if row.again and not row.by_hand:
+        return f"{row.why[0].upper()}{row.why[1:]}. Marked by the program: {row.verdict}, {points(row.points)} points."
+    if row.waits or row.by_hand:
+        return row.why
+    return (
+        f"Marked by the program: {row.verdict}, {points(row.points)} points. {row.error or row.why}".strip()
+    )
 
 
 def _cells(nb: NotebookNode, key: str) -> Iterable[WrittenCell]:

@@ -7,26 +7,29 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import msgspec
+from msgspec.structs import replace
 
 from corollary.atomic import write_each_whole
 from corollary.nbgrader.gradebook import gradebook, has_gradebook
-from corollary.nbgrader.graded import GradedSubmission
+from corollary.nbgrader.seen import is_as_seen, note, state
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
-from corollary.records.manual import ManualMarks, OfStudent, read_manual
+from corollary.records.manual import ManualMark, ManualMarks, OfStudent, Place, read_manual, write_manual
 from corollary.records.marks import NewMarks, feedback_place, page_facts_place, stored_record, write_marks
-from corollary.records.record import with_manual
-from corollary.render.feedback_facts import PageFacts, unpacked
-from corollary.render.feedback_page import feedback_page
+from corollary.records.record import changed_by_points, with_manual
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook
 
+    from corollary.nbgrader.graded import GradedSubmission
+    from corollary.render.feedback_facts import PageFacts
+
 
 def current_manual(course: Course) -> ManualMarks:
     """What persons gave up to this moment, by the gradebook where there is one. Writes nothing."""
-    if not has_gradebook(course):
-        return read_manual(course)
+    journal = read_manual(course)
+    if not has_gradebook(course) or is_as_seen(course, state(course, journal.count)):
+        return journal
     from corollary.nbgrader.manual import manual_marks
 
     with gradebook(course) as book:
@@ -35,12 +38,19 @@ def current_manual(course: Course) -> ManualMarks:
 
 def synchronized(course: Course) -> ManualMarks:
     """The same, recorded; whoever calls it is the only writer in the course."""
-    if not has_gradebook(course):
-        return read_manual(course)
+    manual = read_manual(course)
+    if not has_gradebook(course) or is_as_seen(course, state(course, manual.count)):
+        return manual
     from corollary.nbgrader.manual import synchronize
 
-    with gradebook(course) as book:
-        return synchronize(course, book)
+    for _ in range(2):  # what is written the first time is seen the second
+        before = state(course, manual.count)
+        with gradebook(course) as book:
+            manual = synchronize(course, book)
+        if before is not None and before == state(course, manual.count):
+            note(course, before)
+            break
+    return manual
 
 
 def write_graded(
@@ -56,8 +66,9 @@ def write_graded(
     so that a run cut short does them again.
 
     `manual` is what persons gave, by student. `anew`: what lies in `autograded/` is no earlier marking."""
+    name = problem_set.name
+    _follow_points(course, name, several, manual)
     if book is None:
-        name = problem_set.name
         write_each_whole(
             {course.notebook("autograded", one.marked.student.id, name): one.notebook for one in several}
         )
@@ -71,6 +82,21 @@ def write_graded(
         for student in (one.marked.student.id,)
     ]
     write_marks(course, problem_set, new)
+
+
+def _follow_points(
+    course: Course, set_name: str, several: Sequence[GradedSubmission], manual: Mapping[str, OfStudent]
+) -> None:
+    """What persons gave to those of them in whose work the points of a part changed, out of the points of now; into the journal
+    before the gradebook, which lacks entries then if this is cut short, and is given them by the next run."""
+    found: dict[Place, ManualMark] = {}
+    for one in several:
+        student = one.marked.student.id
+        before = manual.get(student, {})
+        moved = changed_by_points(before, one.record) if before else before
+        found |= {Place(set_name, student, part): replace(mark, at="") for part, mark in moved.items()}
+    if found:
+        write_manual(course, found)
 
 
 def stale_pages(
@@ -91,11 +117,15 @@ def page_now(course: Course, set_name: str, student: str, manual: OfStudent) -> 
     record, facts = stored_record(course, set_name, student), stored_facts(course, set_name, student)
     if record is None or facts is None:
         return None
+    from corollary.render.feedback_page import feedback_page  # with the templates
+
     return feedback_page(facts, with_manual(record, manual))
 
 
 def stored_facts(course: Course, set_name: str, student: str) -> PageFacts | None:
     """What a page is made again from; None when there is nothing, or it is damaged."""
+    from corollary.render.feedback_facts import unpacked
+
     try:
         return unpacked(page_facts_place(course, set_name, student).read_bytes())
     except (OSError, msgspec.DecodeError):

@@ -18,17 +18,18 @@ import nbformat
 from corollary.answers.verdict import Unread
 from corollary.atomic import write_each_whole, write_whole
 from corollary.grading.grade import Marked, PartGrade
-from corollary.nbgrader.gradebook import NotRegistered
+from corollary.nbgrader.gradebook import NotRegistered, has_seen, seen
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.manual import fill, is_blank, lateness_penalty
 from corollary.nbgrader.marked_notebook import answer_digest, part_grades
 from corollary.nbgrader.safe import safe_markdown
 from corollary.notebook.locate import answer_id
 from corollary.problem.problem_set import ProblemSet
+from corollary.records.collected import stamp
 from corollary.records.files import Course
+from corollary.records.hand_in_time import beside, handed_in, stated
 from corollary.records.manual import OfStudent
-from corollary.records.record import UNMARKED, PartRecord, Record
-from corollary.records.submission import beside, handed_in
+from corollary.records.record import UNMARKED, PartRecord, Record, changed_by_points, out_of_now
 
 if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
@@ -111,11 +112,14 @@ def record_several(
     `autograded/` is no earlier marking.
     """
     name, files = problem_set.name, dict[Path, str | bytes]()
+    followed = 0
     with book.db.no_autoflush:
         for graded in several:
             student = graded.marked.student.id
             stamp, when = _timestamp(course, name, student)
-            submission = _record(course, book, name, graded, manual.get(student, {}), anew)
+            given = manual.get(student, {})
+            submission = _record(course, book, name, graded, given, anew)
+            followed += len(changed_by_points(given, graded.record)) if given else 0
             submission.timestamp = when
             _set_dates(submission, problem_set.due, graded.submission.due)
             files[course.notebook("autograded", student, name)] = graded.notebook
@@ -125,6 +129,8 @@ def record_several(
             ):
                 if content:
                     files[course.place("autograded", student, name) / file] = content
+    if followed and (entries := seen(book)) is not None:
+        has_seen(book, entries + followed)
     book.db.commit()
     write_each_whole(files)
 
@@ -134,18 +140,23 @@ def _record(
 ) -> SubmittedAssignment:
     """One student's scores and comments, not yet committed."""
     place = course.notebook("autograded", graded.marked.student.id, name)
+    record = graded.record
+    now = {**manual, **out_of_now(manual, record)}
 
     def same(key: str) -> bool:
-        """Whether the answer is the one a person gave a score for."""
-        mark, now = manual.get(key), graded.answers.get(key, "")
+        """Whether what a person gave stands: for this answer, and out of what the part earns now."""
+        mark, answer = now.get(key), graded.answers.get(key, "")
+        if mark is not None and key in record.parts and record.why_again(key, mark):
+            return False
         if mark is not None and mark.answer:
-            return mark.answer == now
-        return not anew and _digest_before(place, key) == now
+            return mark.answer == answer
+        return not anew and _digest_before(place, key) == answer
 
     submission = _submission(book, name, graded.marked)
     for each in submission.notebooks:
         if is_blank(each):
-            fill(each, manual)
+            fill(each, now)
+        _follow_points(each, manual, now)
         _write_scores(each, graded.marked, same)
     return submission
 
@@ -203,6 +214,13 @@ def _write_scores(notebook: SubmittedNotebook, marked: Marked, same: Callable[[s
     notebook.late_submission_penalty = lateness_penalty(notebook, marked.late_share)
 
 
+def _follow_points(notebook: SubmittedNotebook, before: OfStudent, now: OfStudent) -> None:
+    """Scores of which the share stands where their part earns other points; one that a person gave meanwhile is left."""
+    for grade in notebook.grades:
+        if grade.name in before and grade.manual_score == before[grade.name].score:
+            grade.manual_score = now[grade.name].score
+
+
 def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Callable[[str], bool]) -> bool:
     """A score that a person gave stands as long as the answer it was given for; for another answer it is shown again.
 
@@ -211,6 +229,8 @@ def _needs_person(grade: Grade, part: PartGrade | None, marked: Marked, same: Ca
     if grade.manual_score is None:  # pyright: ignore[reportUnnecessaryComparison]
         if part is None:  # added after the student's sheet was handed out, or gone before it was marked
             return False
+        if float(grade.extra_credit or 0) > 0 and not same(grade.name):  # pyright: ignore[reportArgumentType]
+            return True
         return part.waits or (bool(marked.trouble) and isinstance(part.verdict, Unread))
     return not same(grade.name)
 
@@ -228,7 +248,8 @@ def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime |
     """The text of timestamp.txt, and the moment as the gradebook keeps it (UTC, no zone).
 
     formgrader takes a submission for graded only when the file in `submitted/` says the very moment the gradebook has, and
-    release_feedback fails without one: a file that is missing or says nothing nbgrader understands is written.
+    release_feedback fails without one: one that nbgrader does not understand as we do is written again. One that says no time
+    was set aside before, with a guess in its place, or cannot be: it stays as it is.
     """
     when = handed_in(course, name, student)
     if when is None:
@@ -236,11 +257,12 @@ def _timestamp(course: Course, name: str, student: str) -> tuple[str, datetime |
     moment = _in_utc(when)
     text = _stamped(beside(course, name, student, "timestamp.txt"), moment)
     if text is None:
-        text = f"{moment:%Y-%m-%d %H:%M:%S.%f} UTC"
+        text = stamp(when)
         # A student's folder that is a link leads into another's, one that is a file or closed takes none: it is reported as
         # unreadable already, and must not stop the marking of all the others.
         with suppress(OSError):
-            if course.place("submitted", student, name).resolve() == _own_place(course, name, student):
+            own = course.place("submitted", student, name).resolve() == _own_place(course, name, student)
+            if own and stated(course, name, student) is not None:
                 write_whole(course.place("submitted", student, name) / "timestamp.txt", text)
     return text, moment
 

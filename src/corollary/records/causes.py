@@ -7,13 +7,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from corollary.records.assigned import AssignedSheet
-from corollary.records.deadlines import Terms
+from corollary.records.deadlines import Deadlines, Terms
 from corollary.records.files import Course
+from corollary.records.hand_in_time import handed_in, moment
 from corollary.records.record import Record
-from corollary.records.submission import handed_in, moment
+from corollary.records.regrading import Change
 from corollary.sandbox.file import bytes_of
 
-HAND_IN = "what was handed in"
+HAND_IN, DEADLINE = "what was handed in", "the deadline"
 
 
 def dependencies(
@@ -31,7 +32,7 @@ def dependencies(
     file = content if isinstance(content, bytes) else content.why.encode()
     found = {
         HAND_IN: file + str(handed_in(course, set_name, student)).encode(),
-        "the deadline": repr((terms.due and terms.due.isoformat(), terms.excused)).encode(),
+        DEADLINE: repr((terms.due and terms.due.isoformat(), terms.excused)).encode(),
         "the numbers": assigned.identity.encode(),
         **state,
     }
@@ -52,13 +53,24 @@ def is_handed_in_anew(
         return False
 
 
+def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlines: Deadlines) -> bool:
+    """Whether a student's marks change by nothing but more time that this student was given, or an excuse: whoever gave it has
+    agreed to that. Time that is taken back takes marks, and is asked about."""
+    lateness_alone = not change.parts and change.out_of == change.out_of_before and change.by > 0
+    return lateness_alone and change.student in deadlines.extensions and _changed(old, depends) == [DEADLINE]
+
+
 def why(old: Record, depends: Mapping[str, str]) -> str:
     """A few words on why marks are others than before."""
     if not old.depends:
         return "they were given by an earlier version, which did not record what they depend on"
-    names = [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
+    names = _changed(old, depends)
     return (
         f"changed: {', '.join(names)}"
         if names
         else "nothing was changed; the notebook ran otherwise than before"
     )
+
+
+def _changed(old: Record, depends: Mapping[str, str]) -> list[str]:
+    return [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]

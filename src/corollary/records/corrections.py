@@ -12,12 +12,14 @@ from corollary.records.assigned import AssignedSheet
 from corollary.records.edition import Edition, derivation_of, fingerprint
 from corollary.records.files import Course
 from corollary.records.numbers import Assigned, words_of
+from corollary.records.printed_dates import date_corrections
 from corollary.units.unit import canonical, show, unit
 
 
 @dataclass(frozen=True, slots=True)
 class Correction:
-    """`sentence` is about the problem with this code when it was handed out; `students` are those who have it so."""
+    """`sentence` is about the problem with this code when it was handed out, or the set of this name; `students` are those who
+    have it so."""
 
     code: str
     sentence: str
@@ -27,8 +29,8 @@ class Correction:
 def corrections(
     course: Course, problem_set: ProblemSet, record: Assigned, sheets: dict[str, AssignedSheet]
 ) -> list[Correction]:
-    """Everything that is not as it was handed out to somebody, in the order of the set."""
-    found: list[Correction] = []
+    """Everything that is not as it was handed out to somebody: the date, and then in the order of the set."""
+    found = [Correction(problem_set.name, *each) for each in date_corrections(problem_set, record)]
     for place, edition in enumerate(record.editions):
         students = tuple(
             student
@@ -107,7 +109,7 @@ def _parts(edition: Edition, today: Problem, old: Problem | None) -> Iterator[st
         if canonical(part.unit) != asked.unit:
             yield f"part {asked.id} is asked in {show(part.unit) or 'no unit'} now: a bare number of theirs is read in {asked.unit}"
         if options.get(asked.id, part.options) != part.options:
-            yield f"part {asked.id} has other options now: letters are taken as those of today, look whether that is meant"
+            yield f"part {asked.id} has other options now: a letter means the option on their sheet"
     for part in today.parts:
         if part.id not in before:
             yield f"part {part.id} is new: they were not asked it, and it is not held against them"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from corollary.atomic import write_whole
 from corollary.problem.dates import Reveal
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, NotACourse
+from corollary.records.printed_dates import printed_dates
 
 
 class Extension(msgspec.Struct, frozen=True):
@@ -35,28 +36,40 @@ class Terms:
 
 @dataclass(frozen=True, slots=True)
 class Deadlines:
-    """The dates of a set in a course. `by_hand`: its solutions were revealed by hand."""
+    """The dates of a set in a course. `by_hand`: its solutions were revealed by hand; `printed`: what students' sheets say,
+    which were handed out before a date was changed."""
 
     due: datetime | None
     reveal: Reveal
     extensions: Mapping[str, Extension]
     by_hand: bool = False
     rubric: bool = False
+    printed: Mapping[str, datetime] = field(default_factory=dict[str, datetime])
 
     def of(self, student: str) -> datetime | None:
-        """A student's own deadline: an extension never shortens what everybody has."""
-        own = self.extensions.get(student, Extension()).until
-        if self.due is None or own is None:
-            return self.due
-        return max(self.due, own.astimezone(self.due.tzinfo))
+        """A student's own deadline: an extension never shortens what everybody has, and nobody is late before the moment
+        that their own sheet prints."""
+        given = self.given(student)
+        return None if given is None else _later(given, self.printed.get(student))
+
+    def given(self, student: str) -> datetime | None:
+        """What the set and an extension give a student, whatever the sheet prints."""
+        return None if self.due is None else _later(self.due, self.extensions.get(student, Extension()).until)
+
+    @property
+    def by_sheet(self) -> tuple[str, ...]:
+        """Those whose sheet prints a later moment than they are given."""
+        return tuple(student for student in self.printed if self.of(student) != self.given(student))
 
     @property
     def last(self) -> datetime | None:
         """The last student's deadline; an excuse has none."""
         own = (
-            each for student, one in self.extensions.items() if not one.excused and (each := self.of(student))
+            each
+            for student in {*self.extensions, *self.printed}
+            if not self.excused(student) and (each := self.of(student))
         )
-        return None if self.due is None else max((self.due, *own))
+        return None if self.due is None else max((self.due, *own), key=datetime.timestamp)
 
     def terms(self, student: str, now: datetime) -> Terms:
         """What holds for a student at a moment."""
@@ -77,12 +90,12 @@ class Deadlines:
 
 
 def read_deadlines(course: Course, problem_set: ProblemSet) -> Deadlines:
-    """The dates of a set as they are now. Raises NotACourse when the record of an extension is damaged."""
+    """The dates of a set as they are now. Raises NotACourse when the record of an extension, or of what was assigned, is
+    damaged."""
     name = problem_set.name
     own = read_extensions(course, name)
-    return Deadlines(
-        problem_set.due, problem_set.reveal, own, _revealed(course, name).exists(), problem_set.rubric
-    )
+    by_hand, printed = _revealed(course, name).exists(), printed_dates(course, problem_set)
+    return Deadlines(problem_set.due, problem_set.reveal, own, by_hand, problem_set.rubric, printed)
 
 
 def read_extensions(course: Course, set_name: str) -> dict[str, Extension]:
@@ -112,6 +125,11 @@ def all_extensions(course: Course) -> dict[str, dict[str, Extension]]:
 def reveal_by_hand(course: Course, set_name: str) -> None:
     """Records that the solutions of a set may be seen from now on."""
     write_whole(_revealed(course, set_name), "")
+
+
+def _later(one: datetime, other: datetime | None) -> datetime:
+    """In the zone of the first; compared as moments, for a clock may show a time twice."""
+    return one if other is None or other <= one.astimezone(UTC) else other.astimezone(one.tzinfo)
 
 
 def _read(path: Path) -> Extension:

@@ -15,6 +15,8 @@ from corollary.problem.bank import UnknownCode, bank_of
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
+from corollary.problem.statement import HOLE
+from corollary.records.option_letters import letters_now
 from corollary.units.unit import PURE, Unit, canonical, unit
 
 
@@ -97,11 +99,18 @@ def as_handed_out(today: Problem, edition: Edition, old: Problem | None) -> Prob
     if edition.renamed == Renamed() and edition.statement == fingerprint(today):
         return today
     parts_before = {edition.part_now(part.id): part for part in edition.parts}
-    parts = [_part(part, parts_before[part.id], old) for part in today.parts if part.id in parts_before]
     givens_before = {edition.given_now(symbol): symbol for symbol in edition.units}
     givens = [_given(given, edition, givens_before.get(given.symbol), old) for given in today.givens]
     have = {given.symbol for given in givens}
-    gone = [given for given in (old.givens if old is not None else ()) if given.symbol not in have]
+    renamed = {now: before for before, now in edition.renamed.givens.items() if now in have and now != before}
+    if old is not None:
+        old = _in_letters(old, {before: now for now, before in renamed.items()})
+    parts = [_part(part, parts_before[part.id], old) for part in today.parts if part.id in parts_before]
+    gone = [
+        given
+        for given in (old.givens if old is not None else ())
+        if given.symbol not in have and given.symbol not in renamed.values()
+    ]
     words = old or today
     return replace(
         words,
@@ -113,6 +122,7 @@ def as_handed_out(today: Problem, edition: Edition, old: Problem | None) -> Prob
         topic=today.topic,
         path=today.path,
         written=today,
+        renamed=tuple(renamed.items()),
     )
 
 
@@ -140,8 +150,34 @@ def _part(today: Part, asked: AskedPart, old: Problem | None) -> Part:
         asked_as=label,
         title=before.title,
         text=before.text,
+        lettered=before.lettered,
         unit=_same_dimension(today.unit, asked.unit),
         signature=before.signature,
+        options=before.options,
+        letters=letters_now(before.options, today.options) if before.options != today.options else (),
+    )
+
+
+def _in_letters(old: Problem, now: Mapping[str, str]) -> Problem:
+    """The words of before with today's letters in their holes."""
+
+    def other(text: str) -> str:
+        return HOLE.sub(lambda hole: hole[0].replace(hole[1], now.get(hole[1], hole[1]), 1), text)
+
+    parts = tuple(
+        replace(
+            part,
+            text=other(part.text),
+            options=tuple(replace(option, text=other(option.text)) for option in part.options),
+        )
+        for part in old.parts
+    )
+    return replace(
+        old,
+        statement=other(old.statement),
+        figure=other(old.figure),
+        figure_alt=other(old.figure_alt),
+        parts=parts,
     )
 
 

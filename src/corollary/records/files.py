@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import re
 import secrets
 from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
@@ -19,6 +20,7 @@ from corollary.problem.roster import COLUMNS, Student
 from corollary.problem.table import read_table
 
 KEY_BYTES = 32
+OUTSIDE = re.compile(r"^\.|[/\\\x00]")  # what would lead out of the course's folders
 
 
 class NotACourse(LookupError):
@@ -104,7 +106,12 @@ def students(course: Course) -> tuple[Student, ...]:
         ) from None
     others = [(at, heading) for at, heading in enumerate(headings) if at not in places]
     found: list[Student] = []
-    for _, row in rows:
+    for line, row in rows:
+        if len(row) != len(headings) or not row[places[0]] or OUTSIDE.search(row[places[0]]):
+            raise NotACourse(
+                f"the roster of {course.folder} is damaged: {path}:{line}: {', '.join(row)} is no student; "
+                "generate again with --roster"
+            )
         name, first, last, email = (row[at] for at in places)
         ids = tuple((heading, row[at]) for at, heading in others if row[at])
         found.append(Student(name, first, last, email, ids))
@@ -153,6 +160,17 @@ def one_writer(course: Course) -> Generator[None]:
         yield
     finally:
         os.close(descriptor)
+
+
+def at_work(course: Course) -> bool:
+    """Whether another run is writing in the course; nothing is changed by asking."""
+    folder = course.folder / ".corollary"
+    if os.name == "nt" and not (folder / "lock").exists():
+        return False
+    descriptor = _locked(folder)
+    if descriptor is not None:
+        os.close(descriptor)
+    return descriptor is None
 
 
 def _locked(folder: Path) -> int | None:

@@ -21,6 +21,7 @@ CANVAS = re.compile(
 CANVAS_TEXT = re.compile(r"(?P<name>[^_/]+)(?P<late>_LATE)?_(?P<user>\d+)_(?:text|link)\.html$")
 AGAIN = re.compile(r"(?:[ _]?\((\d+)\)|[ _-]+(?:copy|kopi|kopie|copie)|-(\d+))$", re.IGNORECASE)
 NAMELESS = ("participant", "teilnehm", "deltak", "anon")  # in the place of a name where marking is blind
+CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID")  # in the order of Canvas's gradebook
 UNSAFE = re.compile(r'[\x00-\x1f/\\:*?"<>|_]+')
 
 
@@ -55,6 +56,12 @@ def lms_name(parts: Sequence[str]) -> LmsName | None:
         if match := CANVAS_TEXT.match(part):
             return LmsName("canvas", match["name"], match["user"], part, "", bool(match["late"]))
     return None
+
+
+def canvas_ids(student: Student) -> dict[str, str]:
+    """What Canvas knows a student by, under its own headings, where its gradebook was the roster; `ID` alone may be anybody's."""
+    theirs = {heading: value for heading, value in student.ids if heading in CANVAS_IDS}
+    return theirs if theirs.keys() != {"ID"} else {}
 
 
 def moodle_folder(student: Student, participant: str, plugin: str = "file") -> str:

@@ -20,7 +20,8 @@ from corollary.records.journal import append, entries
 
 class ManualMark(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a person gave for one part; None where they gave nothing. `answer` is the digest of the answer it was given for
-    (empty: not known), `by` the login name where it is known, `at` the moment it was recorded."""
+    (empty: not known), `by` the login name where it is known, `at` the moment it was recorded. `out_of` is what the score is
+    out of (0: not known), `first` the score and what it was out of when the part earned other points than now."""
 
     score: float | None = None
     extra_credit: float | None = None
@@ -28,11 +29,23 @@ class ManualMark(msgspec.Struct, frozen=True, omit_defaults=True):
     answer: str = ""
     by: str = ""
     at: str = ""
+    out_of: float = 0.0
+    first: tuple[float, float] | None = None
 
     @property
     def is_given(self) -> bool:
         """Whether there is anything in it; a mark that was withdrawn has nothing."""
         return self.score is not None or bool(self.extra_credit) or bool(self.comment)
+
+    def out_of_now(self, out_of: float) -> ManualMark:
+        """The mark where the part earns `out_of` points: the share that a person gave stands, extra credit as it is."""
+        if self.score is None or not self.out_of or not out_of or abs(self.out_of - out_of) < 1e-9:
+            return self
+        score, most = self.first or (self.score, self.out_of)
+        if abs(most - out_of) < 1e-9:
+            return msgspec.structs.replace(self, score=score, out_of=most, first=None)
+        scaled = round(score * out_of / most, 6)
+        return msgspec.structs.replace(self, score=scaled, out_of=out_of, first=(score, most))
 
     def equals(self, other: ManualMark) -> bool:
         """Whether both say the same to the student."""

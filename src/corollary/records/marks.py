@@ -14,7 +14,7 @@ from corollary.atomic import write_each_whole, write_whole
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course
 from corollary.records.journal import append, entries, last_lines
-from corollary.records.manual import ManualMarks, journal_place, read_manual
+from corollary.records.manual import ManualMark, ManualMarks, Place, journal_place, read_manual
 from corollary.records.record import Record, with_manual
 
 
@@ -86,6 +86,30 @@ def read_marks(
 def history(course: Course, set_name: str) -> Iterator[dict[str, Any]]:
     """Every mark ever given in a set, oldest first: a record as plain data, with its `student` and the moment `at`."""
     return entries(_history(course, set_name))
+
+
+def with_out_of(course: Course, set_name: str, manual: ManualMarks) -> ManualMarks:
+    """The marks that persons gave, those of earlier versions with what their score is out of: what the part earned by the
+    student's marks of that moment, where the history has it."""
+    missing = {
+        (place.student, place.part): mark
+        for place, mark in manual.by_place.items()
+        if place.set_name == set_name and mark.score is not None and not mark.out_of
+    }
+    if not missing:
+        return manual
+    known: dict[Place, ManualMark] = {}
+    for line in history(course, set_name):
+        parts: dict[str, dict[str, Any]] = line.get("parts") or {}
+        for part, marked in parts.items():
+            mark = missing.get((line.get("student", ""), part))
+            if mark is None or mark.score is None or (mark.at and str(line.get("at", "")) > mark.at):
+                continue
+            out_of = float(marked.get("out_of") or 0.0)
+            if mark.score <= out_of:
+                place = Place(set_name, line["student"], part)
+                known[place] = msgspec.structs.replace(mark, out_of=out_of)
+    return ManualMarks({**manual.by_place, **known}, manual.count)
 
 
 def settle(course: Course, problem_set: ProblemSet) -> None:

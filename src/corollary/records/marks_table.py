@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
+from types import MappingProxyType
 
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -20,7 +21,8 @@ class Mark:
 @dataclass(frozen=True, slots=True)
 class Column:
     """Marks by student: one without a mark has a blank, which is no zero. `also` are other titles by which the column may be
-    known elsewhere; of those `waiting` a person still has something to mark."""
+    known elsewhere; of those `waiting` a person still has something to mark, which is not in the marks; of those marked `again`
+    a mark counts that a person gave for an earlier answer."""
 
     title: str
     also: tuple[str, ...]
@@ -28,6 +30,7 @@ class Column:
     marks: Mapping[str, Mark]
     excused: frozenset[str] = frozenset()
     waiting: tuple[str, ...] = ()
+    again: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +75,11 @@ class MarksTable:
         return tuple(dict.fromkeys(student for column in self.columns for student in column.waiting))
 
     @property
+    def again(self) -> tuple[str, ...]:
+        """Whose marks count what a person gave for an earlier answer, until the new one is marked."""
+        return tuple(dict.fromkeys(student for column in self.columns for student in column.again))
+
+    @property
     def out_of_another(self) -> tuple[str, ...]:
         """Whose sheet is out of other points than its column, which says nothing of that: the set was corrected in between."""
         if self.notation.out_of is not None or any(column.title == "out_of" for column in self.columns):
@@ -90,9 +98,11 @@ def set_column(problem_set: ProblemSet, report: Report, excused: Collection[str]
     marks = {
         one.student: Mark(one.points, one.out_of) for one in report.handed_in if one.student not in excused
     }
-    waiting = tuple(dict.fromkeys(each.student for each in report.waiting if each.student in marks))
+    rows = [row for row in report.rows if row.student in marks]
+    waiting = tuple(dict.fromkeys(row.student for row in rows if row.waits and not row.again))
+    again = tuple(dict.fromkeys(row.student for row in rows if row.again))
     out_of = problem_set.out_of
-    return Column(problem_set.title, (problem_set.name,), out_of, marks, frozenset(excused), waiting)
+    return Column(problem_set.title, (problem_set.name,), out_of, marks, frozenset(excused), waiting, again)
 
 
 def part_columns(
@@ -101,7 +111,6 @@ def part_columns(
     """A column for each part, those of today first, then those that are gone and that somebody has marks for. After lateness,
     so that a student's parts add up to the mark in the set; before it when not `late`."""
     shares = {one.student: one.late_share if late else 1.0 for one in report.handed_in}
-    waits = {(each.student, each.problem, each.part) for each in report.waiting}
     found: list[Column] = []
     for (code, part), out_of in _parts(problem_set, report).items():
         its = [row for row in report.rows if (row.problem, row.part) == (code, part)]
@@ -109,23 +118,31 @@ def part_columns(
         marks = {
             row.student: Mark(row.points * shares[row.student], row.out_of)
             for row in its
-            if (row.student, code, part) not in waits
+            if row.again or not row.waits
         }
         waiting = tuple(row.student for row in its if row.student not in marks)
+        again = tuple(row.student for row in its if row.again)
         title, named = (f"{name} {code} {part}" for name in (problem_set.title, problem_set.name))
-        found.append(Column(title, (named, f"{code} {part}"), out_of, marks, frozenset(excused), waiting))
+        found.append(
+            Column(title, (named, f"{code} {part}"), out_of, marks, frozenset(excused), waiting, again)
+        )
     return found
 
 
 def every_column(
-    problem_set: ProblemSet, report: Report, students: Sequence[Student], excused: Collection[str] = ()
+    problem_set: ProblemSet,
+    report: Report,
+    students: Sequence[Student],
+    excused: Collection[str] = (),
+    sheets: Mapping[str, float] = MappingProxyType({}),
 ) -> Iterable[Column]:
-    """Each part before lateness, the total after it, and what that is out of for each student."""
+    """Each part before lateness, the total after it, and what that is out of for each student; `sheets` is what a student's own
+    sheet is out of, for those who have handed nothing in."""
     for each in part_columns(problem_set, report, excused, late=False):
-        yield Column(each.also[-1], (), each.out_of, each.marks, each.excused, each.waiting)
+        yield Column(each.also[-1], (), each.out_of, each.marks, each.excused, each.waiting, each.again)
     total = set_column(problem_set, report, excused)
-    yield Column("total", (), total.out_of, total.marks, total.excused, total.waiting)
-    own = {one.student: one.out_of for one in report.handed_in}
+    yield Column("total", (), total.out_of, total.marks, total.excused, total.waiting, total.again)
+    own = {**sheets, **{one.student: one.out_of for one in report.handed_in}}
     out_of = {each.id: own.get(each.id, problem_set.out_of) for each in students}
     yield Column("out_of", (), total.out_of, {who: Mark(most, most) for who, most in out_of.items()})
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import UTC, datetime
 from fractions import Fraction
 from pathlib import Path
 
 import msgspec
 
 from corollary.atomic import write_whole
+from corollary.problem.dates import zone_named
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.given import decimal_places
 from corollary.problem.problem import Problem
@@ -37,13 +39,28 @@ class StudentNumbers(msgspec.Struct, frozen=True):
 Row = dict[str, StudentNumbers]  # by the code that the problem had when it was handed out
 
 
+class PrintedDate(msgspec.Struct, frozen=True):
+    """The deadline as a sheet prints it, in the zone of this name (empty: one that has none)."""
+
+    moment: datetime
+    zone: str = ""
+
+    @property
+    def when(self) -> datetime:
+        moment = self.moment if self.moment.tzinfo is not None else self.moment.replace(tzinfo=UTC)
+        zone = zone_named(self.zone) if self.zone else None
+        return moment if zone is None else moment.astimezone(zone)
+
+
 class Assigned(msgspec.Struct):
     """The whole file. `carried` has what an earlier version recorded for those who were given their numbers by it: the
-    places in the grids of that day."""
+    places in the grids of that day. `dates` has what each sheet prints: None where it prints no date, nothing where that is
+    not known."""
 
     editions: list[Edition]
     students: dict[str, Row]
     carried: dict[str, dict[str, int]] = {}
+    dates: dict[str, PrintedDate | None] = {}
     format: int = FORMAT
 
     def edition(self, numbers: StudentNumbers) -> Edition:
@@ -97,7 +114,8 @@ def write_numbers(course: Course, set_name: str, record: Assigned, problems: Map
         if not place.exists():
             write_whole(place, problem.path.read_bytes())
     students = {student: record.students[student] for student in sorted(record.students)}
-    record = Assigned(record.editions, students, record.carried, record.format)
+    dates = {student: record.dates[student] for student in sorted(record.dates)}
+    record = msgspec.structs.replace(record, students=students, dates=dates)
     write_whole(_file(course, set_name), msgspec.json.format(msgspec.json.encode(record), indent=1) + b"\n")
 
 

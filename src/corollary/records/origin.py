@@ -6,11 +6,13 @@ Recorded when a set is generated, so that it can be marked later by whoever has 
 from __future__ import annotations
 
 import json
+import os
+from contextlib import suppress
 from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean
-from corollary.problem.bank import Bank, UnknownCode, chapter_bank, open_bank
+from corollary.problem.bank import VARIABLE, Bank, UnknownCode, chapter_bank, open_bank
 from corollary.problem.problem_set import ProblemSet, find_set, set_names
 from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
@@ -26,7 +28,7 @@ def write_origin(course: Course, set_name: str, bank: Bank, file: Path | None = 
 
 def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank, ProblemSet]:
     """The set of this name, or in the file of this path, and its bank: the one in `folder`, else the one that the set was
-    generated from, else the course's, else the chapter's.
+    generated from, else the course's, else one that other sets of the course were generated from, else the chapter's.
 
     Raises NotACourse when the record is damaged, UnknownCode when the bank has moved, and Malformed.
     """
@@ -34,19 +36,36 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
     set_name = Path(name).stem if is_file else name
     settings = read_settings(course.folder)
     if folder is not None or not _origin(course, set_name).exists():
-        bank, file = open_bank(folder or (Path(settings.bank) if settings.bank else None)), None
+        named = folder or (Path(settings.bank) if settings.bank else None)
+        bank, file = open_bank(named), None
+        if named is None and not os.environ.get(VARIABLE):
+            bank = _of_other_sets(course, set_name, bank)
         if not is_file and set_name not in (here := set_names(bank)):
-            raise _unknown(course, set_name, here)
+            raise _unknown(course, set_name, bank, here)
     else:
         bank, file = _recorded(course, set_name)
     return bank, find_set(bank, name if is_file or file is None else file, settings.usual)
 
 
-def _unknown(course: Course, set_name: str, here: list[str]) -> UnknownCode:
+def _of_other_sets(course: Course, set_name: str, otherwise: Bank) -> Bank:
+    """The bank of the set generated last of those whose bank has this one too; else that of the very last."""
+    banks = list[Bank]()
+    for path in sorted(_origin(course, "any").parent.glob("*.json"), key=_age, reverse=True):
+        with suppress(NotACourse, UnknownCode):  # it has moved: another one may have the set
+            banks.append(_recorded(course, path.stem)[0])
+    return next((bank for bank in banks if set_name in set_names(bank)), next(iter(banks), otherwise))
+
+
+def _age(path: Path) -> float:
+    return path.stat().st_mtime
+
+
+def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> UnknownCode:
     generated = sorted(path.stem for path in _origin(course, "any").parent.glob("*.json"))
+    near = did_you_mean(set_name, {*generated, *here} - {set_name})
     return UnknownCode(
-        f"there is no problem set {set_name}{did_you_mean(set_name, [*generated, *here])}; {course.folder} has: "
-        f"{', '.join(generated) or 'none yet'}; the bank has: {', '.join(here) or 'none'}"
+        f"there is no problem set {set_name}{near}; {course.folder} has: "
+        f"{', '.join(generated) or 'none yet'}; the bank {bank.place} has: {', '.join(here) or 'none'}"
     )
 
 

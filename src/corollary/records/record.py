@@ -31,7 +31,9 @@ class Row(msgspec.Struct, frozen=True):
     why: str = ""
     by_hand: bool = False
     rubric: tuple[str, ...] = ()
-    again: bool = False  # the answer is another than the one a person marked
+    again: bool = (
+        False  # a person marked it, and is to look again: the answer is another now, or its points are
+    )
 
     @property
     def waits(self) -> bool:
@@ -88,6 +90,22 @@ class Record(msgspec.Struct, frozen=True):
     version: str = ""
     answers: dict[str, str] = {}
     depends: dict[str, str] = {}
+
+    def why_again(self, part: str, mark: ManualMark) -> str:
+        """Why a person is to look again at what a person gave, `mark` being out of what the part earns now; empty when not."""
+        if mark.score is None and not mark.extra_credit:
+            return ""
+        if self.is_other_answer(part, mark):
+            if mark.score is None:
+                return f"the answer has changed since a person gave it {mark.extra_credit:g} as extra credit"
+            return "the answer has changed since a person marked it"
+        out_of = self.parts[part].out_of
+        if mark.first is not None:
+            score, most = mark.first
+            return f"given {score:g} of {most:g}, now out of {out_of:g}"
+        if mark.score is not None and mark.score > out_of + 1e-9:
+            return f"given {mark.score:g} by hand, but it earns no more than {out_of:g}"
+        return ""
 
     def is_other_answer(self, part: str, mark: ManualMark) -> bool:
         """Whether a person's mark was given for another answer than the one that lies there now."""
@@ -164,7 +182,7 @@ def _reasons(verdict: Verdict) -> tuple[str, str]:
 
 def with_manual(record: Record, given: OfStudent) -> Record:
     """The marks as they stand: what a person gave counts in the place of the program's, and lateness applies to it as well."""
-    given = {part: mark for part, mark in given.items() if part in record.parts and mark.is_given}
+    given = {part: mark for part, mark in out_of_now(given, record).items() if mark.is_given}
     if not given:
         return record
     parts = {name: _part_with(part, given.get(name)) for name, part in record.parts.items()}
@@ -173,6 +191,20 @@ def with_manual(record: Record, given: OfStudent) -> Record:
     rows = tuple(_row_with(row, parts[name], record, name) for row, name in names)
     whole = msgspec.structs.replace(record.handed_in, points=points)
     return msgspec.structs.replace(record, points=points, parts=parts, rows=rows, handed_in=whole)
+
+
+def out_of_now(given: OfStudent, record: Record) -> OfStudent:
+    """What a person gave for the parts of a record, out of the points that they earn in it."""
+    return {
+        part: mark.out_of_now(record.parts[part].out_of)
+        for part, mark in given.items()
+        if part in record.parts
+    }
+
+
+def changed_by_points(given: OfStudent, record: Record) -> OfStudent:
+    """Those of them that are other scores now, for their part earns other points."""
+    return {part: mark for part, mark in out_of_now(given, record).items() if mark is not given[part]}
 
 
 def _part_with(part: PartRecord, mark: ManualMark | None) -> PartRecord:
@@ -198,9 +230,15 @@ def _row_with(row: Row, part: PartRecord, record: Record, name: str) -> Row:
     if part.manual is msgspec.UNSET:
         return row
     by_hand = part.manual.score is not None
-    again = by_hand and record.is_other_answer(name, part.manual)
-    why = "the answer has changed since a person marked it" if again else "" if by_hand else row.why
+    again = record.why_again(name, part.manual)
+    why = again or ("" if by_hand else row.why)
     error = "" if by_hand and part.verdict == RIGHT else row.error
     return msgspec.structs.replace(
-        row, verdict=part.verdict, points=part.points, error=error, why=why, by_hand=by_hand, again=again
+        row,
+        verdict=part.verdict,
+        points=part.points,
+        error=error,
+        why=why,
+        by_hand=by_hand,
+        again=bool(again),
     )

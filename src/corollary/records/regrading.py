@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from corollary.grading.grade import Marked
-from corollary.records.record import PartRecord, Record, record_of
+import msgspec
+
+from corollary.records.record import PartRecord, Record
 
 CENT = 0.005  # half of the last decimal that anybody sees
 NOTHING = PartRecord("", 0.0, 0.0)  # a part that was not there before, or is no longer
@@ -14,22 +15,29 @@ NOTHING = PartRecord("", 0.0, 0.0)  # a part that was not there before, or is no
 
 @dataclass(frozen=True, slots=True)
 class PartChange:
-    """One part, named as in the notebook (X12_5_a), before and after."""
+    """One part, named as in the notebook (X12_5_a), before and after: its verdict, its points, and what these are out of;
+    `by_hand`: a person gave the points, and no verdict is the program's."""
 
     part: str
     verdict_before: str
     verdict: str
     before: float
     after: float
+    out_of_before: float
+    out_of: float
+    by_hand: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One student whose marks change: points after lateness, before and after, every part that differs, and why."""
+    """One student whose marks change: points after lateness and what they are out of, before and after, every part that
+    differs, and why."""
 
     student: str
     before: float
     after: float
+    out_of_before: float
+    out_of: float
     parts: tuple[PartChange, ...]
     why: str = ""
 
@@ -39,8 +47,15 @@ class Change:
 
     @property
     def moves_points(self) -> bool:
-        """Whether any points move; else a part is only called otherwise."""
-        return abs(self.by) >= CENT or any(abs(part.after - part.before) >= CENT for part in self.parts)
+        """Whether any points move, or what they are out of; else a part is only called otherwise."""
+        return (
+            _differ(self.after, self.before)
+            or _differ(self.out_of, self.out_of_before)
+            or any(
+                _differ(part.after, part.before) or _differ(part.out_of, part.out_of_before)
+                for part in self.parts
+            )
+        )
 
     def because(self, why: str) -> Change:
         return replace(self, why=why)
@@ -49,19 +64,9 @@ class Change:
 def change(student: str, old: Record, new: Record) -> Change | None:
     """What is otherwise in the new marks of one student; None when nothing is."""
     parts = tuple(_parts(old.parts, new.parts))
-    if not parts and abs(new.points - old.points) < CENT:
+    if not (parts or _differ(new.points, old.points) or _differ(new.out_of, old.out_of)):
         return None
-    return Change(student, old.points, new.points, parts)
-
-
-def changes(records: Mapping[str, Record], new_marked: Iterable[Marked]) -> tuple[Change, ...]:
-    """Who had marks and gets others, the largest change first; who is marked for the first time changes nothing."""
-    found = (
-        change(marked.student.id, records[marked.student.id], record_of(marked, ""))
-        for marked in new_marked
-        if marked.student.id in records
-    )
-    return largest_first(each for each in found if each is not None)
+    return Change(student, old.points, new.points, old.out_of, new.out_of, parts)
 
 
 def largest_first(found: Iterable[Change]) -> tuple[Change, ...]:
@@ -70,8 +75,19 @@ def largest_first(found: Iterable[Change]) -> tuple[Change, ...]:
 
 
 def _parts(old: Mapping[str, PartRecord], new: Mapping[str, PartRecord]) -> Iterator[PartChange]:
-    """Parts with another verdict or other points."""
+    """Parts with another verdict, other points, or out of others."""
     for name in dict.fromkeys((*old, *new)):
         before, after = old.get(name, NOTHING), new.get(name, NOTHING)
-        if before.verdict != after.verdict or abs(after.points - before.points) >= CENT:
-            yield PartChange(name, before.verdict, after.verdict, before.points, after.points)
+        points = before.points, after.points, before.out_of, after.out_of
+        by_hand = all(_is_by_hand(each) for each in (before, after) if each is not NOTHING)
+        called_otherwise = before.verdict != after.verdict and not by_hand
+        if called_otherwise or _differ(*points[:2]) or _differ(*points[2:]):
+            yield PartChange(name, before.verdict, after.verdict, *points, by_hand)
+
+
+def _is_by_hand(part: PartRecord) -> bool:
+    return part.manual is not msgspec.UNSET and part.manual.score is not None
+
+
+def _differ(one: float, other: float) -> bool:
+    return abs(one - other) >= CENT

@@ -12,11 +12,13 @@ import msgspec
 
 from corollary.answers.verdict import Verdict
 from corollary.messages import visible
+from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.collected import UNUSABLE, read_arrivals
 from corollary.records.collusion import SHARING, Shared, read_shared
-from corollary.records.deadlines import read_deadlines
+from corollary.records.deadlines import Deadlines, read_deadlines
 from corollary.records.files import Course, students
+from corollary.records.hand_in_time import guessed_time, handed_in, why_guessed
 from corollary.records.manual import ManualMarks
 from corollary.records.marks import read_marks
 from corollary.records.record import HandedIn, Row
@@ -132,13 +134,30 @@ def report_of(course: Course, problem_set: ProblemSet, manual: ManualMarks | Non
         if each.outcome == UNUSABLE and each.student in known and each.student not in there:
             unusable[each.student] = visible(f"{each.file}: {each.why}")
     return report(
-        [record.handed_in for record in records],
+        [_with_date(course, name, _with_guess(course, name, each.handed_in), deadlines) for each in records],
         rows,
         roster=roster,
         shared=shared,
         unusable=unusable,
         excused=excused,
     )
+
+
+def _with_guess(course: Course, name: str, one: HandedIn) -> HandedIn:
+    """What was noticed, with a guessed time."""
+    guess = guessed_time(course, name, one.student)
+    sentence = "" if guess is None else visible(why_guessed(name, one.student, guess))
+    return msgspec.structs.replace(one, notes=(*one.notes, sentence)) if sentence else one
+
+
+def _with_date(course: Course, name: str, one: HandedIn, deadlines: Deadlines) -> HandedIn:
+    """What was noticed, with a date that counts because the sheet prints it, where that makes a difference."""
+    given, own = deadlines.given(one.student), deadlines.of(one.student)
+    when = handed_in(course, name, one.student)
+    if given is None or own is None or own == given or when is None or when.timestamp() <= given.timestamp():
+        return one
+    sentence = f"came after {written(given)}, and the sheet prints {written(own)}: that date counts"
+    return msgspec.structs.replace(one, notes=(*one.notes, sentence))
 
 
 def report(

@@ -21,11 +21,21 @@ if TYPE_CHECKING:
     from corollary.records.marks_table import MarksTable
 
 GROUP = "corollary.exports"
-OURS = ("text", "md", "html", "ipynb", "csv", "moodle-grades", "canvas-grades", "feedback-zip")
+FOR_EXERCISES = ("text", "md", "html", "ipynb")  # known without loading them: help must not take a second
+OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip")
 
 
 class UnknownTarget(LookupError):
     """Nothing can be exported to that; one sentence says to what it can."""
+
+
+@dataclass(frozen=True, slots=True)
+class MarksText:
+    """A file of marks, with ids of students it had to leave out, and sentences for whoever imports it."""
+
+    text: str
+    absent: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,7 +52,7 @@ class Target:
     exercise: Callable[[Exercise, Student, str], str] | None = None
     worksheet: Callable[[Worksheet, Mapping[str, str]], str] | None = None
     problem_set: Callable[[ProblemSet, Sequence[Worksheet]], Mapping[str, bytes]] | None = None
-    marks: Callable[[MarksTable], str] | None = None
+    marks: Callable[[MarksTable], MarksText | str] | None = None
     every_column: bool = False
     feedback: Callable[[Mapping[str, bytes]], bytes] | None = None
 
@@ -68,8 +78,8 @@ def names() -> tuple[str, ...]:
 
 def names_for_exercises() -> tuple[str, ...]:
     """The names of those that one exercise can be shown as; a target that cannot be loaded is none of them."""
-    found: list[str] = []
-    for name in names():
+    found = [*FOR_EXERCISES]
+    for name in sorted(plug_ins(GROUP, OURS)):
         try:
             found += [name] if target(name).exercise is not None else []
         except PlugInFault:

@@ -146,10 +146,10 @@ def _part(
     blank = isinstance(part.verdict, Unread) and part.verdict.blank
     return PartFacts(
         prompt.key,
-        part.part.id,
+        part.part.heading_letter,
         inline(part.part.title),
         html(prompt.text),
-        tuple(OptionFacts(option.letter, inline(option.text)) for option in prompt.options),
+        tuple(OptionFacts(option.mark, inline(option.text)) for option in prompt.options),
         pictures.get(prompt.key, ()),
         _introduction(part) if part.answer and not blank else "",
         blank,

@@ -87,6 +87,7 @@ def feedback_page(facts: PageFacts, record: Record) -> str:
         record=record,
         exercises=marked_exercises(facts, record),
         waiting=sum(row.waits for row in record.rows),
+        again={key for key, row in zip(record.parts, record.rows, strict=True) if row.again},
         before_late=sum(part.points for part in record.parts.values()),
         late=spell(max(60.0, record.late)) if record.late > 0 else "",
     )

@@ -82,6 +82,8 @@ def wanted(prompt: Prompt) -> str:
     """What a part earns, and what is to be given: the unit, the components, the function."""
     part = prompt.part
     words = [points_earned(prompt.out_of)]
+    if answer_type(part.answer_type).in_symbols:
+        words.append(_("a formula"))
     if unit := show(part.unit):
         words.append(_("in {unit}", unit=unit))
     if part.components and answer_type(part.answer_type).lists_components:

@@ -2,35 +2,57 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from corollary.messages import few
 from corollary.problem.roster import Student
+from corollary.records.lms_names import CANVAS_IDS, canvas_ids
 from corollary.records.marks_table import MarksTable
-from corollary.render.exports import Target
+from corollary.render.exports import MarksText, Target
 from corollary.render.spreadsheet import table_text
 
-# In this order, or Canvas refuses the file (`GradebookImporter`): it finds a student by ID, else by the two others.
-IDS = ("ID", "SIS User ID", "SIS Login ID")
+# Columns of Canvas's own, by any of these words anywhere in a title.
+NO_ASSIGNMENT = re.compile("(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
 
 
-def write_marks(table: MarksTable) -> str:
+def write_marks(table: MarksTable) -> MarksText:
     """What the marks are out of in the second row, then one row a student.
 
-    An assignment is found by its title; Canvas offers to make a new one for a title that it does not know.
+    Canvas (`GradebookImporter`) refuses another order of the first columns. It finds a student by ID, else by the two others, else
+    by the name, of which it takes the first that has it: so of namesakes without an id nobody is in the file. An assignment is
+    found by its title; Canvas offers to make a new one for a title that it does not know.
     """
-    headings = ["Student", *IDS, "Section", *(column.title for column in table.columns)]
+    headings = ["Student", *CANVAS_IDS, "Section", *(column.title for column in table.columns)]
     points = ["    Points Possible", "", "", "", "", *map(table.out_of, table.columns)]
+    often = Counter(_sortable(each).casefold() for each in table.students)
+    absent = [
+        each for each in table.students if not canvas_ids(each) and often[_sortable(each).casefold()] > 1
+    ]
     rows = (
-        [_sortable(each), *_ids(each), "", *(table.cell(each, column) for column in table.columns)]
+        [_sortable(each), *(canvas_ids(each).get(heading, "") for heading in CANVAS_IDS), ""]
+        + [table.cell(each, column) for column in table.columns]
         for each in table.students
+        if each not in absent
     )
-    return table_text([headings, points, *rows])
+    by_name = [each.name for each in table.students if not canvas_ids(each) and each not in absent]
+    overlooked = [column.title for column in table.columns if NO_ASSIGNMENT.search(column.title)]
+    text = table_text([headings, points, *rows])
+    notes = tuple(_notes(by_name, bool(absent), overlooked))
+    return MarksText(text, tuple(each.id for each in absent), notes)
 
 
-def _ids(student: Student) -> list[str]:
-    """As Canvas's own export has them, if the roster was one; the id of the course is what a student logs in with otherwise."""
-    theirs = {heading.lower(): value for heading, value in student.ids}
-    from_canvas = IDS[2].lower() in theirs
-    numbers = [theirs.get(heading.lower(), "") if from_canvas else "" for heading in IDS[:2]]
-    return [*numbers, theirs.get(IDS[2].lower(), student.id)]
+def _notes(by_name: list[str], namesakes: bool, overlooked: list[str]) -> Iterator[str]:
+    if overlooked:
+        yield f"Canvas leaves out a column with such words in its title: {few(overlooked)}; give the set another title"
+    if by_name:
+        yield (
+            f"no id of Canvas's is on the roster, so it goes by the name alone: {few(by_name)}; "
+            "--template with the gradebook that Canvas exports is surer"
+        )
+    if namesakes:
+        yield "Canvas cannot tell people of one name apart without an id: give the gradebook that it exports with --template"
 
 
 def _sortable(student: Student) -> str:

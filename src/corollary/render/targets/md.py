@@ -35,11 +35,11 @@ def _written(exercise: Exercise, solution: str, level: str, label: str) -> str:
         alt = exercise.figure_alt.replace("[", r"\[").replace("]", r"\]")
         pieces.append(f"![{alt}][{label}]")
     for prompt in exercise.prompts:
-        pieces += [f"{level}# ({prompt.part.id}) {prompt.part.title}", prompt.text]
-        pieces.append("\n".join(f"- ({option.letter}) {option.text}" for option in prompt.options))
+        pieces += [f"{level}# ({prompt.part.heading_letter}) {prompt.part.title}", prompt.text]
+        pieces.append("\n".join(f"- ({option.mark}) {option.text}" for option in prompt.options))
         pieces.append(f"*{wanted(prompt)}*")
     if solution:
-        pieces += [f"{level}# {_('Worked solution')}", solution]
+        pieces += [f"{level}# " + _("Worked solution"), solution]
     if exercise.figure:
         pieces.append(f"[{label}]: {drawing_address(exercise)}")
     return "\n\n".join(filter(None, pieces)) + "\n"

@@ -3,50 +3,131 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from corollary.problem.roster import Student
-from corollary.problem.roster_columns import EMAILS
+from corollary.messages import few
+from corollary.problem.roster import Student, folder_name
+from corollary.problem.roster_columns import EMAILS, ID_NUMBERS, USERNAMES
+from corollary.records.lms_names import canvas_ids
 from corollary.records.marks_table import MarksTable
-from corollary.render.exports import Target
+from corollary.render.exports import MarksText, Target
 from corollary.render.spreadsheet import table_text
 
-ID_NUMBER, EMAIL = "ID number", "Email address"
-# Ours, that of one assignment only, and those of a roster without headings.
-NO_ID = re.compile(r"(id|identifier|column \d+)$", re.IGNORECASE)
+EMAIL, OURS = "Email address", "id"
+MOST = 100  # `gradepointmax`, which counts where `unlimitedgrades` is on only
+MARK = re.compile(r"\d+(\.\d+)?$")
+NO_HEADING = "column "  # of rosters without headings
+# The number of a participant is that of one assignment.
+OF_NO_USER = re.compile(rf"({OURS}|identifier|{NO_HEADING}\d+)$")
 
 
-def write_marks(table: MarksTable) -> str:
+@dataclass(frozen=True, slots=True)
+class IdColumn:
+    """What Moodle may know students by; `values` by student, of those who have one of their own."""
+
+    heading: str
+    values: Mapping[str, str]
+
+
+def write_marks(table: MarksTable) -> MarksText:
     """One row a student: the names, whatever Moodle can know a student by, and the marks.
 
-    An id stands in a column only if every student has one there: for one row whose id is blank Moodle takes nothing of the
-    file, and older versions gave that row's marks to the student of the row above (`gradeimport_csv_load_data`).
+    Moodle finds all rows by one column. One whose id is blank (or 0) makes it refuse the file, and older versions gave that row's
+    marks to the student of the row above (`gradeimport_csv_load_data`). So a column of ids is written only if everybody has one
+    there; where there is no such column, the one that most have, and nobody else's marks.
     """
-    ids = dict(_ids(table.students))
-    headings = ["First name", "Last name", *ids, *(column.title for column in table.columns)]
+    columns = _id_columns(table.students)
+    full = [each for each in columns if len(each.values) == len(table.students)]
+    in_file, absent = table.students, tuple[Student, ...]()
+    if not full:
+        best = max(columns, key=lambda each: len(each.values))
+        in_file = tuple(each for each in table.students if each.id in best.values)
+        absent = tuple(each for each in table.students if each.id not in best.values)
+        full = [each for each in columns if all(student.id in each.values for student in in_file)]
+    ids = [each for each in full if each.heading != OURS] or full
+    if all(each.heading == EMAIL for each in ids):  # the id of the course stands beside an address
+        ids = [*(each for each in full if each.heading == OURS), *ids]
+    headings = [
+        "First name",
+        "Last name",
+        *(each.heading for each in ids),
+        *(each.title for each in table.columns),
+    ]
     rows = (
         [each.first_name, each.last_name]
-        + [values[at] for values in ids.values()]
+        + [column.values[each.id] for column in ids]
         + [table.cell(each, column) for column in table.columns]
-        for at, each in enumerate(table.students)
+        for each in in_file
     )
-    return table_text([headings, *rows])
+    text = table_text([headings, *rows])
+    notes = (*_notes(table.students, columns, ids, absent), *_on_size(table))
+    return MarksText(text, tuple(each.id for each in absent), notes)
 
 
-def _ids(students: Sequence[Student]) -> Iterator[tuple[str, list[str]]]:
-    """Columns of ids that everybody has: as the roster calls them, or the id of the course as the ID number."""
-    theirs = [dict(each.ids) for each in students]
-    headings = dict.fromkeys(heading for ids in theirs for heading in ids if not NO_ID.match(heading))
-    found = {
-        heading: [ids[heading] for ids in theirs]
-        for heading in headings
-        if heading.lower() not in EMAILS and all(heading in ids for ids in theirs)
+def _on_size(table: MarksTable) -> Iterator[str]:
+    written = (table.cell(each, column) for each in table.students for column in table.columns)
+    if any(MARK.match(text) and float(text) > MOST for text in written):
+        yield f"Moodle takes no file with a mark above {MOST}, unless its administrator allows more; --out-of {MOST} scales them"
+
+
+def _notes(
+    students: Sequence[Student],
+    columns: Sequence[IdColumn],
+    used: Sequence[IdColumn],
+    absent: Sequence[Student],
+) -> Iterator[str]:
+    """By what Moodle is to find the students, and whom it could not."""
+    named = " or ".join(each.heading for each in used)
+    yield f'each row has {named}; choose {"it" if len(used) == 1 else "one of them"} under "Map from" in Moodle'
+    if absent:
+        yield f"no id is everybody's; without {used[0].heading} on the roster: {few([each.id for each in absent])}"
+        return
+    for each in columns:
+        if each not in used and each.values and each.heading != OURS:
+            without = [student.id for student in students if student.id not in each.values]
+            if without:
+                yield f"{each.heading} is left out, for not everybody has one of their own: {few(without)}"
+
+
+def _id_columns(students: Sequence[Student]) -> list[IdColumn]:
+    """Those of the roster, by what its headings mean, then the addresses, then the ids of the course as the roster had them."""
+    found: dict[str, dict[str, str]] = {}
+    headings: dict[str, str] = {}
+    ours = {each.id: given for each in students if (given := _as_given(each))}
+    for each in students:
+        for heading, value in each.ids:
+            lower = heading.lower()
+            if lower not in EMAILS and not OF_NO_USER.match(lower):
+                kind = next((kind for kind in (ID_NUMBERS, USERNAMES) if lower in kind), (lower,))[0]
+                found.setdefault(kind, {})[each.id] = value
+                headings.setdefault(kind, heading)
+    columns = [IdColumn(headings[kind], _distinct(values)) for kind, values in found.items()]
+    emails = {each.id: each.email for each in students if each.email}
+    own = {student: given for student, given in ours.items() if given != emails.get(student)}
+    return [*columns, IdColumn(EMAIL, _distinct(emails)), IdColumn(OURS, _distinct(own))]
+
+
+def _as_given(student: Student) -> str:
+    """The id that the roster had for a student of the course, before it became a folder's name; Canvas's own is not Moodle's."""
+    if not student.ids:
+        return student.id
+    own = canvas_ids(student)
+    unnamed = [
+        value
+        for heading, value in student.ids
+        if (heading.lower() == OURS or heading.startswith(NO_HEADING)) and heading not in own
+    ]
+    return next((value for value in unnamed if folder_name(value) == student.id), "".join(unnamed[:1]))
+
+
+def _distinct(values: Mapping[str, str]) -> dict[str, str]:
+    """Those by which one student alone can be found; PHP takes 0 for a blank."""
+    often = Counter(value.casefold() for value in values.values())
+    return {
+        who: value for who, value in values.items() if value not in ("", "0") and often[value.casefold()] == 1
     }
-    if not found and not all(each.id == each.email for each in students):
-        found = {ID_NUMBER: [each.id for each in students]}
-    yield from found.items()
-    if all(each.email for each in students):
-        yield EMAIL, [each.email for each in students]
 
 
 TARGET = Target(ending="csv", marks=write_marks)

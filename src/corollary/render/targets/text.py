@@ -21,9 +21,9 @@ def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
     if exercise.figure:
         pieces.append(terminal_text(_("[Figure: {alt}]", alt=exercise.figure_alt), width=WIDTH))
     for prompt in exercise.prompts:
-        heading = f"({prompt.part.id}) {terminal_text(prompt.part.title)}  [{wanted(prompt)}]"
+        heading = f"({prompt.part.heading_letter}) {terminal_text(prompt.part.title)}  [{wanted(prompt)}]"
         options = "\n".join(
-            terminal_text(f"- ({option.letter}) {option.text}", width=WIDTH) for option in prompt.options
+            terminal_text(f"- ({option.mark}) {option.text}", width=WIDTH) for option in prompt.options
         )
         pieces.append("\n".join(filter(None, (heading, terminal_text(prompt.text, width=WIDTH), options))))
     if solution:

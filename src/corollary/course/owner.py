@@ -1,0 +1,138 @@
+"""Whose each file is that came back: by the name that an LMS or a person gave it, else by what the notebook says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+
+from corollary.grading.integrity import elsewhere, notes
+from corollary.notebook.origin import origin
+from corollary.notebook.worksheet import worksheet
+from corollary.problem.problem_set import ProblemSet
+from corollary.problem.roster import Student
+from corollary.records.assigned import AssignedSheet
+from corollary.records.collected import (
+    NOBODY,
+    UNUSABLE,
+    WORKSHEET,
+    Arrival,
+    digest_of,
+    numbers_of,
+    stamp,
+    writable,
+)
+from corollary.records.lms_names import Directory, LmsName, again, lms_name
+from corollary.sandbox.archive import Member
+from corollary.sandbox.file import Unreadable
+from corollary.sandbox.notebook import notebook_of
+
+LATER = "a later one was handed in"
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A notebook of this set, and whose it is."""
+
+    student: str
+    member: Member
+    content: bytes
+    lms: LmsName | None
+    when: datetime | None
+    why: str = ""
+    time: str = ""  # where `when` is from: WORKSHEET, GUESSED, or the file
+    latest: datetime | None = None  # after which it cannot have been handed in
+    named: bool = True  # by whoever handed it in, where an LMS names who did
+
+    @property
+    def known(self) -> bool:
+        """Whether `when` is when it was handed in, and not when an LMS wrote its archive (Canvas's LATE says no time)."""
+        return self.time == WORKSHEET or (not self.time and (self.lms is None or self.lms.late is None))
+
+    @property
+    def order(self) -> tuple[bool, bool, datetime, datetime, int, int]:
+        """What has the student's own name counts, then what has a known time, then the later, then the later by the date of
+        the file, then what was named as a second or third."""
+        attachment = int(self.lms.attachment or 0) if self.lms else 0
+        stem = (self.lms.file if self.lms else self.member.parts[-1]).removesuffix(".ipynb")
+        latest = self.latest or datetime.min.replace(tzinfo=UTC)
+        when = (self.when or latest) if self.known else latest
+        return self.named, self.known, when, latest, again(stem)[1], attachment
+
+    def why_before(self, other: Found) -> str:
+        """Why another notebook of the same student is taken and not this one."""
+        name = writable(other.member.name)
+        if self.content == other.content:
+            return f"is the same as {name}"
+        if other.known and not self.known:
+            return f"says no time, and {name} does"
+        if self.order[:3] != other.order[:3]:
+            return LATER
+        by = "the later date of its file" if self.order[3] != other.order[3] else "its name"
+        return f"nothing says that it is older than {name}, which is taken for {by}"
+
+    def arrival(self, outcome: str, why: str) -> Arrival:
+        """What became of it."""
+        number = f"{self.lms.lms} {self.lms.number}" if self.lms else ""
+        when = stamp(self.when) if self.when else ""
+        digest = digest_of(self.content)
+        return Arrival(self.student, self.member.name, when, outcome, why, digest, number, self.time)
+
+
+def directory_of(roster: Sequence[Student], before: Sequence[Arrival]) -> Directory:
+    """With the numbers that came under names of the students themselves."""
+    names = Directory(roster)
+    own = [
+        each for each in before if (lms := lms_name(each.file.split("/"))) and names.admits(lms, each.student)
+    ]
+    return Directory(roster, numbers_of(own))
+
+
+def identified(
+    member: Member,
+    problem_set: ProblemSet,
+    directory: Directory,
+    roster: Mapping[str, Student],
+    assigned: Mapping[str, AssignedSheet],
+    conflicts: list[str],
+) -> Found | Arrival:
+    """Whose a file is. The name that an LMS or a person gave it counts for more than what the notebook says of itself, for
+    whoever has a neighbour's notebook cannot hand in as the neighbour."""
+    lms = lms_name(member.parts)
+    by_place = directory.of_lms(lms) if lms else directory.of_parts(member.parts, problem_set.name)
+    number = f"{lms.lms} {lms.number}" if lms else ""
+
+    def left(student: str | None, outcome: str, why: str) -> Arrival:
+        return Arrival(student or "", member.name, "", outcome, why, number=number)
+
+    if member.content is None:
+        return left(
+            by_place, UNUSABLE if by_place else NOBODY, f"is no notebook; ask for {problem_set.name}.ipynb"
+        )
+    read = notebook_of(member.content) if isinstance(member.content, bytes) else member.content
+    if isinstance(read, Unreadable) or isinstance(member.content, Unreadable):
+        return left(by_place, UNUSABLE, read.why if isinstance(read, Unreadable) else "")
+    says = origin(read.node)
+    owner = by_place or (says.student if says.student in roster else None)
+    person = lms is not None and again(lms.name)[0].casefold() not in problem_set.name.casefold()
+    if by_place is None and owner is not None and lms and person and not directory.admits(lms, owner):
+        why = f"was handed in by {lms.name}, who is not on the roster, and was made for {owner}"
+        return left(None, NOBODY, f"{why}; add who it is to the roster, or name it after the student")
+    if owner is None:
+        whose = (
+            f"was made for {says.student}, who is not on the roster"
+            if says.student
+            else "says nothing of whose it is"
+        )
+        return left(None, NOBODY, f"{whose}; name the file after the student, and collect it again")
+    if owner not in assigned:
+        return left(owner, UNUSABLE, f"{owner} has no numbers in {problem_set.name}; generate it again")
+    sheet = worksheet(problem_set, roster[owner], assigned[owner].variants)
+    if why := elsewhere(sheet, read.node):
+        return left(owner, UNUSABLE, f"is a notebook of {says.set_name}" if says.set_name else why)
+    if says.student and says.student != owner:
+        conflicts.append(
+            f"{writable(member.name)} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"
+        )
+    named = lms is None or by_place is not None
+    return Found(owner, member, member.content, lms, None, " ".join(notes(sheet, read.node)), named=named)
