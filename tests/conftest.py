@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import shutil
 import socket
@@ -9,15 +10,17 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
+from babel.messages.catalog import Catalog
+from babel.messages.mofile import write_mo
 from hypothesis import settings
 
-from corollary import plug_ins
+from corollary import messages, plug_ins
 
 # The same examples in every run; `HYPOTHESIS_PROFILE=searching make test` draws others, and more of them.
 settings.register_profile("repeatable", deadline=None, derandomize=True)
@@ -145,3 +148,21 @@ def installed(tmp_path_factory, monkeypatch):
     for module in set(sys.modules) - before:
         if str(folder) in (getattr(sys.modules[module], "__file__", "") or ""):
             del sys.modules[module]
+
+
+@pytest.fixture
+def translated() -> Iterator[Callable[[str, Mapping[str, str]], None]]:
+    """Translates texts of a room into a language that no room knows, for one test: `translated("corollary.derive", texts)`."""
+    domains: list[str] = []
+
+    def put(domain: str, texts: Mapping[str, str]) -> None:
+        catalogue, out = Catalog(locale="eo"), io.BytesIO()
+        for english, other in texts.items():
+            catalogue.add(english, other)
+        write_mo(out, catalogue)
+        messages.carry(domain, "eo", out.getvalue())
+        domains.append(domain)
+
+    yield put
+    for domain in domains:
+        messages.carry(domain, "eo", b"")

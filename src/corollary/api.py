@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # each function loads the rooms it needs: a key needs no scen
     from corollary.scenes.run import Run
 
 GivenValue = str | float | Fraction
-AnswerValue = str | float | Fraction | list["AnswerValue"] | None
+AnswerValue = str | float | Fraction | list["AnswerValue"] | dict[str, "AnswerValue"] | None
 
 # Radians kept in degrees: pi to 60 figures, far beyond what a double can tell.
 PI = Fraction(314159265358979323846264338327950288419716939937510582097494, 10**59)
@@ -70,8 +70,8 @@ def judge(
 ) -> Grade:
     """What a student's answers earn, part by part, with the verdicts and the feedback the student reads.
 
-    An answer is a text as typed, a number (in the part's unit), or a list of either for components; a part left out was left
-    blank. The source of a program is run in isolation. `reveal`: feedback may give the right values. Raises UnknownPart, and
+    An answer is a text as typed, a number (in the part's unit), or a list of either for components (or an object, by
+    their names); a part left out was left blank. The source of a program is run in isolation. `reveal`: feedback may give the right values. Raises UnknownPart, and
     what `key` raises.
     """
     from corollary.grading.from_json import from_json
@@ -116,6 +116,8 @@ def _as_a_process_holds_it(answer: AnswerValue) -> AnswerValue:
                 return answer
         case list():
             return [_as_a_process_holds_it(each) for each in answer]
+        case dict():
+            return {name: _as_a_process_holds_it(each) for name, each in answer.items()}
         case _:
             return answer
 

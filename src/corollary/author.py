@@ -20,6 +20,7 @@ from corollary.derive.statements import (
     Choice,
     Code,
     Derivation,
+    Doubt,
     Entry,
     Example,
     Exchange,
@@ -177,9 +178,16 @@ def code(
     return Code(Statement(part, because, _line()), inputs, judge, example)
 
 
-def plot(part: str, because: str, *, judge: Callable[..., Fault | None], example: str) -> Plot:
-    """A plot part: `judge(given, axes)` says what is missing, or None."""
-    return Plot(Statement(part, because, _line()), judge, example)
+def plot(
+    part: str,
+    because: str,
+    *,
+    judge: Callable[..., Fault | Doubt | None],
+    example: str,
+    with_calls: bool = False,
+) -> Plot:
+    """A plot part: `judge(given, axes)` says what is missing, or None; with calls `judge(given, axes, called)`."""
+    return Plot(Statement(part, because, _line()), judge, example, with_calls)
 
 
 def file(name: str) -> str:
@@ -199,10 +207,14 @@ def proof(
     target: Law,
     lines: Sequence[str],
     mistakes: Sequence[Mistake[Exchange]] = (),
+    given: Sequence[Law] = (),
 ) -> Proof[Law]:
-    """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line."""
+    """A "show that": the laws it may start from, the equation to arrive at, and one good proof, line by line.
+
+    `given` is what the question states besides, each with a letter alone on its left (`m_B = m_A`): nobody has to write it.
+    """
     wrong = tuple(Mistake(each.text, each.rule.laws, each.line) for each in mistakes)
-    return Proof(Statement(part, because, _line()), laws, target, tuple(lines), wrong)
+    return Proof(Statement(part, because, _line()), laws, target, tuple(lines), wrong, tuple(given))
 
 
 def neglected(

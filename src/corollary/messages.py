@@ -7,6 +7,7 @@ looks in `corollary/answers/locale/<language>/LC_MESSAGES/corollary.answers.mo`.
 from __future__ import annotations
 
 import gettext
+import io
 import unicodedata
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
@@ -18,6 +19,7 @@ from pathlib import Path
 
 # Controls, marks of direction, halves of surrogates, and separators of lines, by their category in Unicode.
 HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
+_CARRIED: dict[tuple[str, str], bytes] = {}
 _LANGUAGE: ContextVar[str] = ContextVar("language", default="en")
 
 
@@ -58,12 +60,31 @@ def language(code: str) -> Generator[None]:
 
 @cache
 def _translations(domain: str, code: str) -> gettext.NullTranslations:
+    text = compiled(domain, code)
+    return gettext.GNUTranslations(io.BytesIO(text)) if text else gettext.NullTranslations()
+
+
+def compiled(domain: str, code: str) -> bytes:
+    """The compiled catalogue of a room, or of a package of somebody else's, for one language; empty where there is none."""
     if code == "en":
-        return gettext.NullTranslations()
+        return b""
+    if (domain, code) in _CARRIED:
+        return _CARRIED[domain, code]
     spec = find_spec(domain)
     places = list(spec.submodule_search_locations or ()) if spec is not None else []
-    folder = Path(places[0], "locale") if places else None
-    return gettext.translation(domain, folder, [code], fallback=True)
+    found = gettext.find(domain, Path(places[0], "locale"), [code]) if places else None
+    return Path(found).read_bytes() if found else b""
+
+
+def carry(domain: str, code: str, text: bytes) -> None:
+    """Takes a compiled catalogue from memory: a student's notebook has the texts with it, and no folder to find them in."""
+    _CARRIED[domain, code] = text
+    _translations.cache_clear()
+
+
+def spoken() -> str:
+    """The language in which everything is said now."""
+    return _LANGUAGE.get()
 
 
 def N_(message: str, /) -> str:
@@ -83,13 +104,15 @@ def languages() -> list[str]:
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """` (did you mean X12.5?)`, where one of the known words, or a few, are near to it; else nothing."""
+    """` (did you mean X12.5?)`, where one of the known words, or a few, are near to it or begin with it; else nothing."""
     from difflib import get_close_matches
 
     by_small_letters = {each.lower(): each for each in known}
-    near = [
-        by_small_letters[each] for each in get_close_matches(word.lower(), by_small_letters, n=3, cutoff=0.7)
-    ]
+    small = word.lower()
+    begun = [each for each in by_small_letters if len(small) > 2 and each.startswith(small)]
+    # Two letters exchanged leave two thirds of a word of three (csv, cvs), and more of a longer one.
+    alike = get_close_matches(small, by_small_letters, n=3, cutoff=0.65 if len(small) < 5 else 0.7)
+    near = [by_small_letters[each] for each in dict.fromkeys((*begun, *alike))][:3]
     return f" (did you mean {' or '.join(near)}?)" if near else ""
 
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import runpy
+from collections.abc import Iterator
 from pathlib import Path
+
+from babel.messages.pofile import read_po
 
 TOP = Path(__file__).parents[2]
 PACKAGE = TOP / "src" / "corollary"
@@ -23,3 +27,25 @@ def test_a_text_that_students_read_is_in_its_rooms_template() -> None:
     assert "msgid_plural" in "".join(
         place.read_text(encoding="utf-8") for place in PACKAGE.glob("*/locale/*.pot")
     )
+
+
+def spoken(path: Path) -> Iterator[str]:
+    """The literal texts that a module gives to a catalogue."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) in ("_", "_.plural", "N_"):
+            for each in node.args[:1]:
+                if isinstance(each, ast.Constant):
+                    yield each.value
+
+
+def test_no_text_is_hidden_from_who_extracts_them() -> None:
+    """As one inside an f-string is."""
+    for room in {path.parents[1] for path in PACKAGE.glob("*/locale/*.pot")}:
+        with (room / "locale" / f"corollary.{room.name}.pot").open("rb") as file:
+            known = {
+                each
+                for message in read_po(file)
+                for each in ((message.id,) if isinstance(message.id, str) else message.id)
+            }
+        for path in room.rglob("*.py"):
+            assert set(spoken(path)) <= known, path
