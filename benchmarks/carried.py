@@ -143,11 +143,11 @@ def keys(solutions: Solutions, codes: Iterable[str], count: int) -> dict[str, li
         solution = solutions.of(problems[code])
         found[code] = [solutions.key(chapter(problems[code]))]
         for variant in sample(problems[code], TRIES * count, salt="carried"):
+            if len(found[code]) >= count:
+                break
             key, _ = admitted(solution, variant)
             if key is not None:
                 found[code].append(key)
-            if len(found[code]) >= count:
-                break
     return found
 
 

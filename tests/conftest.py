@@ -29,7 +29,11 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
 
 
 def pytest_configure(config) -> None:
-    """One cache folder for all tests of a run; processes that run tests side by side have it from the first."""
+    """One cache folder for all tests of a run; processes that run tests side by side have it from the first.
+
+    Nor does the width of whoever's terminal started the tests reach them.
+    """
+    os.environ.pop("COLUMNS", None)
     if "PYTEST_XDIST_WORKER" not in os.environ:
         config.stash_folder = os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(prefix="corollary-tests-")
 

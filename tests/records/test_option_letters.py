@@ -107,13 +107,13 @@ def ball(tmp_path: Path) -> Class:
 def test_options_in_another_order_are_those_of_the_students_own_sheet(ball: Class) -> None:
     before = exercise(ball.key.variant).prompts[1].options
     ball.edit((REORDERED,), (("a=True, b=False, c=False", "a=False, b=True, c=False"), ('{"b":', '{"c":')))
-    assert ball.verdicts(b="a")["b"] == ("Right", "(a)")
-    assert ball.verdicts(b="b")["b"] == ("Mistaken", "(b)")
-    assert ball.verdicts(b="c")["b"] == ("Wrong", "(c)")
+    assert ball.verdicts(b="a")["b"] == ("Right", "(A)")
+    assert ball.verdicts(b="b")["b"] == ("Mistaken", "(B)")
+    assert ball.verdicts(b="c")["b"] == ("Wrong", "(C)")
     assert exercise(ball.key.variant).prompts[1].options == before, "shown as it was handed out"
     revealed = grade(ball.key, judge(ball.key, {"b": Text("c")}), reveal=True)["b"].feedback
-    assert "The answer is (a)." in revealed
-    assert "**(a)** Momentum goes" in Solutions(ball.bank).worked_solution_of(ball.key)
+    assert "The answer is (A)." in revealed
+    assert "**(A)** Momentum goes" in Solutions(ball.bank).worked_solution_of(ball.key)
 
 
 def test_where_the_right_option_is_not_on_the_sheet_a_person_decides(ball: Class) -> None:
