@@ -10,8 +10,8 @@ from typing import Any
 
 from flint import fmpz_mpoly_vec
 
-from corollary.polynomials.fraction import Fraction
 from corollary.polynomials.polynomial import Polynomial, TooLarge, checked, power, product
+from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.signs import Signs
 
 # Polynomials in a basis, terms in each, bits in a coefficient: a derivation's bases have fewer than ten.
@@ -27,7 +27,7 @@ class Ideal:
 
     def __init__(self, known: Signs, spare: int, nonzero: Iterable[Polynomial] = ()) -> None:
         self.known, self.spare = known, spare
-        self.solved: list[tuple[int, Fraction]] = []
+        self.solved: list[tuple[int, RationalFunction]] = []
         self.rest: list[Polynomial] = []
         self.nonzero = list(nonzero)
         self._divisors: list[Polynomial] = []  # irreducible, in the letters that are left
@@ -139,7 +139,7 @@ class Ideal:
         self._divisors = [each for each in factors if not self.known.of(each)]
         self._basis = None
 
-    def _solve(self, equation: Polynomial) -> tuple[int, Fraction] | None:
+    def _solve(self, equation: Polynomial) -> tuple[int, RationalFunction] | None:
         """A letter in which the equation is linear, and what it is; that with the shortest factor."""
         degrees, best = equation.degrees(), None
         for place, degree in enumerate(degrees):
@@ -149,7 +149,7 @@ class Ideal:
             if all(self.never_zero(factor) for factor, _ in slope.factor()[1]) and (
                 best is None or len(slope) < len(best[1].bottom)
             ):
-                best = place, Fraction(-rest, slope)
+                best = place, RationalFunction(-rest, slope)
         return best
 
 
@@ -171,7 +171,7 @@ def _coefficients(polynomial: Polynomial, place: int) -> list[Polynomial]:
     return [polynomial.context().from_dict(part) for part in parts]
 
 
-def _replaced(polynomial: Polynomial, place: int, value: Fraction) -> Polynomial:
+def _replaced(polynomial: Polynomial, place: int, value: RationalFunction) -> Polynomial:
     if polynomial.is_zero() or not polynomial.degrees()[place]:
         return polynomial
     coefficients = _coefficients(polynomial, place)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from fractions import Fraction as Rational
+from fractions import Fraction
 from typing import Any
 
 from flint.utils.flint_exceptions import DomainError
@@ -27,12 +27,12 @@ from corollary.formula.ast import (
 )
 from corollary.formula.exact import constant
 from corollary.polynomials.angles import Angles
-from corollary.polynomials.fraction import Fraction
 from corollary.polynomials.polynomial import Polynomial, TooLarge, context
+from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.signs import Bounds, Signs
 
 MOST_MADE = 24  # letters for roots, sines and the like
-POSITIVE: Bounds = (Rational(0), None)
+POSITIVE: Bounds = (Fraction(0), None)
 
 
 class Translation:
@@ -56,8 +56,8 @@ class Translation:
         self.spare = len(letters) + count
         self.relations: list[Polynomial] = []
         self.divisors: list[Polynomial] = []
-        self.definitions: dict[str, Fraction] = {}
-        self._made: dict[tuple[Any, ...], Fraction] = {}
+        self.definitions: dict[str, RationalFunction] = {}
+        self._made: dict[tuple[Any, ...], RationalFunction] = {}
         self._free = list(range(len(letters), self.spare))
         halves = any(
             isinstance(inner, Quotient) or (isinstance(inner, Number) and inner.value.denominator > 1)
@@ -71,7 +71,7 @@ class Translation:
         """The numerator of left minus right. Raises TooLarge, and Undefined where something is divided by 0."""
         return (self.fraction(relation.left) - self.fraction(relation.right)).top
 
-    def fraction(self, tree: Expr) -> Fraction:
+    def fraction(self, tree: Expr) -> RationalFunction:
         """Raises TooLarge, and Undefined where something is divided by 0."""
         match tree:
             case Number(value):
@@ -83,7 +83,7 @@ class Translation:
             case Sum(terms):
                 return self._added(terms)
             case Product(factors):
-                made = self.number(Rational(1))
+                made = self.number(Fraction(1))
                 for factor in factors:
                     made = made * self.fraction(factor)
                 return made
@@ -99,15 +99,19 @@ class Translation:
             case Relation():
                 raise TooLarge
 
-    def number(self, value: Rational) -> Fraction:
-        return Fraction(self.context.constant(value.numerator), self.context.constant(value.denominator))
+    def number(self, value: Fraction) -> RationalFunction:
+        return RationalFunction(
+            self.context.constant(value.numerator), self.context.constant(value.denominator)
+        )
 
-    def letter(self, name: str) -> Fraction:
-        return Fraction(self.context.gen(self.context.variable_to_index(name)), self.context.constant(1))
+    def letter(self, name: str) -> RationalFunction:
+        return RationalFunction(
+            self.context.gen(self.context.variable_to_index(name)), self.context.constant(1)
+        )
 
     def made(
         self, meaning: tuple[Any, ...], bounds: Bounds = (None, None), seen: Bounds | None = None
-    ) -> tuple[Fraction, bool]:
+    ) -> tuple[RationalFunction, bool]:
         """The letter that stands for this, and whether it is new. Raises TooLarge where there are too many."""
         new = meaning not in self._made
         if new:
@@ -119,13 +123,13 @@ class Translation:
             self._made[meaning] = self.letter(name)
         return self._made[meaning], new
 
-    def _added(self, terms: tuple[Expr, ...]) -> Fraction:
+    def _added(self, terms: tuple[Expr, ...]) -> RationalFunction:
         made = self.fraction(terms[0])
         for term in terms[1:]:
             made = made + self.fraction(term)
         return made
 
-    def _power(self, base: Fraction, exponent: Expr) -> Fraction:
+    def _power(self, base: RationalFunction, exponent: Expr) -> RationalFunction:
         value = constant(exponent)
         if value is None:
             return self._opaque("power", base, self.fraction(exponent))
@@ -135,7 +139,7 @@ class Translation:
             self.divisors.append(base.top)
         return base**value.numerator
 
-    def _call(self, function: str, arguments: tuple[Fraction, ...]) -> Fraction:
+    def _call(self, function: str, arguments: tuple[RationalFunction, ...]) -> RationalFunction:
         match function:
             case "sqrt":
                 return self.root(arguments[0], 2)
@@ -150,7 +154,7 @@ class Translation:
             case _:
                 return self._opaque(function, *arguments)
 
-    def root(self, of: Fraction, degree: int) -> Fraction:
+    def root(self, of: RationalFunction, degree: int) -> RationalFunction:
         """The root that is not negative; a polynomial where there is one of known sign, else a letter."""
         if degree == 2 and (exact := self._exact_root(of)) is not None:
             return exact
@@ -163,17 +167,17 @@ class Translation:
             self.relations.append(((root**degree) - of).top)
         return root
 
-    def _exact_root(self, of: Fraction) -> Fraction | None:
+    def _exact_root(self, of: RationalFunction) -> RationalFunction | None:
         try:
             top, bottom = of.top.sqrt(), of.bottom.sqrt()
         except DomainError:
             return None
         its_sign = _sign(top, self.seen) * _sign(bottom, self.seen)
         if top.is_zero():
-            return Fraction(top, bottom)
-        return Fraction(its_sign * top, bottom) if its_sign else None
+            return RationalFunction(top, bottom)
+        return RationalFunction(its_sign * top, bottom) if its_sign else None
 
-    def _opaque(self, function: str, *arguments: Fraction) -> Fraction:
+    def _opaque(self, function: str, *arguments: RationalFunction) -> RationalFunction:
         """Some number: nothing is known of it but that equal arguments give an equal one."""
         return self.made((function, *map(str, arguments)))[0]
 
