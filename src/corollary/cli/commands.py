@@ -16,6 +16,7 @@ from corollary.cli.parameters import (
     BANK,
     CODE,
     COURSE,
+    EXPORTED_MARKS,
     FORMAT,
     GENERATED_BANK,
     JSON,
@@ -137,6 +138,15 @@ _command(
     ),
     JSON,
     flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
+)
+_command(
+    "new",
+    "A problem and its solution that verify as written, to be bent into one's own.",
+    click.Argument(["code"], help="The new problem's code: Q1"),
+    click.Argument(["name"], help="What its files are called: sliding_box, or topic/sliding_box"),
+    text("--like", "Copy this problem of the bank, or of the chapter.", CODES),
+    BANK,
+    JSON,
 )
 _command(
     "trade",
@@ -263,22 +273,7 @@ _command(
         ["--variants"], type=AT_LEAST_1, help="Without either: so many sheets with distinct numbers."
     ),
     SOLUTION,
-    click.Option(
-        ["--columns"], type=click.Choice(["sets", "parts"]), help="Marks: a column for each of these."
-    ),
-    click.Option(
-        ["--round", "decimals"],
-        type=click.IntRange(0, 9),
-        help="Marks: at most so many decimals; 2 when left out.",
-    ),
-    click.Option(
-        ["--out-of"],
-        type=click.FloatRange(min=0, min_open=True),
-        help="Marks: scaled, so that this is all of them.",
-    ),
-    text("--blank", "Marks: what stands where there is none; nothing when left out."),
-    path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
-    several("--column", "headings", "The template's column to fill in, where its title does not say which"),
+    *EXPORTED_MARKS,
     path("--ids", text="feedback-zip: what Moodle or Canvas knows the students by, as for release."),
     click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
     JSON,

@@ -121,3 +121,22 @@ MARKING = (
         ["--port"], type=click.IntRange(0, 65535), default=0, help="The page's port; any when left out."
     ),
 )
+# How marks are written for elsewhere.
+EXPORTED_MARKS = (
+    click.Option(
+        ["--columns"], type=click.Choice(["sets", "parts"]), help="Marks: a column for each of these."
+    ),
+    click.Option(
+        ["--round", "decimals"],
+        type=click.IntRange(0, 9),
+        help="Marks: at most so many decimals; 2 when left out.",
+    ),
+    click.Option(
+        ["--out-of"],
+        type=click.FloatRange(min=0, min_open=True),
+        help="Marks: scaled, so that this is all of them.",
+    ),
+    text("--blank", "Marks: what stands where there is none; nothing when left out."),
+    path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
+    several("--column", "headings", "The template's column to fill in, where its title does not say which"),
+)

@@ -206,8 +206,8 @@ def find(bank: Bank, code: str) -> Problem:
     for path in files(bank):
         if path.stem == code:
             return _read(path)
-    for path in files(bank):
-        if _code_at_a_glance(path).lower() == code.lower():
+    for path, its in codes(bank).items():
+        if its.lower() == code.lower():
             return _read(path)
     hint = did_you_mean(code, names(bank))
     raise UnknownCode(
@@ -217,8 +217,13 @@ def find(bank: Bank, code: str) -> Problem:
 
 def names(bank: Bank) -> list[str]:
     """The code and the file's name of every problem, at a glance."""
-    found = files(bank)
-    return [name for name in (*map(_code_at_a_glance, found), *(path.stem for path in found)) if name]
+    found = codes(bank)
+    return [name for name in (*found.values(), *(path.stem for path in found)) if name]
+
+
+def codes(bank: Bank) -> dict[Path, str]:
+    """Every problem file and the code that it gives itself, at a glance."""
+    return {path: _code_at_a_glance(path) for path in files(bank)}
 
 
 def _code_at_a_glance(path: Path) -> str:

@@ -1,0 +1,124 @@
+"""`corollary new`: a problem and its solution that verify as written, to be bent into one's own."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from pathlib import Path
+
+from corollary.cli.ending import HOLDS, answer, refuse
+from corollary.problem.bank import VARIABLE, Bank, UnknownCode, chapter_bank, chapter_order, codes, open_bank
+from corollary.problem.bank import find as find_problem
+from corollary.problem.problem import Problem
+from corollary.problem.reader import CODE
+
+FIRST = Path(__file__).parent / "first_problem"
+NAME = re.compile(r"(?:([A-Za-z0-9][\w-]*)/)?([A-Za-z]\w*)$", re.ASCII)
+NO_TOPIC = "exercises"
+
+
+def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool) -> int:
+    if not CODE.match(code):
+        refuse(f"{code} is no code; use letters and digits, parted by points, such as Q1 or X12.5")
+    if (words := NAME.match(name)) is None:
+        refuse(
+            f"{name} is no name for a file; use letters, digits and _, such as sliding_box, or topic/sliding_box"
+        )
+    topic, stem = words.groups()
+    place = _place(bank)
+    have = codes(place)
+    for path, other in have.items():
+        if other.lower() == code.lower():
+            refuse(f"{path} has the code {other} already; choose another, nothing was written")
+    model = None if like is None else _model(place, like)
+    folder = topic or (model[1].topic if model else _topic(have, code))
+    problem = place.problems / folder / f"{stem}.md"
+    solution = place.folder / "solutions" / folder / f"{stem}.py"
+    taken = [path for path in have if path.stem == stem]
+    for path in (*taken, solution, *([solution.with_suffix("")] if model else [])):
+        if path.exists():
+            refuse(f"{path} is there already; choose another name, nothing was written")
+    asks, derives = _texts(code, stem.replace("_", " ").capitalize(), stem, model)
+    for path, text in ((problem, asks), (solution, derives)):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+    if model and (beside := model[0].solution(model[1]).with_suffix("")).is_dir():
+        shutil.copytree(beside, solution.with_suffix(""), ignore=shutil.ignore_patterns("__pycache__"))
+    if as_json:
+        answer({"code": code, "problem": str(problem), "solution": str(solution)})
+        return HOLDS
+    _say_what_next(code, place, problem, solution, like if "printed(" in derives else None)
+    return HOLDS
+
+
+def _place(bank: Path | None) -> Bank:
+    """The bank to write into: the one that is named, made when it is not there, or the working folder."""
+    named = str(bank or os.environ.get(VARIABLE, ""))
+    if os.pathsep in named:
+        refuse("a problem goes into one bank; name it with --bank")
+    if not named and not (Path.cwd() / "problems").is_dir():
+        refuse(
+            "the working folder is no bank: it has no folder problems/; say with --bank FOLDER where the problem goes "
+            "(a folder that is not there is made)"
+        )
+    folder = Path(named) if named else Path.cwd()
+    if folder.is_file():
+        refuse(f"{folder} is a file; a bank is a folder")
+    try:
+        return open_bank(folder)
+    except UnknownCode:
+        return Bank(folder.resolve())
+
+
+def _model(place: Bank, like: str) -> tuple[Bank, Problem]:
+    """The problem to copy and its bank: this bank, or the chapter's."""
+    try:
+        return place, find_problem(place, like)
+    except UnknownCode:
+        chapter = chapter_bank()
+        return chapter, find_problem(chapter, like)
+
+
+def _topic(have: dict[Path, str], code: str) -> str:
+    """The topic of the problem whose code comes next before this one, or of the first one."""
+    in_order = sorted(have, key=lambda path: chapter_order(have[path]))
+    before = [path for path in in_order if chapter_order(have[path]) <= chapter_order(code)]
+    return before[-1].parent.name if before else in_order[0].parent.name if in_order else NO_TOPIC
+
+
+def _texts(code: str, title: str, stem: str, model: tuple[Bank, Problem] | None) -> tuple[str, str]:
+    """What the two files hold."""
+    if model is None:
+        asks, derives = (
+            (FIRST / name).read_text(encoding="utf-8") for name in ("problem.md", "solution.py.txt")
+        )
+        return asks.replace("CODE", code, 1).replace("TITLE", title, 1), derives.replace("TITLE", title, 1)
+    bank, problem = model
+    asks = problem.path.read_text(encoding="utf-8")
+    for line, text in (("code", code), ("title", title), ("source", f"after {problem.code}")):
+        asks = re.sub(rf"^{line}:.*$", f"{line}: {text}", asks, count=1, flags=re.MULTILINE)
+    derives = bank.solution(problem).read_text(encoding="utf-8")
+    return asks, derives.replace(
+        f'"{problem.path.stem}/', f'"{stem}/'
+    )  # programs lie in a folder of that name
+
+
+def _say_what_next(code: str, place: Bank, problem: Path, solution: Path, printed: str | None) -> None:
+    here = chapter_bank().folder == place.folder
+    option = "" if here or os.environ.get(VARIABLE) else f" --bank {_short(place.folder)}"
+    print(f"written: {_short(problem)}  what is asked")
+    print(f"         {_short(solution)}  what is true")
+    print("Both verify as they are. Change a little, save, look, and so on:")
+    print(f"  corollary preview {code}{option}")
+    print(f"  corollary verify --watch {code}{option}")
+    if option:
+        print(f"To leave out --bank from now on: export {VARIABLE}={place.folder}")
+    if printed:
+        print(f"Its lines printed(…) are what is printed for {printed}: drop them.")
+
+
+def _short(path: Path) -> Path:
+    """As somebody in the working folder would type it."""
+    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
