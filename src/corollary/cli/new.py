@@ -8,8 +8,17 @@ import shutil
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse
-from corollary.problem.bank import VARIABLE, Bank, UnknownCode, chapter_bank, chapter_order, codes, open_bank
-from corollary.problem.bank import find as find_problem
+from corollary.derive.load import source
+from corollary.problem.bank import (
+    VARIABLE,
+    Bank,
+    UnknownCode,
+    chapter_bank,
+    chapter_order,
+    codes,
+    find,
+    open_bank,
+)
 from corollary.problem.problem import Problem
 from corollary.problem.reader import CODE
 
@@ -34,9 +43,9 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     model = None if like is None else _model(place, like)
     folder = topic or (model[1].topic if model else _topic(have, code))
     problem = place.problems / folder / f"{stem}.md"
-    solution = place.folder / "solutions" / folder / f"{stem}.py"
-    taken = [path for path in have if path.stem == stem]
-    for path in (*taken, solution, *([solution.with_suffix("")] if model else [])):
+    solution = place.solution_beside(problem)
+    namesakes = [path for path in have if path.stem == stem]
+    for path in (*namesakes, solution, *([solution.with_suffix("")] if model else [])):
         if path.exists():
             refuse(f"{path} is there already; choose another name, nothing was written")
     asks, derives = _texts(code, stem.replace("_", " ").capitalize(), stem, model)
@@ -75,10 +84,10 @@ def _place(bank: Path | None) -> Bank:
 def _model(place: Bank, like: str) -> tuple[Bank, Problem]:
     """The problem to copy and its bank: this bank, or the chapter's."""
     try:
-        return place, find_problem(place, like)
+        return place, find(place, like)
     except UnknownCode:
         chapter = chapter_bank()
-        return chapter, find_problem(chapter, like)
+        return chapter, find(chapter, like)
 
 
 def _topic(have: dict[Path, str], code: str) -> str:
@@ -99,7 +108,7 @@ def _texts(code: str, title: str, stem: str, model: tuple[Bank, Problem] | None)
     asks = problem.path.read_text(encoding="utf-8")
     for line, text in (("code", code), ("title", title), ("source", f"after {problem.code}")):
         asks = re.sub(rf"^{line}:.*$", f"{line}: {text}", asks, count=1, flags=re.MULTILINE)
-    derives = bank.solution(problem).read_text(encoding="utf-8")
+    derives = source(bank, problem).decode()
     return asks, derives.replace(
         f'"{problem.path.stem}/', f'"{stem}/'
     )  # programs lie in a folder of that name
@@ -111,8 +120,7 @@ def _say_what_next(code: str, place: Bank, problem: Path, solution: Path, printe
     print(f"written: {_short(problem)}  what is asked")
     print(f"         {_short(solution)}  what is true")
     print("Both verify as they are. Change a little, save, look, and so on:")
-    print(f"  corollary preview {code}{option}")
-    print(f"  corollary verify --watch {code}{option}")
+    print(f"  corollary verify {code}{option}")
     if option:
         print(f"To leave out --bank from now on: export {VARIABLE}={place.folder}")
     if printed:

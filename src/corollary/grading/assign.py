@@ -121,11 +121,12 @@ def differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
     """Whether exchanging a rule changes a find at all, on the chapter's own numbers (or where those are special, on a draw)."""
     key = id(solution), place, id(rule), at
     if key not in _DIFFERS:
-        _DIFFERS[key] = place == at or _changes(solution.problem, solution, place, rule, at)
-    return _DIFFERS[key]
+        _DIFFERS[key] = solution, place == at or _changes(solution.problem, solution, place, rule, at)
+    return _DIFFERS[key][1]
 
 
-_DIFFERS: dict[tuple[int, int, int, int], bool] = {}
+# With the solution itself, so that no later one has its id: a preview solves anew as long as it is open.
+_DIFFERS: dict[tuple[int, int, int, int], tuple[Solution, bool]] = {}
 
 
 def _changes(problem: Problem, solution: Solution, place: int, rule: Rule, at: int) -> bool:

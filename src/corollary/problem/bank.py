@@ -66,8 +66,12 @@ class Bank:
 
     def solution(self, problem: Problem) -> Path:
         """Where the solution of a problem must lie: the same path, the same name, under solutions/."""
-        home = next((bank for bank in self.each if bank.problems in problem.path.parents), self)
-        return (home.folder / "solutions" / problem.path.relative_to(home.problems)).with_suffix(".py")
+        return self.solution_beside(problem.path)
+
+    def solution_beside(self, path: Path) -> Path:
+        """Where the solution of the problem in a file must lie."""
+        home = next((bank for bank in self.each if bank.problems in path.parents), self)
+        return (home.folder / "solutions" / path.relative_to(home.problems)).with_suffix(".py")
 
 
 def chapter_bank() -> Bank:
