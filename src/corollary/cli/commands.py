@@ -17,10 +17,13 @@ from corollary.cli.parameters import (
     CODE,
     COURSE,
     EXPORTED_MARKS,
+    EXTENDED,
     FORMAT,
     GENERATED_BANK,
     JSON,
     MARKING,
+    NEW,
+    PAGE,
     PATH,
     RUNNING,
     SET,
@@ -142,11 +145,16 @@ _command(
 _command(
     "new",
     "A problem and its solution that verify as written, to be bent into one's own.",
-    click.Argument(["code"], help="The new problem's code: Q1"),
-    click.Argument(["name"], help="What its files are called: sliding_box, or topic/sliding_box"),
-    text("--like", "Copy this problem of the bank, or of the chapter.", CODES),
+    *NEW,
     BANK,
     JSON,
+)
+_command(
+    "preview",
+    "A local page that reloads: twenty variants, redrawn ones marked and why, key, mistakes and tolerance.",
+    CODE,
+    BANK,
+    *PAGE,
 )
 _command(
     "trade",
@@ -217,11 +225,7 @@ _command(
 _command(
     "extend",
     "A deadline of one's own, or an excuse, for one student.",
-    click.Argument(["student"], required=False, help="The student's id.", shell_complete=STUDENTS),
-    click.Argument(["name"], metavar="[SET]", required=False, help="The problem set.", shell_complete=SETS),
-    click.Argument(
-        ["date"], nargs=-1, metavar="[DATE]", help="2026-12-11 (the end of that day), or 2026-12-11 18:00."
-    ),
+    *EXTENDED,
     COURSE,
     flag("--excuse", "The student need not hand in: reports and exports leave the marks blank."),
     flag("--remove", "Take back the extension or the excuse."),
@@ -237,6 +241,7 @@ _command(
     COURSE,
     GENERATED_BANK,
     *MARKING,
+    *PAGE,
     JSON,
 )
 _command(

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, FORMATS, SETS, Complete
+from corollary.cli.completion import CODES, FORMATS, SETS, STUDENTS, Complete
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -116,6 +116,9 @@ MARKING = (
     click.Option(
         ["--from", "file"], type=PATH, help="Give marks: a CSV file with student, part, points, comment."
     ),
+)
+# A page on this machine.
+PAGE = (
     flag("--no-browser", "Print the page's address, and open nothing."),
     click.Option(
         ["--port"], type=click.IntRange(0, 65535), default=0, help="The page's port; any when left out."
@@ -139,4 +142,18 @@ EXPORTED_MARKS = (
     text("--blank", "Marks: what stands where there is none; nothing when left out."),
     path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
     several("--column", "headings", "The template's column to fill in, where its title does not say which"),
+)
+# Whose deadline of one's own, for what, and until when.
+EXTENDED = (
+    click.Argument(["student"], required=False, help="The student's id.", shell_complete=STUDENTS),
+    click.Argument(["name"], metavar="[SET]", required=False, help="The problem set.", shell_complete=SETS),
+    click.Argument(
+        ["date"], nargs=-1, metavar="[DATE]", help="2026-12-11 (the end of that day), or 2026-12-11 18:00."
+    ),
+)
+# What a new problem is called, and what it begins as.
+NEW = (
+    click.Argument(["code"], help="The new problem's code: Q1"),
+    click.Argument(["name"], help="What its files are called: sliding_box, or topic/sliding_box"),
+    text("--like", "Copy this problem of the bank, or of the chapter.", CODES),
 )

@@ -16,16 +16,21 @@ MOST_BYTES = 1 << 20
 class OnePageServer(ThreadingHTTPServer):
     """Serves `page` below a secret path on 127.0.0.1, and hands what is posted to `PATH/give` to `receive`, one at a time.
 
-    `receive` takes the posted JSON and raises ValueError with a sentence for what it does not take.
+    `receive` takes the posted JSON and raises ValueError with a sentence for what it does not take. `PATH/edition` answers
+    `edition`, by which a page knows that it would be another today.
     """
 
     daemon_threads = True
 
     def __init__(
-        self, page: Callable[[], str], receive: Callable[[dict[str, Any]], None], port: int = 0
+        self,
+        page: Callable[[], str],
+        receive: Callable[[dict[str, Any]], None],
+        port: int = 0,
+        edition: Callable[[], str] = str,
     ) -> None:
         super().__init__(("127.0.0.1", port), _Handler)
-        self.page, self.receive = page, receive
+        self.page, self.receive, self.edition = page, receive, edition
         self.token = secrets.token_urlsafe(24)
         self.one_at_a_time = Lock()
 
@@ -43,6 +48,8 @@ class _Handler(BaseHTTPRequestHandler):
             with self.server.one_at_a_time:
                 text = self.server.page()
             self._answer(HTTPStatus.OK, text, "text/html")
+        elif self._is_meant() and self.path == f"/{self.server.token}/edition":
+            self._answer(HTTPStatus.OK, self.server.edition())
         else:
             self._answer(HTTPStatus.NOT_FOUND, "not found")
 

@@ -116,10 +116,10 @@ def line_in(error: BaseException, path: Path) -> int:
 def _module(path: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(SOLUTION + path.stem, path)
     assert spec is not None
-    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     try:
-        spec.loader.exec_module(module)
+        # Compiled anew: Python takes its own copy for the same file when size and second are, as after a quick change of a sign.
+        exec(compile(path.read_bytes(), str(path), "exec", dont_inherit=True), vars(module))
     except SyntaxError as error:
         raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
     except (Exception, SystemExit) as error:

@@ -196,7 +196,12 @@ def chapter_order(code: str) -> tuple[int, list[int], str]:
 
 
 def find(bank: Bank, code: str) -> Problem:
-    """The problem named by its code, its file's name, or a path to a .md file. Raises Unknown or Malformed."""
+    """The problem named by its code, its file's name, or a path to a .md file. Raises UnknownCode or Malformed."""
+    return _read(locate(bank, code))
+
+
+def locate(bank: Bank, code: str) -> Path:
+    """The file of the problem named so, whatever is in it. Raises UnknownCode."""
     if code.endswith(".md"):
         path = Path(code).resolve()
         if not path.is_file():
@@ -206,13 +211,13 @@ def find(bank: Bank, code: str) -> Problem:
             raise UnknownCode(
                 f"{code} does not lie in {places}; name its own bank with --bank, or leave --bank out"
             )
-        return _read(path)
+        return path
     for path in files(bank):
         if path.stem == code:
-            return _read(path)
+            return path
     for path, its in codes(bank).items():
         if its.lower() == code.lower():
-            return _read(path)
+            return path
     hint = did_you_mean(code, names(bank))
     raise UnknownCode(
         f"no problem is called {code or 'by an empty name'}{hint}; `corollary list` shows the codes"
@@ -241,7 +246,16 @@ def _code_at_a_glance(path: Path) -> str:
 
 
 def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:
-    """A problem and the bank it lives in: for a path to a .md file, the folder above its problems/. Raises Unknown or Malformed."""
+    """A problem and the bank it lives in: for a path to a .md file, the folder above its problems/.
+
+    Raises UnknownCode or Malformed.
+    """
+    bank, path = home_of_file(folder, code)
+    return bank, _read(path)
+
+
+def home_of_file(folder: Path | None, code: str) -> tuple[Bank, Path]:
+    """The same for a problem's file, whatever is in it. Raises UnknownCode."""
     if code.endswith(".md") and folder is None:
         path = Path(code).resolve()
         above = next((parent for parent in path.parents if parent.name == "problems"), None)
@@ -250,9 +264,9 @@ def home(folder: Path | None, code: str) -> tuple[Bank, Problem]:
                 f"{code} lies in no bank: a problem's file lies somewhere below a folder problems/, its solution below solutions/"
             )
         if above is not None:
-            return Bank(above.parent), find(Bank(above.parent), str(path))
+            return Bank(above.parent), locate(Bank(above.parent), str(path))
     bank = open_bank(folder)
-    return bank, find(bank, code)
+    return bank, locate(bank, code)
 
 
 def bank_of(problem: Problem) -> Bank:

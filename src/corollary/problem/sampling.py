@@ -30,6 +30,16 @@ def draws(problem: Problem, key: bytes, student: str, *, limit: int = 2000) -> I
 
 def sample(problem: Problem, count: int, *, salt: str = "sample") -> Iterator[Variant]:
     """Distinct variants spread over the grid, the same every time; all of them where the grid is small."""
+    for variant in spread(problem, count, salt=salt):
+        if first_broken(variant) is None:
+            yield variant
+            count -= 1
+            if not count:
+                return
+
+
+def spread(problem: Problem, count: int, *, salt: str = "sample") -> Iterator[Variant]:
+    """Distinct points of the grid, those too that break a condition: all where there are no more than `count`, else many more."""
     total = size(problem)
     seen: set[int] = set()
     indices = (
@@ -38,12 +48,6 @@ def sample(problem: Problem, count: int, *, salt: str = "sample") -> Iterator[Va
         else (digest(b"corollary", salt, problem.code, str(n)) % total for n in range(50 * count))
     )
     for index in indices:
-        if index in seen:
-            continue
-        seen.add(index)
-        variant = at(problem, index)
-        if first_broken(variant) is None:
-            yield variant
-            count -= 1
-            if not count:
-                return
+        if index not in seen:
+            seen.add(index)
+            yield at(problem, index)

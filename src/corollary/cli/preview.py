@@ -1,0 +1,96 @@
+"""`corollary preview`: a local page of one problem that follows what its author saves."""
+
+from __future__ import annotations
+
+import webbrowser
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+
+from corollary.cli.ending import HOLDS, expected, say, unforeseen
+from corollary.cli.saved import edition
+from corollary.course.one_page_server import OnePageServer
+from corollary.derive.load import NotDerivable
+from corollary.figure.svg import NotADrawing
+from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import exercise
+from corollary.problem.bank import Bank, home_of_file
+from corollary.problem.diagnostic import Malformed
+from corollary.problem.reader import read_problem
+from corollary.problem.variant import chapter
+from corollary.render.page import drawing
+from corollary.render.preview_page import Complaint, Sheet, preview_page
+from corollary.verify.drawn import Draw, drawn, keyed_parts
+
+DRAWS = 20
+
+
+def run(code: str, bank: Path | None, no_browser: bool, port: int) -> int:
+    place, path = home_of_file(bank, code)
+    with OnePageServer(
+        lambda: previewed(place, path), _takes_nothing, port, lambda: edition(place, path)
+    ) as server:
+        print(server.address, flush=True)
+        say("this address is for you alone; it follows what you save; ctrl-C ends it")
+        if not no_browser:
+            webbrowser.open(server.address)
+        with suppress(KeyboardInterrupt):
+            server.serve_forever()
+    return HOLDS
+
+
+def _takes_nothing(posted: dict[str, Any]) -> None:
+    raise ValueError("this page sends nothing")
+
+
+def previewed(place: Bank, path: Path) -> str:
+    """The page as the files are now; what is wrong with them stands on it."""
+    now, heading = edition(place, path), path.stem
+    complaints: list[Complaint] = []
+    sheets: list[Sheet] = []
+    redrawn = 0
+    try:
+        problem = read_problem(path)
+        heading, draws = f"{problem.code} {problem.title}", [Draw(chapter(problem), None, "")]
+        solutions = Solutions(place)
+        try:
+            draws, redrawn = drawn(solutions.of(problem), DRAWS)
+        except NotDerivable as error:  # then at least what the problem asks is on the page
+            complaints += _complaints(error)
+        for draw in draws:
+            sheets.append(_sheet(solutions, draw, complaints))
+    except (
+        Exception
+    ) as error:  # whatever an author's program does, the page says so and waits for the next one
+        complaints += _complaints(error)
+    return preview_page(heading, sheets, redrawn, complaints, now)
+
+
+def _sheet(solutions: Solutions, draw: Draw, complaints: list[Complaint]) -> Sheet:
+    asked, figure = exercise(draw.variant), Markup()
+    try:
+        figure = drawing(asked)
+    except NotADrawing as error:
+        complaint = Complaint(
+            asked.problem.path.name, asked.problem.figure_line, f"the figure cannot be shown: {error}"
+        )
+        if complaint not in complaints:
+            complaints.append(complaint)
+    if draw.key is None:
+        return Sheet(draw, asked, figure, (), "")
+    return Sheet(draw, asked, figure, tuple(keyed_parts(draw.key)), solutions.worked_solution_of(draw.key))
+
+
+def _complaints(error: Exception) -> list[Complaint]:
+    """What an error says: each complaint with its file and line."""
+    match error:
+        case Malformed():
+            return [Complaint(each.path.name, each.line, each.sentence) for each in error.complaints]
+        case NotDerivable():
+            return [Complaint(error.path.name, error.line, error.sentence)]
+        case _ if isinstance(error, expected()):
+            return [Complaint("", 0, str(error))]
+        case _:
+            return [Complaint("", 0, unforeseen(error))]

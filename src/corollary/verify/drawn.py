@@ -1,0 +1,134 @@
+"""Draws of a problem as its author looks at them: the answers, what each mistake would give, why some are redrawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from corollary.answers.expected import Values
+from corollary.answers.registry import answer_type
+from corollary.derive.solution import Solution
+from corollary.formula.ball import Undefined
+from corollary.formula.numerals import decimal_text
+from corollary.formula.text import text
+from corollary.grading.assign import admitted, differs, first_asked
+from corollary.grading.key import Key, make_key
+from corollary.grading.replay import WhatIf, replay
+from corollary.problem.part import Part
+from corollary.problem.sampling import spread
+from corollary.problem.variant import Variant, chapter, first_broken
+from corollary.units.unit import show
+
+REDRAWN = 10  # are enough to see what it is
+MOST_DRAWS = 2000  # a student's numbers are sought as long
+FIGURES = 5  # more than any tolerance asks for: how near a mistake comes is seen
+
+
+@dataclass(frozen=True, slots=True)
+class Foreseen:
+    """A mistake and what it gives: a number with its unit, an option's letter, or nothing where it has no value."""
+
+    text: str
+    gives: str
+
+
+@dataclass(frozen=True, slots=True)
+class KeyedPart:
+    """What is right for a part; `tolerance` is relative, 0 for what is no quantity, `noise` what honest rounding moves;
+    `bare` is the answer without its unit."""
+
+    part: Part
+    answer: str
+    bare: str
+    formula: str
+    tolerance: float
+    noise: float
+    mistakes: tuple[Foreseen, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """A variant that may be assigned, or the reason why it is redrawn; `key` is there whenever the answers exist."""
+
+    variant: Variant
+    key: Key | None
+    reason: str
+
+
+def drawn(solution: Solution, count: int) -> tuple[list[Draw], int]:
+    """The chapter's own numbers, then points of the grid as they come until so many may be assigned, with the first few of
+    those that are redrawn; and how many are redrawn in all."""
+    draws, redrawn = [_draw(solution, chapter(solution.problem))], 0
+    for variant in spread(solution.problem, MOST_DRAWS, salt="preview"):
+        if redrawn >= REDRAWN and (first_broken(variant) or admitted(solution, variant)[0] is None):
+            redrawn += 1
+            continue
+        draws.append(_draw(solution, variant))
+        redrawn += bool(draws[-1].reason)
+        if len(draws) - 1 - min(redrawn, REDRAWN) == count:
+            break
+    return draws, redrawn
+
+
+def _draw(solution: Solution, variant: Variant) -> Draw:
+    if (broken := first_broken(variant)) is not None:
+        reason = f"the condition {broken.text} does not hold"
+    else:
+        key, reason = admitted(solution, variant)
+        if key is not None:
+            return Draw(variant, key, "")
+    try:
+        return Draw(variant, make_key(solution, variant), reason)
+    except Undefined:
+        return Draw(variant, None, reason)
+
+
+def keyed_parts(key: Key) -> Iterator[KeyedPart]:
+    """Each part with its answer and the answers of its mistakes."""
+    for part in key.variant.problem.parts:
+        if part.id in key.choices:
+            letter = key.choices[part.id].upper()
+            foreseen = (
+                Foreseen(sentence, option.upper())
+                for option, sentence in key.solution.choices[part.id].mistakes.items()
+            )
+            yield KeyedPart(part, letter, letter, "", 0.0, 0.0, tuple(foreseen))
+        elif (truth := key.truths.get(part.id)) is not None:
+            trees = key.find(truth).in_givens or ()
+            yield KeyedPart(
+                part,
+                written_out(truth.values, part),
+                bare(truth.values, part),
+                ", ".join(map(text, trees)) if answer_type(part.answer_type).in_symbols else "",
+                truth.tolerance,
+                truth.noise,
+                tuple(_foreseen(key, part)),
+            )
+        else:
+            yield KeyedPart(part, "", "", "", 0.0, 0.0, ())
+
+
+def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
+    solution, at = key.solution, key.truths[part.id].place
+    for place, find in enumerate(solution.unknowns):
+        for mistake in find.mistakes:
+            if part.id not in first_asked(solution, place) or not differs(solution, place, mistake.rule, at):
+                continue
+            try:
+                values = replay(solution, key.variant.exact, WhatIf(rules={place: mistake.rule}), at)[at]
+            except Undefined:
+                yield Foreseen(mistake.text, "")
+            else:
+                yield Foreseen(mistake.text, written_out(values, part))
+
+
+def written_out(values: Values, part: Part) -> str:
+    """Numbers in the part's unit as people read them."""
+    unit = show(part.unit)
+    return bare(values, part) + (f"\N{NO-BREAK SPACE}{unit}" if unit else "")
+
+
+def bare(values: Values, part: Part) -> str:
+    """The same without the unit."""
+    numbers = ", ".join(decimal_text(value / part.unit.si, FIGURES).replace("-", "−") for value in values)
+    return f"({numbers})" if len(values) > 1 else numbers
