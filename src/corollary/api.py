@@ -150,7 +150,7 @@ def _read(given: Given, text: str) -> Fraction:
 def _from_si(given: Given, ratio: Fraction, pi: int) -> Fraction:
     """`ratio` times pi to a power, in SI, as a number of the given's own unit."""
     power = pi - given.unit.pi if ratio else 0
-    return ratio * PI**power / given.unit.factor
+    return (ratio * PI**power - given.unit.offset) / given.unit.factor
 
 
 def _given(problem: Problem, name: str) -> Given:

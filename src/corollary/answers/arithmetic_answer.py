@@ -82,6 +82,8 @@ def worked_out(normalized: str) -> Worked | ParseError:
     if function := _bare_angle(tree):
         why = _("a number inside sin, cos or tan can be in degrees or in radians")
         return refused(why, None, _("write {function}(30°) or {function}(0.5 rad)", function=function))
+    if not at_the_end and any(unit.offset for unit in units.values()):
+        return refused(_("a temperature in °C or °F has no products or sums"), None, _("write it in K"))
     measured = dimension_of(tree, {name: unit.dimension for name, unit in units.items()})
     if isinstance(measured, ParseError):
         return measured

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import combinations
 
 from corollary.answers.answer import Numbers
@@ -14,7 +15,7 @@ from corollary.answers.question import Question
 from corollary.answers.tolerance import NEAR, coarse, coarse_polar, same_signs, within
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
-from corollary.units.unit import called, show
+from corollary.units.unit import Unit, called, show
 
 _ = catalogue(__name__)
 
@@ -22,7 +23,15 @@ ROUNDING_NOISE = 1e-9  # of the scale: what is left where large doubles cancel
 
 
 def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:
-    """What a good marker says of these numbers."""
+    """What a good marker says of these numbers.
+
+    Temperatures are compared as they are written, in °C: how near 20 °C and 21 °C are is not asked of 293 K and 294 K.
+    """
+    if question.unit.offset:
+        moved, scale = replace(question, unit=replace(question.unit, offset=Fraction(0))), question.unit
+        return judge_numbers(
+            replace(answer, values=_above(answer.values, scale)), _from_zero(wanted, scale), moved
+        )
     if answer.in_words:
         return _in_words(answer, wanted, question)
     if answer.missing:
@@ -63,6 +72,33 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
             if any(value) and _meets(answer, wanted, value):
                 return Slip(sentence, nothing=_may_be_guessed(answer, question, value, way.values))
     return Wrong(_hint(answer, wanted, question))
+
+
+def _above(values: Values, unit: Unit) -> Values:
+    """Temperatures above the zero of their scale."""
+    return tuple(value - float(unit.offset) for value in values)
+
+
+def _from_zero(wanted: Quantity, unit: Unit) -> Quantity:
+    """The same quantity counted from the zero of its scale."""
+
+    def moved(
+        several: Callable[[], Iterable[tuple[Values, str]]] | None,
+    ) -> Callable[[], Iterable[tuple[Values, str]]] | None:
+        return several and (lambda: [(_above(values, unit), sentence) for values, sentence in several()])
+
+    def followed(ways: Callable[[], Iterable[FollowThrough]]) -> Callable[[], Iterable[FollowThrough]]:
+        return lambda: (
+            FollowThrough(_above(way.values, unit), way.earlier, moved(way.misconceptions), moved(way.slips))
+            for way in ways()
+        )
+
+    return replace(
+        wanted,
+        values=_above(wanted.values, unit),
+        routes=followed(wanted.routes),
+        follow_through=followed(wanted.follow_through),
+    )
 
 
 def _may_be_guessed(answer: Numbers, question: Question, value: Values, target: Values) -> bool:

@@ -28,13 +28,19 @@ def machine(value: float, unit: Unit) -> Numbers | Unclear:
     if value and value == int(value):
         digits = sure(digits, len(f"{abs(value):.0f}"))
     most = (2,) if digits == 1 else ()  # `0.20` is 0.2 for Python
-    return Numbers((value * unit.si,), (_typed(digits),), _with_unit(f"{value:.6g}", unit), most=most)
+    return Numbers(
+        (value * unit.si + float(unit.offset),),
+        (_typed(digits),),
+        _with_unit(f"{value:.6g}", unit),
+        most=most,
+    )
 
 
 def exact(value: Fraction, unit: Unit) -> Numbers:
     """A whole number or a fraction; one beyond all doubles is a number all the same, and wrong."""
     try:
-        number = float(value * unit.factor) * math.pi**unit.pi
+        ratio, pi = unit.to_si(value)
+        number = float(ratio) * math.pi**pi
     except OverflowError:
         number = math.inf if value > 0 else -math.inf
         return Numbers((number,), (0,), _("a number too large to show"))

@@ -228,26 +228,23 @@ def _reading(
     text: str, number: Written, unit: Unit | None, expected: Unit | None, digits: str = ""
 ) -> Reading | ParseError:
     size = unit or expected or PURE
-    ratio = number.value * size.factor
+    if size.offset and expected is not None and expected.is_difference:
+        size = replace(size, offset=Fraction(0))
+    ratio, pi = size.to_si(number.value)
     if ratio and not Fraction(10) ** -305 < abs(ratio) < Fraction(10) ** 305:
         return refused(_("this quantity is too large or too small to be meant"))
     as_read = (
         f"{digits or decimal_text(number.value, number.figures)}{_space(unit)}{show(unit) if unit else ''}"
     )
     fit, why = "fits", ""
-    pure = expected is None or (expected.dimension, expected.factor, expected.pi) == (
-        ONE,
-        1,
-        0,
-    )  # 1 and rad are
-    if expected is not None and unit is None and number.value and not pure:  # 0 is 0 in every unit
+    pure = expected is None or (expected.dimension == ONE and expected.bare)  # 1 and rad are
+    zero = not number.value and not size.offset  # 0 is 0 in every unit, but for a temperature
+    if expected is not None and unit is None and not zero and not pure:
         fit = "unit missing"
         why = _("the unit is missing; write for example {example}", example=f"{as_read} {show(expected)}")
     elif expected is not None and size.dimension != expected.dimension:
         fit, why = "wrong dimension", _misfit(as_read, size, expected)
-    return Reading(
-        text, number.value, number.figures, number.least, unit, (ratio, size.pi), fit, why, as_read
-    )
+    return Reading(text, number.value, number.figures, number.least, unit, (ratio, pi), fit, why, as_read)
 
 
 def _misfit(as_read: str, size: Unit, expected: Unit) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from corollary.answers.question import Question
-from corollary.units.unit import canonical, si_unit
+from corollary.units.unit import ONE, canonical, si_unit
 
 Truth = Sequence[float] | str
 """What is right: values in SI, or a letter, a formula, lines of a proof as text."""
@@ -21,7 +21,11 @@ class Sample:
     verdict: str
 
 
-def unit_name(question: Question) -> str:
-    """The SI unit of what is asked for, to be written behind a number; "" for a plain number."""
-    unit = canonical(si_unit(question.unit.dimension))
-    return "" if unit == "1" else f" {unit}"
+def to_be_typed(truth: Sequence[float], question: Question) -> tuple[list[float], str]:
+    """The numbers as they are typed, and what is typed behind them: the SI unit; that of the part where it is an angle, a
+    percentage or a temperature."""
+    unit = question.unit
+    if (unit.dimension == ONE or unit.offset or unit.is_difference) and unit.text != "1":
+        return [unit.from_si(value) for value in truth], f" {canonical(unit)}"
+    name = canonical(si_unit(unit.dimension))
+    return list(truth), "" if name == "1" else f" {name}"

@@ -98,8 +98,10 @@ def _stays(solutions: Solutions, problem: Problem, sheet: AssignedSheet) -> Vari
 def _in_units_of(problem: Problem, variant: Variant) -> dict[str, Fraction]:
     """The numbers in the units of today's givens, where that takes no pi."""
     return {
-        given.symbol: variant.values[given.symbol]
-        * variant.problem.given(given.symbol).unit.factor
+        given.symbol: (
+            variant.problem.given(given.symbol).unit.to_si(variant.values[given.symbol])[0]
+            - given.unit.offset
+        )
         / given.unit.factor
         for given in problem.givens
     }

@@ -249,17 +249,20 @@ def _given_numbers(variant: Variant) -> dict[str, str]:
     """Each given as it stands in a formula: number and unit."""
     numbers: dict[str, str] = {}
     for given in variant.problem.givens:
-        unit = unit_latex(given.unit)
-        text = number(given, variant.values[given.symbol]).replace("−", "-")
+        unit, value = given.unit, variant.values[given.symbol]
+        if unit.offset:  # a formula takes a temperature in kelvin
+            unit, value = si_unit(unit.dimension), unit.to_si(value)[0]
+        symbol = unit_latex(unit)
+        text = number(given, value).replace("−", "-")
         mantissa, _, power = text.partition("e")
         text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
-        numbers[given.symbol] = _bracketed(text + (rf"\,{unit}" if unit else ""), text)
+        numbers[given.symbol] = _bracketed(text + (rf"\,{symbol}" if symbol else ""), text)
     return numbers
 
 
 def _quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
-    size = unit.si
-    text = decimal_text(value / size, FIGURES) if value else "0"
+    number = unit.from_si(value)
+    text = decimal_text(number, FIGURES) if number else "0"
     mantissa, _, power = text.partition("e")
     text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
     symbol = unit_latex(unit)

@@ -157,10 +157,7 @@ def domain(problem: Problem) -> Mapping[str, tuple[float, float]]:
     """Where the problem's letters live: the grid of each given, in SI; one that is fixed is widened by a tenth."""
     box: dict[str, tuple[float, float]] = {}
     for given in problem.givens:
-        ends = (
-            RationalPi(value * given.unit.factor, given.unit.pi)
-            for value in (given.grid.first, given.grid.last)
-        )
+        ends = (RationalPi(*given.unit.to_si(value)) for value in (given.grid.first, given.grid.last))
         low, high = sorted(certified(Name("x"), {"x": end}).value for end in ends)
         if low == high:
             low, high = sorted((0.9 * low, 1.1 * high))

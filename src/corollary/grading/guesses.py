@@ -34,7 +34,8 @@ def own_work(verdict: Verdict, values: Values | None, earlier: Mapping[str, Valu
 def one_number(answer: Numbers, part: Part) -> float:
     """The number as it was typed, the same in every component; else not a number."""
     sizes = answer.sizes or (part.unit.si,) * len(answer.values)
-    first, *others = (value / size for value, size in zip(answer.values, sizes, strict=True))
+    zero = float(part.unit.offset)
+    first, *others = ((value - zero) / size for value, size in zip(answer.values, sizes, strict=True))
     return first if all(abs(other - first) <= SAME * abs(first) for other in others) else math.nan
 
 

@@ -91,7 +91,8 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     for place, find in enumerate(solution.unknowns):
         if find.part:
             proven = stated[place].certified
-            scale = scale_of(find, values[place], known)
+            zero = float(variant.problem.part(find.part).unit.offset)  # of 20 °C one per cent is 0.2 K
+            scale = scale_of(find, tuple(value - zero for value in values[place]), known)
             error = max(stated[place].errors) / scale if scale else 0.0
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)

@@ -137,13 +137,11 @@ def _part(
 
 def si_name(part: Part) -> str:
     """The SI unit in which a value is given: `rad` for an angle."""
+    if part.unit.is_difference:
+        return "K"
     if part.unit.text in {"deg", "rad"}:
         return "rad"
-    return (
-        canonical(si_unit(part.unit.dimension))
-        if part.unit.factor != 1 or part.unit.pi
-        else canonical(part.unit)
-    )
+    return canonical(si_unit(part.unit.dimension)) if not part.unit.bare else canonical(part.unit)
 
 
 def _one(values: Sequence[T], show: Callable[[T], object], part: Part) -> object:

@@ -50,8 +50,8 @@ def slips_of_input(key: Key, truth: Truth, base: WhatIf) -> Iterator[tuple[Value
         sentence = _("You calculated with g = 10 m/s²; the problem gives a closer value.")
         yield from _replayed(key, truth, base, changed, sentence)
     for given in variant.problem.givens:
-        if given.unit.pi or given.unit.factor != 1:
-            bare = RationalPi(givens[given.symbol].ratio / given.unit.factor)
+        if not given.unit.bare:
+            bare = RationalPi(variant.values[given.symbol])
             yield from _replayed(key, truth, base, {**givens, given.symbol: bare}, _unconverted(given))
     if any(_is_angle(variant, given.symbol) for given in variant.problem.givens):
         swapped: dict[int, Rule] = {
@@ -89,7 +89,7 @@ def _in_givens(key: Key, place: int, at: int, rule: Rule) -> tuple[Expr, ...] | 
 
 def _unconverted(given: Given) -> str:
     """What the student reads where the bare number of a given was put in."""
-    if given.unit.pi:
+    if given.unit.pi and given.unit.dimension == Dimension():
         return _("Your calculator took the angle for radians; it is given in degrees.")
     if given.unit.dimension == SPEED:
         return _("{symbol} was put in as if it were in m/s; convert km/h first.", symbol=given.symbol)
@@ -98,7 +98,7 @@ def _unconverted(given: Given) -> str:
 
 def _is_angle(variant: Variant, symbol: str) -> bool:
     unit = variant.problem.given(symbol).unit
-    return bool(unit.pi) or unit.text == "rad"
+    return (bool(unit.pi) and unit.dimension == Dimension()) or unit.text == "rad"
 
 
 def _swapped(tree: Expr) -> Expr:

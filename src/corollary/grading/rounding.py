@@ -12,7 +12,7 @@ from random import Random
 
 from corollary.answers.evaluation import BITS, balls
 from corollary.answers.expected import Values
-from corollary.derive.solution import ClosedForms, Solution
+from corollary.derive.solution import ClosedForms, Solution, Unknown
 from corollary.formula.ball import Ball, RationalPi, Undefined, precision_of
 from corollary.formula.compiled import steps_in
 from corollary.grading.replay import compute, replay
@@ -61,6 +61,7 @@ def _rounded_replays(solution: Solution, givens: Mapping[str, Ball]) -> Iterator
             find,
             steps_in(find.local.trees, places) if isinstance(find.local, ClosedForms) else None,
             [places[name] for name in find.names],
+            _zero_of_scale(solution, find),
         )
         for find in solution.unknowns
     ]
@@ -70,14 +71,14 @@ def _rounded_replays(solution: Solution, givens: Mapping[str, Ball]) -> Iterator
         for _ in range(REPLAYS):
             known, found = list(start), list[Values]()
             with suppress(Undefined):
-                for find, forms, at in steps:
+                for find, forms, at, zero in steps:
                     if forms is None:
                         answer = compute(find.local, dict(zip(letters, known, strict=True)))
                     else:
                         exact = [float(form(known)) for form in forms]
                         if not all(map(isfinite, exact)):
                             break
-                        answer = tuple([x + _half_unit(x) * (-1 + 2 * random()) for x in exact])
+                        answer = tuple([x + _half_unit(x - zero) * (-1 + 2 * random()) for x in exact])
                     if not all(map(isfinite, answer)):
                         break
                     for place, value in zip(at, answer, strict=True):
@@ -85,6 +86,12 @@ def _rounded_replays(solution: Solution, givens: Mapping[str, Ball]) -> Iterator
                     found.append(answer)
                 else:
                     yield found
+
+
+def _zero_of_scale(solution: Solution, find: Unknown) -> float:
+    """The zero of the unit an answer is written in: 20.4 °C are rounded as such, not as 293.55 K."""
+    part = next((part for part in solution.problem.parts if part.id == find.part), None)
+    return float(part.unit.offset) if part else 0.0
 
 
 def _no_noise(values: Sequence[Values]) -> list[Noise]:

@@ -104,7 +104,7 @@ def _spread(name: str, count: int) -> list[int]:
 
 
 def _numbers(given: Given, places: Iterable[int]) -> list[RationalPi]:
-    return [RationalPi(given.grid[place] * given.unit.factor, given.unit.pi) for place in places]
+    return [RationalPi(*given.unit.to_si(given.grid[place])) for place in places]
 
 
 def _three_figures(number: int) -> int:

@@ -31,7 +31,7 @@ class Variant:
     def exact(self) -> dict[str, RationalPi]:
         """The givens in SI, exactly."""
         return {
-            given.symbol: RationalPi(self.values[given.symbol] * given.unit.factor, given.unit.pi)
+            given.symbol: RationalPi(*given.unit.to_si(self.values[given.symbol]))
             for given in self.problem.givens
         }
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 from operator import attrgetter
 
 ZERO = Fraction(0)
+DIFFERENCE = "delta_"  # how the name of a unit for differences of temperatures begins
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,17 +55,39 @@ _all = attrgetter(*BASE)
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A unit and its size: one of it is `factor` times pi**`pi` in SI (a degree is pi/180, a percent 1/100)."""
+    """A unit and its size: one of it is `factor` times pi**`pi` in SI (a degree is pi/180, a percent 1/100).
+
+    `offset` is its zero in SI: 0 °C is 273.15 K. It counts where the unit stands alone, never in a product.
+    """
 
     text: str
     dimension: Dimension
     factor: Fraction = Fraction(1)
     pi: int = 0
+    offset: Fraction = ZERO
 
     @property
     def si(self) -> float:
         """Its size in SI as a double."""
         return float(self.factor) * math.pi**self.pi
+
+    @property
+    def bare(self) -> bool:
+        """Whether a number in it is the number in SI."""
+        return self.factor == 1 and not self.pi and not self.offset
+
+    @property
+    def is_difference(self) -> bool:
+        """Whether it measures a difference of temperatures: 20 °C are then 20 K."""
+        return self.text.startswith(DIFFERENCE)
+
+    def to_si(self, number: Fraction) -> tuple[Fraction, int]:
+        """A number of this unit in SI, exactly: a ratio, and a power of pi to multiply it with."""
+        return number * self.factor + self.offset, self.pi
+
+    def from_si(self, value: float) -> float:
+        """A value in SI as a number of this unit."""
+        return (value - float(self.offset)) / self.si
 
 
 PURE = Unit("1", ONE)

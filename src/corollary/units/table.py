@@ -7,12 +7,16 @@ from fractions import Fraction
 from corollary.messages import N_
 from corollary.units.dimension import ONE, Dimension, Unit
 
-PREFIXES = {"": 0, "p": -12, "n": -9, "u": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9}
+_BELOW = {"d": -1, "c": -2, "m": -3, "u": -6, "n": -9, "p": -12, "f": -15, "a": -18, "z": -21}
+_ABOVE = {"da": 1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12, "P": 15, "E": 18, "Z": 21, "Y": 24}
+PREFIXES = {"": 0, **_BELOW, "y": -24, "r": -27, "q": -30, **_ABOVE, "R": 27, "Q": 30}
 TYPED = {"u": "uµμ", "k": "kK"}  # the two signs for micro, and Kg for kg, are both typed
 IN_WORDS = {"micro": "u", "milli": "m", "centi": "c", "kilo": "k", "mega": "M"}
 
 ROWS: list[tuple[str, ...]] = []
 """Every unit as it was registered."""
+WITH_PREFIXES: dict[str, Unit] = {}
+"""Units that take prefixes. Those of their rows are looked up first; any other is one in the end (`prefixed`)."""
 ENGLISH: set[str] = set()
 """Names of units that are offered for a word with one letter amiss: no `times` for `timme`."""
 UNITS: dict[str, Unit] = {}
@@ -23,15 +27,16 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
     """Makes a unit known to all that reads and writes units; a package of somebody else's calls it when it is imported.
 
     symbols: how it is written, first as it is in files (`ohm Ω`); base_units: `kg m s^-2`; size: in SI, an exact number
-    or a fraction of pi (`pi/180`); prefixes: those it is used with (`u m k`); words: its names, in the singular (`ohm`).
+    or a fraction of pi (`pi/180`), and behind a plus where its zero lies (`1 + 273.15`); prefixes: those it is used with (`u m k`); words: its names, in the singular (`ohm`).
     Returns the unit. Raises ValueError when something that would be typed for it means another unit, and registers nothing.
     """
-    dimension, pi = Dimension.of(base_units), int("pi" in size)
-    factor = Fraction(size.replace("pi", "1"))
+    size_alone, _plus, zero = size.partition(" + ")
+    dimension, pi, offset = Dimension.of(base_units), int("pi" in size), Fraction(zero or 0)
+    factor = Fraction(size_alone.replace("pi", "1"))
     name = symbols.split()[0]
     found: dict[str, Unit] = {}
     for prefix in ("", *prefixes.split()):
-        unit = Unit(prefix + name, dimension, factor * Fraction(10) ** PREFIXES[prefix], pi)
+        unit = Unit(prefix + name, dimension, factor * Fraction(10) ** PREFIXES[prefix], pi, offset)
         signs = TYPED.get(prefix, prefix) if prefix else ("",)
         found |= {sign + symbol: unit for symbol in symbols.split() for sign in signs}
         spoken = [word for word, sign in IN_WORDS.items() if sign == prefix] or [""]
@@ -45,7 +50,20 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
     if any(typed not in UNITS for typed in found):
         ROWS.append((symbols, base_units, size, prefixes, words))
     UNITS.update(found)
+    if prefixes:
+        WITH_PREFIXES.update(dict.fromkeys(symbols.split(), found[name]))
     return found[name]
+
+
+def prefixed(symbol: str) -> Unit | None:
+    """A unit with a prefix that its row does not list: `aJ`, `hN`, `Ym`. Asked last, for `Tm` is rather T m."""
+    for prefix, power in PREFIXES.items():
+        unit = (
+            WITH_PREFIXES.get(symbol.removeprefix(prefix)) if prefix and symbol.startswith(prefix) else None
+        )
+        if unit is not None:
+            return Unit(prefix + unit.text, unit.dimension, unit.factor * Fraction(10) ** power, unit.pi)
+    return None
 
 
 def rows_of_others() -> list[tuple[str, ...]]:
@@ -58,7 +76,7 @@ def _numbers(word: str) -> tuple[str, ...]:
     return (word, word + "s", word + "n", *(() if word[-1] == "e" else (word + "en",)))
 
 
-# The siemens is left out as long as `m/S` is rather a slip for seconds than a siemens. Sizes of eV and u: CODATA 2018.
+# Sizes of eV, e and u: CODATA 2022. The calorie is the thermochemical one; the year is 365.25 days.
 TABLE = """
 A       | A                  | 1                 | n u m k       | ampere amp
 K       | K                  | 1                 | n u m         | kelvin
@@ -67,35 +85,68 @@ cd      | cd                 | 1                 | m k           | candela
 C       | A s                | 1                 | p n u m k     | coulomb
 V       | kg m^2 s^-3 A^-1   | 1                 | n u m k M     | volt
 ohm Ω Ω | kg m^2 s^-3 A^-2   | 1                 | m k M         | ohm
+S       | kg^-1 m^-2 s^3 A^2 | 1                 | u m           | siemens
 F       | kg^-1 m^-2 s^4 A^2 | 1                 | p n u m       | farad
 Wb      | kg m^2 s^-2 A^-1   | 1                 | u m           | weber
 T       | kg s^-2 A^-1       | 1                 | n u m         | tesla
 H       | kg m^2 s^-2 A^-2   | 1                 | n u m         | henry
-lm      | cd                 | 1                 |               | lumen
+lm      | cd                 | 1                 | k             | lumen
 lx      | cd m^-2            | 1                 | k             | lux
 Bq      | s^-1               | 1                 | k M G         | becquerel
 Gy      | m^2 s^-2           | 1                 | u m           | gray
 Sv      | m^2 s^-2           | 1                 | u m           | sievert
 kat     | mol s^-1           | 1                 | n u m         | katal
 """
+OTHERS = """
+degC    | K                  | 1 + 273.15        |               | celsius
+degF    | K                  | 5/9 + 45967/180   |               | fahrenheit
+delta_degC | K               | 1                 |               |
+delta_degF | K               | 5/9               |               |
+delta_K | K                  | 1                 |               |
+bar     | kg m^-1 s^-2       | 100000            | u m k         |
+atm     | kg m^-1 s^-2       | 101325            |               | atmosphere
+mmHg    | kg m^-1 s^-2       | 133.322387415     |               |
+Torr torr | kg m^-1 s^-2     | 20265/152         |               |
+l L ℓ   | m^3                | 1/1000            | u m c d h     | liter litre
+cal     | kg m^2 s^-2        | 4.184             | k             | calorie kalorie
+e       | A s                | 1.602176634e-19   |               |
+rpm     | s^-1               | pi/30             |               |
+d       | s                  | 86400             |               | day tag dag
+yr      | s                  | 31557600          |               | year jahr
+ha      | m^2                | 10000             |               | hectare
+au      | m                  | 149597870700      |               |
+ly      | m                  | 9460730472580800  |               |
+sr      |                    | 1                 |               | steradian
+arcmin  |                    | pi/10800          |               |
+arcsec  |                    | pi/648000         |               |
+"""
 MECHANICS = """
 g       | kg                 | 1/1000            | n u m k       | gram gramme gramm
-m       | m                  | 1                 | n u m c d k   | meter metre mètre
-s sec secs | s               | 1                 | p n u m       | second seconde sekunde sekund
+m       | m                  | 1                 | f p n u m c d k | meter metre mètre
+s sec secs | s               | 1                 | f p n u m     | second seconde sekunde sekund
 N       | kg m s^-2          | 1                 | u m k M G     | newton
-J       | kg m^2 s^-2        | 1                 | u m k M G     | joule
-W       | kg m^2 s^-3        | 1                 | u m k M G     | watt
-Pa      | kg m^-1 s^-2       | 1                 | h k M G       | pascal
-Hz      | s^-1               | 1                 | m k M G       | hertz
-eV      | kg m^2 s^-2        | 1.602176634e-19   | m k M G       | electronvolt
+J       | kg m^2 s^-2        | 1                 | u m k M G T   | joule
+W       | kg m^2 s^-3        | 1                 | u m k M G T   | watt
+Pa      | kg m^-1 s^-2       | 1                 | h k M G T     | pascal
+Hz      | s^-1               | 1                 | m k M G T     | hertz
+eV      | kg m^2 s^-2        | 1.602176634e-19   | m k M G T     | electronvolt
 t       | kg                 | 1000              |               | tonne
-u       | kg                 | 1.66053906660e-27 |               |
+u Da    | kg                 | 1.66053906892e-27 |               | dalton
 min     | s                  | 60                |               | minute
 h       | s                  | 3600              |               | hour hr heure stunde timme
 rad     |                    | 1                 | m             | radian
 deg ° º |                    | pi/180            |               | degree degré grad grader
 %       |                    | 1/100             |               | percent
 """
+REFUSED = dict.fromkeys(
+    ("dB", "db", "dBA", "decibel", "Np", "phon", "mag"),
+    N_("{unit} is a logarithm of a ratio, not a unit: give the ratio itself, or the quantity"),
+)
+"""What looks like a unit and is none, with the reason."""
+for _row in OTHERS.strip().splitlines():
+    register(*(_cell.strip() for _cell in _row.split("|")))
+APART = frozenset(UNITS)
+"""Not looked for in letters that are run together: `kgd` is no kilogram times a day."""
 for _row in TABLE.strip().splitlines():
     register(*(_cell.strip() for _cell in _row.split("|")))
 UNSUGGESTED = frozenset(UNITS)

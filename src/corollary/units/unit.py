@@ -9,10 +9,10 @@ from corollary.formula.characters import legible
 from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.numerals import RAISED, TO_ASCII
 from corollary.messages import catalogue
-from corollary.units.dimension import BASE, ONE, PURE, Dimension, Unit
+from corollary.units.dimension import BASE, DIFFERENCE, ONE, PURE, Dimension, Unit
 from corollary.units.suggested import suggested
-from corollary.units.table import CALLED, NAMED, UNITS
-from corollary.units.words import in_signs
+from corollary.units.table import APART, CALLED, NAMED, REFUSED, UNITS, prefixed
+from corollary.units.words import TEMPERATURE, in_signs, temperature
 
 __all__ = [
     "BASE",
@@ -36,17 +36,22 @@ LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 LARGEST_POWER = 9
 MOST_CACHED = 1024
-SIGNS = {"deg": "°", "ohm": "Ω"}
+SIGNS = {"deg": "°", "ohm": "Ω", "degC": "°C", "degF": "°F"}
 """How units are shown that files spell out."""
-IN_TEX = {"deg": r"{}^{\circ}", "ohm": r"\Omega", "%": r"\%"}
+IN_TEX = {
+    "deg": r"{}^{\circ}",
+    "ohm": r"\Omega",
+    "%": r"\%",
+    "degC": r"{}^{\circ}C",
+    "degF": r"{}^{\circ}F",
+}
 
 MARK = re.compile(
-    r"\s*(?:(?P<symbol>[A-Za-zµμèéΩΩ]+|[°º%])(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
+    rf"\s*(?:(?P<symbol>{TEMPERATURE}|[A-Za-zµμèéΩΩℓ]+|[°º%])"
+    r"(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
     r"|(?P<one>1(?![0-9.,]))|(?P<sign>\*|/|\(|\)))"
 )
-TEMPERATURE = re.compile(
-    r"(?:[°º]|(?<![A-Za-z])deg(?:rees?)?)\s?[CFK](?![A-Za-z])"
-)  # °C is no degree times a coulomb
+NAMES, NAMES_IN_TEX = (re.compile("deg[CF]?|ohm" + also) for also in ("", "|%"))
 SECONDS = re.compile(r"(?:sec|secs)$")
 Factors = list[tuple[Unit, Fraction]]
 
@@ -73,10 +78,6 @@ _READ: dict[tuple[str, int], Unit] = {}
 
 def _read(text: str) -> Unit | ParseError:
     normalized = in_signs(legible(text).translate(TO_ASCII))
-    if temperature := TEMPERATURE.search(normalized):
-        written = normalized[temperature.start() : temperature.end()]
-        why = _("{written} is not a unit known here", written=written)
-        return refused(why, temperature.start(), _("write a temperature in K"))
     marks: list[re.Match[str]] = []
     at, end = 0, len(normalized.rstrip())
     while at < end:
@@ -149,6 +150,11 @@ def _product(marks: list[re.Match[str]], end: int) -> Unit | ParseError:
 
 def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
     power = _power(power_text)
+    if symbol in REFUSED:
+        return refused(_(REFUSED[symbol], unit=symbol), at)
+    symbol = temperature(symbol)
+    if symbol == "e" and power_text[:1] in tuple("+-0123456789"):  # `1.5 e-3` has a blank too many
+        return refused(_("{written} is not a unit known here", written=symbol + power_text), at)
     if not power or abs(power) > LARGEST_POWER:  # F0 is a letter of the problem, not a farad to the power 0
         return refused(_("a unit to the power {power} does not occur here", power=power_text.strip("^*")), at)
     if symbol == "ms" and power < 0:
@@ -167,6 +173,8 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
         )
     if splits:
         return splits[0]
+    if found := prefixed(symbol):
+        return [(found, power)]
     near = suggested(symbol)
     return refused(
         _("{written} is not a unit known here", written=symbol[:20]),
@@ -180,7 +188,7 @@ def _splits(run: str) -> list[tuple[Unit, ...]]:
     ends = range(1, len(run)) if len(run) < 10 else ()
     cuts = [(run[:end], run[end:]) for end in ends]
     cuts += [(run[:first], run[first:end], run[end:]) for end in ends for first in range(1, end)]
-    known = [cut for cut in cuts if all(piece in UNITS for piece in cut)]
+    known = [cut for cut in cuts if all(piece in UNITS and piece not in APART for piece in cut)]
     return [
         tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]
     ]  # Kgm: kg m, no kelvin
@@ -206,7 +214,8 @@ def _composed(factors: Factors) -> Unit | ParseError:
         dimension, factor, pi = dimension * each.dimension**power, factor * size, pi + each.pi * power
     if pi.denominator != 1:
         return refused(_("an angle has whole powers only"), None)
-    return Unit(_factors_text(factors), dimension, factor, int(pi))
+    alone = factors[0][0] if len(factors) == 1 and factors[0][1] == 1 else PURE
+    return Unit(_factors_text(factors), dimension, factor, int(pi), alone.offset)
 
 
 def _factors_text(factors: Factors) -> str:
@@ -278,7 +287,7 @@ def show(unit: Unit) -> str:
         return ""
     raised = re.sub(r"\^([0-9]+)(?![0-9.])", lambda found: found[1].translate(SUPERSCRIPTS), unit.text)
     micro = re.sub(r"\bu(?=[a-zA-Z])", "µ", raised)
-    return re.sub("deg|ohm", lambda found: SIGNS[found[0]], micro).replace("*", " ")
+    return NAMES.sub(lambda found: SIGNS[found[0]], micro.replace(DIFFERENCE, "")).replace("*", " ")
 
 
 def latex(unit: Unit) -> str:
@@ -287,4 +296,5 @@ def latex(unit: Unit) -> str:
         return ""
     raised = re.sub(r"\^(\(?[-0-9./]+\)?)", r"^{\1}", unit.text)
     micro = re.sub(r"\bu(?=[a-zA-Z])", r"\\mu ", raised).replace("*", r"\,")
-    return rf"\mathrm{{{re.sub('deg|ohm|%', lambda found: IN_TEX[found[0]], micro)}}}"
+    named = NAMES_IN_TEX.sub(lambda found: IN_TEX[found[0]], micro.replace(DIFFERENCE, ""))
+    return rf"\mathrm{{{named}}}"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from corollary.units.dimension import DIFFERENCE
+
 SPEEDS = {"kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s"}
 SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
 PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")
@@ -11,6 +13,11 @@ JOINED = re.compile(
     r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
 )  # `N-s`, `kg.m/s`
 ALL = re.compile(r"\s*\[([^\[\]]*)\]\s*|\s*\(([^()]*)\)\s*")
+# °C is no degree times a coulomb. A difference of temperatures is written with a delta: `Δ°C`, `delta K`.
+DELTA = r"(?:delta(?:_| ?(?=[°ºdK]))|[Δ∆]\s?)"
+DEGREES = r"(?:[°º]\s?|(?<![A-Za-z])deg(?:rees?)?\s?)(?:[CFK]|[Cc]elsius|[Ff]ahrenheit)"
+TEMPERATURE = rf"(?:{DELTA}?{DEGREES}|{DELTA}K)(?![A-Za-z])"
+PARTS = re.compile(rf"(?P<delta>{DELTA})?\s?(?P<degrees>[°ºd][^CFKcf]*)?(?P<scale>[CFKcf])\w*")
 GROUP = re.compile(r"(?<![/^])\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not below a slash, and not raised
 
 
@@ -23,3 +30,13 @@ def in_signs(text: str) -> str:
     for _ in range(3):
         text = GROUP.sub(r" \1 ", text)
     return text
+
+
+def temperature(symbol: str) -> str:
+    """`Δ °C` and `degrees Celsius` as they are in the table, delta_degC and degC; any other symbol as it is."""
+    if not re.fullmatch(TEMPERATURE, symbol):
+        return symbol
+    found = PARTS.fullmatch(symbol)
+    assert found is not None  # a temperature has these parts
+    scale = found["scale"].upper()
+    return (DIFFERENCE if found["delta"] else "") + ("K" if scale == "K" else "deg" + scale)

@@ -81,7 +81,7 @@ def pushed(variant: Variant) -> Iterator[tuple[str, dict[str, RationalPi]]]:
 
 def extremes(given: Given, value: RationalPi) -> Iterator[tuple[str, RationalPi]]:
     """Angles within 1e-12 of pi of 0 and 90 degrees, pure numbers 0 and 1, everything else 1e±12 and 1e±150 times itself."""
-    if given.unit.pi:
+    if given.unit.pi and given.unit.dimension == ONE:
         yield f"{given.symbol} = 1e-12 pi", RationalPi(NEAR, 1)
         yield f"{given.symbol} = pi/2 - 1e-12 pi", RationalPi(Fraction(1, 2) - NEAR, 1)
     elif given.unit.dimension == ONE:

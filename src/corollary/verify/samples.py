@@ -99,10 +99,10 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
                 continue
             ratio, pi = read.si
             unit = read.unit or part.unit
-            size = unit.si
-            met = coarse((float(ratio) * math.pi**pi,), (read.figures,), (value,), (size,), (0.0,)) or (
-                ratio == 0 and value == 0
-            )
+            size, zero = unit.si, float(unit.offset)
+            met = coarse(
+                (float(ratio) * math.pi**pi - zero,), (read.figures,), (value - zero,), (size,), (0.0,)
+            ) or (ratio == 0 and value == 0)
             if not tally.check(bool(met), "printed values"):
                 tally.complain(
                     f"{where}: {entry.where} prints {printed.strip()} for part {entry.statement.part}; "

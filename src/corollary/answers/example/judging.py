@@ -45,6 +45,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
     """`truth` is one good example."""
     assert not isinstance(truth, str)
+    truth = [question.unit.from_si(value) for value in truth]
     scale = max(map(abs, truth)) or 1.0
     return (
         Sample(list(truth), "right"),

@@ -7,7 +7,7 @@ from corollary.answers.expected import Expected
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.question import Question
-from corollary.answers.sample import Sample, Truth, unit_name
+from corollary.answers.sample import Sample, Truth, to_be_typed
 from corollary.answers.verdict import Verdict
 
 
@@ -26,7 +26,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
     """The number itself, four figures of it, with a decimal comma; a number far off; text that is none."""
     assert not isinstance(truth, str)
-    value, unit = truth[0], unit_name(question)
+    (value,), unit = to_be_typed(truth, question)
     comma = f"{value:.4e}".replace(".", ",")
     off = value * 1.37 + (7 if value == 0 else 0)
     return (

@@ -7,7 +7,7 @@ from corollary.answers.expected import Expected
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.question import Question
-from corollary.answers.sample import Sample, Truth, unit_name
+from corollary.answers.sample import Sample, Truth, to_be_typed
 from corollary.answers.verdict import Verdict
 
 
@@ -26,7 +26,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
     """The components with all digits and with four; components that are off; lists that are none."""
     assert not isinstance(truth, str)
-    unit = unit_name(question)
+    truth, unit = to_be_typed(truth, question)
     scale = max(map(abs, truth)) or 1.0
     return (
         Sample([f"{value!r}{unit}" for value in truth], "right"),

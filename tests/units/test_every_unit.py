@@ -1,0 +1,116 @@
+"""Every unit of the table is what pint says it is, in size and in dimension; temperatures have a zero of their own."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pint
+import pytest
+
+from corollary.answers.quantity import Reading, read_quantity
+from corollary.formula.errors import ParseError
+from corollary.units.table import PREFIXES, ROWS, WITH_PREFIXES
+from corollary.units.unit import BASE, canonical, latex, read_unit, show, unit
+
+PINT = pint.UnitRegistry()
+IN_PINT = {
+    "t": "metric_ton",
+    "%": "percent",
+    "u": "unified_atomic_mass_unit",
+    "e": "elementary_charge",
+    "au": "astronomical_unit",
+    "ly": "light_year",
+    "delta_degC": "kelvin",
+    "delta_degF": "delta_degF",
+    "delta_K": "kelvin",
+    "Torr": "torr",
+    "g": "gram",
+    "h": "hour",
+    "d": "day",
+    "yr": "year",
+    "min": "minute",
+    "l": "liter",
+    "T": "tesla",
+    "F": "farad",
+    "C": "coulomb",
+}
+OF_PINT = {"torr": (101325 / 760, "pascal")}  # pint has no torr: 760 of them are an atmosphere, by definition
+NAMES = [row[0].split()[0] for row in ROWS]
+
+
+def pint_size(name):
+    """Size and dimension of a unit by pint."""
+    size, called = OF_PINT.get(IN_PINT.get(name, name), (1, IN_PINT.get(name, name)))
+    found = (size * PINT(f"1 {called}")).to_base_units()
+    return float(found.magnitude), dict(found.unit_items())
+
+
+@pytest.mark.parametrize("name", [each for each in NAMES if each not in {"degC", "degF"}])
+def test_a_row_is_what_pint_has(name):
+    size, powers = pint_size(name)
+    long = dict(
+        zip(BASE, ("kilogram", "meter", "second", "ampere", "kelvin", "mole", "candela"), strict=True)
+    )
+    ours = unit(name)
+    found = {long[base]: float(power) for base, power in ours.dimension.powers().items()}
+    assert ours.si == pytest.approx(size, rel=1e-14)
+    assert found == {
+        base: float(power) for base, power in powers.items() if base not in {"radian", "count"} and power
+    }
+
+
+@pytest.mark.parametrize("prefix", [each for each in PREFIXES if each])
+def test_a_prefix_is_what_pint_has(prefix):
+    """On every unit that takes prefixes, but where it would be typed like something else (`Tm` is T m, `cd` a candela)."""
+    size = float(PINT(f"1 {prefix}Hz").to("Hz").magnitude)
+    names = {each.text for each in WITH_PREFIXES.values()}
+    same = [name for name in sorted(names) if canonical(unit(prefix + name)) == prefix + name]
+    assert len(same) >= (4 if prefix in {"h", "T"} else 20)
+    for name in same:
+        assert unit(prefix + name).si == pytest.approx(size * unit(name).si, rel=1e-12)
+
+
+@pytest.mark.parametrize("celsius", [-40, 0, 20, 37, 100])
+def test_temperatures_have_a_zero_of_their_own(celsius):
+    kelvin = PINT.Quantity(celsius, "degC").to("kelvin").magnitude
+    fahrenheit = PINT.Quantity(celsius, "degC").to("degF").magnitude
+    for text in (f"{celsius} °C", f"{celsius} deg C", f"{celsius} degrees Celsius", f"{fahrenheit:.10g} °F"):
+        read = read_quantity(text, unit("K"))
+        assert isinstance(read, Reading)
+        assert (float(read.si[0]), read.fit) == (pytest.approx(kelvin), "fits")
+    bare = read_quantity(str(celsius), unit("°C"))
+    assert isinstance(bare, Reading)
+    assert float(bare.si[0]) == pytest.approx(kelvin)
+
+
+@pytest.mark.parametrize(
+    ("text", "factor"),
+    [
+        ("J/(kg °C)", 1),
+        ("°C/min", Fraction(1, 60)),
+        ("Δ°C", 1),
+        ("delta K", 1),
+        ("W/(m^2*degF)", Fraction(9, 5)),
+    ],
+)
+def test_in_a_product_a_temperature_is_a_difference(text, factor):
+    found = unit(text)
+    assert (found.factor, found.offset) == (factor, 0)
+    assert unit(canonical(found)) == found
+    assert "delta" not in show(found) + latex(found)
+
+
+def test_a_difference_of_temperatures_is_read_as_one():
+    read = read_quantity("20 °C", unit("Δ°C"))
+    assert isinstance(read, Reading)
+    assert (read.si, read.as_read) == ((20, 0), "20 °C")
+
+
+def test_what_is_no_unit_says_why():
+    for text in ("dB", "Np", "decibel"):
+        found = read_unit(text)
+        assert isinstance(found, ParseError)
+        assert (
+            found.why
+            == f"{text} is a logarithm of a ratio, not a unit: give the ratio itself, or the quantity"
+        )
