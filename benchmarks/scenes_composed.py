@@ -18,12 +18,12 @@ if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from benchmarks.composed import lines, planes
-from benchmarks.composed.case import Case, Verdict, judged
+from benchmarks.composed.case import Case, Verdict, drawn, judged
 
 
 def cases(each: int, seed: int) -> list[Case]:
     """So many scenes of every family."""
-    return [*lines.cases(each, seed), *planes.cases(each, seed)]
+    return list(drawn((*lines.FAMILIES, *planes.FAMILIES), each, seed))
 
 
 def table(verdicts: list[tuple[Verdict, float]]) -> list[str]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from random import Random
 
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed, Observable, components
@@ -22,6 +23,14 @@ class Case:
     scene: Scene
     truth: Mapping[Observable, tuple[float, ...]]
     times: tuple[float, ...] = ()
+
+
+def drawn(families: Sequence[Callable[[Random], Case]], each: int, seed: int) -> Iterator[Case]:
+    """So many cases of every family."""
+    for family in families:
+        draw = Random(f"{family.__name__} {seed}")
+        for _ in range(each):
+            yield family(draw)
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from random import Random
 
 from scipy.special import ellipj, ellipk
@@ -349,11 +348,3 @@ FAMILIES = (
     rolling_down, spinning_bounce, closing_walls, leaving_a_plate, pulled_ever_harder, puck, belt, linear_drag,
     quadratic_drag, quartic, driven, contacts_by_pair,
 )  # fmt: skip
-
-
-def cases(each: int, seed: int) -> Iterator[Case]:
-    """So many cases of every family."""
-    for family in FAMILIES:
-        draw = Random(f"{family.__name__} {seed}")
-        for _ in range(each):
-            yield family(draw)

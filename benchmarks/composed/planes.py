@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from random import Random
 
 from scipy.integrate import solve_ivp
@@ -398,11 +397,3 @@ FAMILIES = (
     pendulum, double_pendulum, thrown_on_a_string, over_the_top, cradle_with_gravity, dumbbell, kepler, grazing_disc,
     row_in_a_plane, discs_that_rub, spring_pair_in_a_plane, billiard,
 )  # fmt: skip
-
-
-def cases(each: int, seed: int) -> Iterator[Case]:
-    """So many cases of every family."""
-    for family in FAMILIES:
-        draw = Random(f"{family.__name__} {seed}")
-        for _ in range(each):
-            yield family(draw)

@@ -54,10 +54,11 @@ def test_ions_that_meet_head_on_turn_even_at_the_start_of_a_step():
 
 
 def test_what_is_left_of_a_stiff_motion_is_counted():
-    settings = {"m": 4.8, "dm": 1.5, "v": 2.2, "u": -5.6}
+    """To e^-40 in 1e-9 s, too: steps of a method without a bound on what fades left more than they were allowed to."""
+    settings = {"m": 4.8, "dm": 1.5, "v": 2.2, "u": -5.6, "dt": 1e-9}
     found = run("absorbed_drop", settings, tolerance=1e-10, second_way=True)
     common = (4.8 * 2.2 - 1.5 * 5.6) / 6.3
     error = components(found.errors["velocities"])
     off = [abs(v - common) for v in components(found.observed["velocities"])]
-    assert all(a <= 3.0 * b for a, b in zip(off, error, strict=True))
+    assert all(a <= b for a, b in zip(off, error, strict=True))
     assert max(error) < 1e-8

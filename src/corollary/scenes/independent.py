@@ -40,11 +40,7 @@ def _braked(
     """Two bodies with a dashpot between them that fades their relative velocity by e^-40 in dt, and a force on the first."""
     grip = FADING * a.mass / (a.mass + b.mass) * b.mass / dt
     push = (ForceFunction(0, lambda t, x, v: (force,)),) if force else ()
-    velocities, places, error = _after((a, b), (Spring((0, 1), 0.0, damping=grip), *push), until, tolerance)
-    # After e^-40 they move as one: what is left between them is the error of so stiff a motion, which two runs may share.
-    pulled = force * b.mass / (a.mass + b.mass) / grip  # the force alone keeps them so far apart in velocity
-    left = abs(velocities[0] - velocities[1] - pulled) / max(abs(a.velocity[0]), abs(b.velocity[0]))
-    return velocities, places, max(error, left) if until >= dt else error
+    return _after((a, b), (Spring((0, 1), 0.0, damping=grip), *push), until, tolerance)
 
 
 def absorbed_drop(settings: Settings, tolerance: float) -> Run:

@@ -102,6 +102,10 @@ def measured(
         warnings.append(
             f"bounces without end (Zeno), {times_over}: the last of them are over at {right.rests[-1]:.6g} s"
         )
+    # Where motion fades, each step forgets the errors of those before, and two runs say nothing of each other's: what is off in the end is
+    # as much as a step is allowed to be, in the mean square of all components, absolutely and relatively.
+    fine = max(tolerance / FINER, FINEST)
+    step_off = fine * (2.0 * math.sqrt(len(right.state)) if right.fades else 0.2)
     same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
@@ -121,10 +125,15 @@ def measured(
         rounding = 2.3e-16 * (4.0 + math.sqrt(len(right.stretches)) + 4.0 * (condition or 1.0)) * size
         # Each touch is met within some roundings of a place.
         rounding += 1e-14 * len(right.happenings) * max(condition or 1.0, 1.0) * size
+        # And squeezes bodies as rounding of their places lets it.
+        if contact_span(right):
+            rounding += math.ulp(right.long) / right.deep * max(condition or 1.0, 1.0) * size
         # One that cannot be followed leaves nothing certain.
         beside = [_apart(look(scene, path, what, times), value) if path else (size,) for path in shifted]
         extra = _extra(scene, right, what) + max((max(each, default=0.0) for each in beside), default=0.0)
-        least = 0.2 * max(tolerance / FINER, FINEST) * size + rounding + extra
+        # Places keep what velocities forget: that of several steps.
+        several = 3.0 if right.fades and what is Observable.TRAJECTORY else 1.0
+        least = several * step_off * size + rounding + extra
         errors = tuple(
             SAFETY * each
             + least

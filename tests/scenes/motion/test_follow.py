@@ -6,11 +6,15 @@ import pytest
 
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
 from corollary.scenes.motion import steps
 from corollary.scenes.motion.energy import never_meets
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.run import GuardFailed
+from corollary.scenes.plan import play
+from corollary.scenes.run import GuardFailed, components
+from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene, start_of, velocity
 
 PAIR = (Body(0.1, (0.0, 0.0), (1.0, 0.0), 0.02), Body(0.1, (0.08, 0.018), (0.0, 0.0), 0.02))
@@ -69,3 +73,29 @@ def test_a_motion_whose_steps_are_wrong_is_not_handed_out(monkeypatch, wrong):
     monkeypatch.setattr(steps, "DOP853", Wrong)
     with pytest.raises(GuardFailed, match="the energy changed by"):
         follow(Scene(PAIR, (Contact(2e4),)), 1e-10)
+
+
+@pytest.mark.parametrize("rate", [150.0, 400.0, 2000.0])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10, 1e-12])
+def test_a_fall_in_a_thick_fluid_takes_few_steps_and_its_error_holds(rate, tolerance):
+    """What fades at `rate` (per s) holds explicit steps down; an implicit method follows the rest of the second."""
+    u, v, g = 3.0, -2.0, 9.8
+    scene = Scene((Body(1.0, (0.0, 0.0), (u, v)),), (Weight(g), Drag(0, linear=rate)), until=1.0)
+    times = tuple(0.05 * i for i in range(21))
+    found = play(scene, {O.VELOCITIES, O.TRAJECTORY}, tolerance, times)
+    settled = g / rate
+
+    def way(t):
+        gone = -math.expm1(-rate * t)
+        return u * gone / rate, (v + settled) * gone / rate - settled * t
+
+    left = math.exp(-rate)
+    truth = {
+        "velocities": (u * left, (v + settled) * left - settled),
+        "trajectory": [x for t in times for x in way(t)],
+    }
+    for name, values in truth.items():
+        rows = zip(components(found.observed[name]), components(found.errors[name]), values, strict=True)
+        assert all(abs(x - true) <= error for x, error, true in rows), name
+        assert max(components(found.errors[name])) < 50.0 * tolerance
+    assert len(follow(scene, tolerance).stretches) < 80

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -13,11 +14,8 @@ from corollary.scenes.scene import Conserves, Force, Scene, seen_from
 
 
 @dataclass(frozen=True, slots=True)
-class Rod(Force):
-    """A rigid rod without mass between the centres of two bodies (places in the scene); a nail is a body of infinite mass.
-
-    `length` (m) is the distance at the start if it is not given.
-    """
+class Link(Force, ABC):
+    """What holds two bodies (places in the scene) to a distance: `length` (m), the one at the start if it is not given."""
 
     ends: tuple[int, int]
     length: float | None = None
@@ -27,6 +25,18 @@ class Rod(Force):
     ) -> tuple[tuple[int, Sequence[float]], ...]:
         """Nothing by itself: it holds."""
         return ()
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return self.ends
+
+
+@dataclass(frozen=True, slots=True)
+class Rod(Link):
+    """A rigid rod without mass between the centres of two bodies (places in the scene); a nail is a body of infinite mass.
+
+    `length` (m) is the distance at the start if it is not given.
+    """
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
@@ -38,27 +48,15 @@ class Rod(Force):
     def conserves(self) -> Conserves:
         return Conserves.MOMENTUM | Conserves.ENERGY
 
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return self.ends
-
 
 @dataclass(frozen=True, slots=True)
-class String(Force):
+class String(Link):
     """A string that cannot be stretched: slack, or taut and pulling. It jerks taut with `restitution` (0: it stays taut).
 
     `length` (m) is the distance at the start if it is not given.
     """
 
-    ends: tuple[int, int]
-    length: float | None = None
     restitution: float = 0.0
-
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
-        """Nothing by itself: it holds while it is taut."""
-        return ()
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The slack: not negative. Raises BadSetting for bodies that start in the same place without a length given."""
@@ -74,10 +72,6 @@ class String(Force):
     @property
     def does_no_work_at_rest(self) -> bool:
         return True
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return self.ends
 
 
 def _length(scene: Scene, ends: tuple[int, int], given: float | None) -> float:

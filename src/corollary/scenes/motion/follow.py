@@ -48,6 +48,7 @@ class Follower:
         self.sizes = sizes_of(self.system, tolerance, shift)
         self.path.near = GRAZING * tolerance * self.sizes.place
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
+        self.path.deep = self.sizes.deep if self.system.contacts else math.inf
         self.steps = Stepper(self.system, self.sizes, tolerance)
         self._refuse_bad_start()
         self.energy: float | None = None
@@ -80,7 +81,7 @@ class Follower:
                 )
             if progress and scene.until:
                 progress(path.time / scene.until)
-        path.mode, path.evaluations = mode, self.system.evaluations
+        path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
         return path
 
     def _begin(self) -> Mode:
@@ -183,7 +184,6 @@ class Follower:
     def _met(self, guards: Guards, stretch: Stretch, slope: Slope, index: int, part: float) -> Mode:
         """Go to where a guard falls, exactly: the step is taken again to end there; then what follows from it."""
         one, guard = guards.one(index), guards.names[index]
-        self.steps.steady = 0
         lasts = self.steps.landing(one, stretch, slope, part)
         pieces = self.steps.pieces(stretch, slope, lasts)
         if guard.kind == "event":
@@ -202,6 +202,7 @@ class Follower:
         slack = (
             (self.tolerance * self.sizes.place + 4.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
         )
+        self.steps.begin_anew()
         self.path.happenings.append(
             Happening(f"{guard.kind} {guard.number}", self.path.time, len(self.path.stretches), slack)
         )

@@ -60,7 +60,7 @@ class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
     `grazes` are the times (s) of touches that are missed, or met, by less than `near` (m); `dropped` is a speed (m/s) that was taken
-    for rest; `fast` (m/s) and `long` (m) are the sizes of the scene.
+    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene. `fades`: what faded held steps down, and errors with it.
     """
 
     stretches: list[Stretch] = field(default_factory=list[Stretch])
@@ -75,7 +75,9 @@ class Trajectory:
     near: float = 0.0
     fast: float = 0.0
     long: float = 0.0
+    deep: float = math.inf
     settled: bool = False
+    fades: bool = False
 
     def at(self, time: float) -> list[float]:
         """The state at a time between the start and the end."""

@@ -20,6 +20,12 @@ from corollary.scenes.run import GuardFailed
 MOST_STEPS = 20_000
 # After so many steps without an event it is asked whether they lead anywhere.
 STEADY = 250
+# From this product of step and rate on, what fades decides how long an explicit step may be: beyond 6.1 it would grow (E. Hairer,
+# S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, and the program DOP853), which the method's own estimate of its
+# error takes too lightly. So many steps at the edge call for an implicit method.
+FADES, EDGE, STIFF_STEPS = 3.0, 5.0, 15
+# An implicit step costs more than an explicit one: for so few it is not worth it.
+FEW_LEFT = 40
 # scipy's own least.
 LEAST_RELATIVE = 2.3e-14
 One = Callable[[float, list[float]], float]
@@ -31,7 +37,15 @@ class Stepper:
     def __init__(self, system: System, sizes: Sizes, tolerance: float) -> None:
         self.system, self.scene, self.sizes, self.tolerance = system, system.scene, sizes, tolerance
         self.steps, self.steady, self.stiff = 0, 0, False
+        self.held_down, self.rate, self.fades = 0, 0.0, False
+        self.seen = [0.0] * 3
         self.nearest = math.inf
+        self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
+
+    def begin_anew(self) -> None:
+        """Something has happened: nothing is known of how fast things fade now."""
+        self.steady, self.held_down, self.rate, self.stiff = 0, 0, 0.0, False
+        self.seen = [0.0] * 3
 
     def solver(self, slope: Slope, y: list[float], lasts: float, first: float) -> DOP853 | Radau:
         """scipy's stepper from a state on, for at most so long (s), with a first step."""
@@ -47,7 +61,7 @@ class Stepper:
             0.0,
             np.array(y),
             lasts,
-            max_step=100.0 * self.sizes.long / self.sizes.fast if self.system.contacts else math.inf,
+            max_step=self.longest,
             # Motion that grows is known to a part of what it has become; what squeezes is resolved as finely wherever it has got to.
             rtol=LEAST_RELATIVE if self.system.contacts else max(self.tolerance, LEAST_RELATIVE),
             atol=np.array(allowed),  # pyright: ignore[reportArgumentType]
@@ -75,23 +89,38 @@ class Stepper:
             solver.step()
         except (OverflowError, ZeroDivisionError):
             solver.status = "failed"
+        if isinstance(solver, DOP853) and solver.status != "failed":
+            self._hold_down(solver)
         if solver.status == "failed" or not np.isfinite(solver.y).all():
             raise GuardFailed(
                 f"{self.scene.name}: at {begun + solver.t:.6g} s a force grows without end; no step is short enough."
             )
 
-    def too_slow(self, left: float, last: float) -> bool:
-        """Whether steps as short as the last, one after the other without anything happening, lead nowhere in the time left (s).
+    def _hold_down(self, solver: DOP853) -> None:
+        """The next step no longer than what fades allows, as far as the last few steps have shown it."""
+        # In motion that swings a single step may look the same.
+        self.seen = [*self.seen[1:], fading(solver)]
+        rate = min(self.seen)
+        if rate * (solver.t - (solver.t_old or 0.0)) > FADES:
+            self.fades = True
+            self.rate = max(rate, self.rate)
+        if self.rate:
+            edge = EDGE / self.rate
+            self.held_down = self.held_down + 1 if solver.h_abs > edge else max(self.held_down - 1, 0)
+            solver.max_step = min(self.longest, edge)
+            self.rate *= 0.9
 
-        True once, for an implicit method to take over: what fades fast and then only follows slowly is stiff. Raises GuardFailed when
-        that, too, is too slow.
+    def too_slow(self, left: float, last: float) -> bool:
+        """Whether to begin anew with another method, with so much time (s) left after a step that lasted `last` (s).
+
+        What fades fast and then only follows slowly is stiff: an implicit method takes over, until something happens. Raises
+        GuardFailed when steps as short as the last, one after the other without anything happening, lead nowhere.
         """
+        if self.held_down >= STIFF_STEPS and not self.stiff and left > FEW_LEFT * last:
+            self.stiff, self.steady, self.held_down = True, 0, 0
+            return True
         if self.steady < STEADY or math.isinf(left) or left < (MOST_STEPS - self.steps) * last:
             return False
-        self.steady = 0
-        if not self.stiff:
-            self.stiff = True
-            return True
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
             "Watch for a shorter time, or soften what is stiff."
@@ -179,3 +208,14 @@ class Stepper:
             )
             before, last = pieces[-1].after, float(solver.t)
         return pieces
+
+
+def fading(solver: DOP853) -> float:
+    """The rate (per s) of what fades fastest, from the two slopes at the end of a step."""
+    if solver.t_old is None:
+        return 0.0
+    h, slopes = solver.t - solver.t_old, solver.K
+    other = solver.y_old + h * (solver.A[-1, : len(slopes) - 2] @ slopes[:-2])
+    allowed = np.asarray(solver.atol)
+    apart = float(np.linalg.norm((solver.y - other) / allowed))
+    return float(np.linalg.norm((slopes[-1] - slopes[-2]) / allowed)) / apart if apart else 0.0
