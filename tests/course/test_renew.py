@@ -126,6 +126,22 @@ def test_a_rename_is_asked_about_and_nothing_is_changed_or_marked_before(ball: C
     assert outcome.records["ada"].points == 3.0
 
 
+def test_a_rename_is_not_told_as_other_numbers(ball: ChangingBank) -> None:
+    ball.grade(open_course(ball.course))
+    givens = {"M" if symbol == "m" else symbol: row for symbol, row in Text().givens.items()}
+    ball.write(
+        replace(Text(), givens=givens, conditions=("M > 0",), words="A ball of {{M}} moves.", points=2)
+    )
+    solution = ball.bank.folder / "solutions" / "topic" / "ball0.py"
+    solution.write_text(solution.read_text().replace("derive(m,", "derive(M,").replace("m=m", "m=M"))
+    assert generate(ball, "--yes")[0] == 0
+    (changed,) = ball.grade(open_course(ball.course)).changed
+    assert changed.student == "ada"
+    assert "what is called otherwise" in changed.why
+    assert "the problem X1.1" in changed.why
+    assert "the numbers" not in changed.why
+
+
 def test_a_part_and_a_problem_are_called_otherwise(ball: ChangingBank) -> None:
     ball.hand_in(ball.generate("ada", "ben", "cyd"), "ada", X1_1_c="1e9")
     first = ball.grade(open_course(ball.course)).records["ada"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.course.roster import OneFolder, roster_change
+from corollary.course.roster import OneFolder, check_folders, roster_change
 from corollary.problem.roster import Student
 
 ADA, BEN = Student("ada", "Ada", "Lovelace", "ada@example.org"), Student("ben", "Ben", "Bool")
@@ -32,3 +32,10 @@ def test_what_the_file_leaves_blank_stays_known():
 def test_an_id_that_many_disks_take_for_one_of_the_course():
     with pytest.raises(OneFolder, match="id Ada and ada, who is in the course, are one folder on many disks"):
         roster_change([ADA], [Student("Ada")])
+
+
+def test_an_id_that_is_the_name_of_the_set():
+    """Where nbgrader has the chapter's sheet, that student's own would lie, and be given to everybody."""
+    check_folders([ADA, BEN], "week_1")
+    with pytest.raises(OneFolder, match="id ben is the name of the set too"):
+        check_folders([ADA, BEN], "Ben")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import http.client
+import io
 import json
 import shutil
 import threading
@@ -157,6 +158,27 @@ def test_equal_answers_are_marked_once_in_the_terminal(
     assert "given by 2 students, 1 late" in done.out
     assert "\x1b" not in done.out
     assert points(marked_course) == {"ada": 1.33, "ben": 1.33, "cyd": None}
+
+
+def test_the_end_of_the_input_is_said_and_what_was_given_is_kept(
+    marked_course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO("1 Well argued.\n"))
+    done = mark(marked_course, "--terminal")
+    assert (done.status, done.errors) == (0, "")
+    assert done.out.endswith("\nthe input ended here: 1 mark given and saved, and what is left still waits\n")
+    assert sorted(filter(None, points(marked_course).values())) == [1.0]
+
+
+def test_json_has_what_was_written_to_the_letter(marked_course: Course) -> None:
+    written = "If <b>v</b> < 0, see [this](https://example.org)<script>alert(1)</script>"
+    hand_in(marked_course, STUDENTS[0], **{PART: written})
+    assert grade(marked_course).status == 0
+    (part,) = mark(marked_course, "--json").document["parts"]
+    assert [group["answer"] for group in part["groups"] if group["students"] == ["ada"]] == [[written]]
+    notebook = json.loads(marked_course.notebook("autograded", "ada", "words").read_text(encoding="utf-8"))
+    (cell,) = [cell for cell in notebook["cells"] if cell["id"] == PART]
+    assert "<script" not in "".join(cell["source"])
 
 
 @pytest.fixture

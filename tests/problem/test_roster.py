@@ -130,6 +130,18 @@ def test_ids_that_cannot_name_a_folder_get_names_that_can(tmp_path):
     assert folder_name("Jürgen") == folder_name("Ju\u0308rgen")
 
 
+def test_names_that_windows_keeps_to_itself_are_nobodys_folder(tmp_path):
+    given = ["con", "NUL", "aux.2", "Com1", "ada.", "console", "com10", "b.con"]
+    found = [each.id for each in roster(tmp_path, "id\n" + "\n".join(given)).students]
+    assert found[-3:] == given[-3:]
+    for mapped, each in zip(found[:5], given[:5], strict=True):
+        assert mapped != each
+        assert mapped.partition("-")[0].lower() not in mapped.lower().split(".")
+        assert not mapped.endswith(".")
+    again = read_roster(tmp_path / "roster.csv", known=["con"])
+    assert again.students[0].id == "con"
+
+
 @pytest.mark.parametrize(
     ("content", "line", "words"),
     [

@@ -120,6 +120,8 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
     """What whoever imports the file should know."""
     for note in made.notes:
         say(note)
+    if table.is_blank:
+        say("nobody has marks yet, for nothing was handed in when it was graded: every mark is blank")
     for who, what in (
         (made.strangers, "in the file are not in the course and are left as they are"),
         (made.absent, "of the course are not in the file"),

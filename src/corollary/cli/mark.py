@@ -180,7 +180,7 @@ def _record(part: PartToMark) -> dict[str, Any]:
     groups = [
         {
             "students": list(group.students),
-            "answer": [cell.source for cell in group.cells],
+            "answer": [cell.verbatim for cell in group.cells],
             "late": group.late,
             "why": group.why,
             "given": None if group.given is None else msgspec.to_builtins(group.given),

@@ -15,9 +15,24 @@ HELP = "points, or r and the rubric's numbers (r13), then a comment if you like;
 
 
 def mark_in_terminal(parts: Sequence[PartToMark], give: Give) -> None:
-    """Asks for each answer and gives at once what is answered; the end of input ends it."""
+    """Asks for each answer and gives at once what is answered; the end of input ends it, with a sentence."""
     if not parts:
         print("no answer waits for a person")
+    given = 0
+
+    def counted(part: str, students: Sequence[str], mark: ManualMark) -> None:
+        nonlocal given
+        give(part, students, mark)
+        given += len(students)
+
+    try:
+        _ask_all(parts, counted)
+    except EOFError:
+        count = f"{given} mark{'s' * (given != 1)}"
+        print(f"\nthe input ended here: {count} given and saved, and what is left still waits")
+
+
+def _ask_all(parts: Sequence[PartToMark], give: Give) -> None:
     for part in parts:
         print(f"\n{part.problem} {part.part} {part.title} ({points_earned(part.out_of)})")
         for number, item in enumerate(part.rubric, 1):
@@ -46,19 +61,16 @@ def read_mark(line: str, part: PartToMark) -> ManualMark | str:
 
 
 def _ask(part: PartToMark, group: AnswerGroup, heading: str, give: Give) -> bool:
-    """Whether to go on."""
+    """Whether to go on. Raises EOFError."""
     count = f", given by {len(group.students)} students" if len(group.students) > 1 else ""
     late = f", {group.late} late" if group.late else ""
     print(f"\n--- {heading}{count}{late}")
     for cell in group.cells:
-        print(visible(cell.source))
+        print(visible(cell.verbatim))
         if cell.pictures:
             print(f"[{len(cell.pictures)} pictures; corollary mark without --terminal shows them]")
     while True:
-        try:
-            line = input(f"points of {points(part.out_of)}> ")
-        except EOFError:
-            return False
+        line = input(f"points of {points(part.out_of)}> ")
         if line.strip() == "q":
             return False
         if not line.strip():

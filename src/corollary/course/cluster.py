@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 from collections.abc import Generator, Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -72,6 +73,9 @@ def mark_there(sent: Sent, submission: Submission) -> GradedSubmission:
                     "a worker has another version of the program or of the solutions; put the same ones everywhere"
                 )
             _at_work[sent.token] = sent.context, sent.context.runner()
+            atexit.register(
+                _leave
+            )  # whoever sent it may be gone by then, and the runner has a temporary folder
         context, runner = _at_work[sent.token]
         return grade_submission(context, runner, submission)
 

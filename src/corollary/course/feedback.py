@@ -41,7 +41,7 @@ def feedback_files(course: Course, problem_set: ProblemSet, ids: Path | None = N
             pages[student.id] = (f"{name}-feedback.html", path.read_bytes())
     if not pages:
         raise NoPlaces(
-            f"nobody has a feedback page of {name} in {course.folder}; run corollary grade {name} first"
+            f"nobody has a feedback page of {name} in {course.folder}: nothing was handed in when it was graded"
         )
     try:
         lms, found = "moodle", places(course, name, roster, "moodle", ids)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from corollary.atomic import write_whole
 from corollary.course.making import Makers, ToWrite, makers
 from corollary.course.renew import Renewal
+from corollary.course.roster import check_folders
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader
 from corollary.notebook.notebook import file_text, notebook
@@ -69,9 +70,10 @@ def generate(
     """Makes or completes the course; who has a sheet keeps it, as it is, but for the `renewed`. `file`: the set's, when it
     lies outside the bank; `jobs`: how many processes (None: one for each core).
 
-    Raises NoVariant, NotRegistered, GradebookLocked, NotOurs, NotSettled, BeingGraded.
+    Raises NoVariant, NotRegistered, GradebookLocked, NotOurs, NotSettled, BeingGraded, OneFolder.
     """
     roster = tuple(roster)
+    check_folders(roster, problem_set.name)
     course = create_course(folder, roster)
     write_settings(course.folder)
     with one_writer(course):

@@ -112,12 +112,12 @@ def grade_set(
     """
     name = problem_set.name
     assigned = read_assigned(course, problem_set)
-    if not dry_run:
-        settle(course, problem_set)
     if not assigned:
         raise NotGenerated(
             f"{name} was never generated in {course.folder}; run corollary generate {name} first"
         )
+    if not dry_run:
+        settle(course, problem_set)
     roster = {student.id: student for student in students(course)}
     files = submissions(course, name)
     strangers = tuple(student for student in files if student not in roster or student not in assigned)
@@ -156,7 +156,7 @@ def grade_set(
         """The marks already given; None as well where the student handed in something else."""
         student, depends = one.marked.student.id, one.submission.depends
         old = read_record(course, problem_set, student)
-        if old is None or (not dry_run and is_handed_in_anew(course, name, student, old, depends)):
+        if old is None or (not dry_run and is_handed_in_anew(old, depends, one.answers)):
             return None
         return old
 

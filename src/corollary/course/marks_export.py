@@ -27,10 +27,6 @@ from corollary.render.exports import MarksText, Target
 By = Literal["sets", "parts", "every"]
 
 
-class NothingGraded(LookupError):
-    """There are no marks yet; one sentence says what to do."""
-
-
 @dataclass(frozen=True, slots=True)
 class Template:
     """A file that the LMS exported, and the headings of the columns to fill in where their titles do not say."""
@@ -45,11 +41,6 @@ def marks_table(course: Course, sets: Sequence[ProblemSet], by: By, notation: No
     columns: list[Column] = []
     for problem_set in sets:
         report = up_to_date(course, problem_set)
-        if not report.handed_in:
-            raise NothingGraded(
-                f"nothing of {problem_set.name} is graded in {course.folder}; "
-                f"run corollary grade {problem_set.name} --course {course.folder} first"
-            )
         deadlines = read_deadlines(course, problem_set)
         excused = {each.id for each in roster if deadlines.excused(each.id)}
         if by == "sets":

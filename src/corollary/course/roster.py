@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -47,6 +47,17 @@ def roster_change(before: Sequence[Student], file: Sequence[Student]) -> RosterC
     stay = [_renewed(each, found[each.id]) for each in before if each.id in found]
     missing = tuple((each, _same_person(each, new)) for each in before if each.id not in found)
     return RosterChange((*stay, *new), new, missing)
+
+
+def check_folders(roster: Iterable[Student], set_name: str) -> None:
+    """Raises OneFolder where a student's folder would be the set's: nbgrader has the chapter's sheet in release/SET, and
+    gives all that lies there to everybody."""
+    for each in roster:
+        if each.id.lower() == set_name.lower():
+            raise OneFolder(
+                f"id {each.id} is the name of the set too, and release/{each.id}/ would hold the sheets of both; "
+                "give the set's file another name, or take other ids with --id-column"
+            )
 
 
 def _renewed(old: Student, now: Student) -> Student:

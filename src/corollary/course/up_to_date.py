@@ -7,7 +7,7 @@ from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import BeingGraded, Course, one_writer, students
 from corollary.records.manual import ManualMarks
-from corollary.records.marks import last_change, report_place, write_page
+from corollary.records.marks import check_graded, last_change, report_place, write_page
 from corollary.records.report_model import Report, report_of
 from corollary.records.settings import read_settings
 
@@ -15,9 +15,10 @@ from corollary.records.settings import read_settings
 def up_to_date(course: Course, problem_set: ProblemSet) -> Report:
     """The report with what persons gave up to this moment; feedback pages and the report's page say the same from then on.
 
-    While a grading run writes in the course, nothing is written: it does the same itself. Raises NotACourse, and what the
-    gradebook refuses.
+    While a grading run writes in the course, nothing is written: it does the same itself. Raises NotACourse, NothingGraded
+    before anything is written, and what the gradebook refuses.
     """
+    check_graded(course, problem_set.name)
     try:
         with one_writer(course):
             manual = synchronized(course)

@@ -27,6 +27,7 @@ from corollary.sandbox.result import CellRun
 
 _ = catalogue(__name__)
 NOBODY = Student("")
+WRITTEN = "corollary_written"  # where a cell's metadata have an answer that was made harmless in its text
 FOLDED_AWAY = "# The code of check() is left out of the marked notebook."
 
 
@@ -114,11 +115,18 @@ def answer_digest(nb: NotebookNode, key: str) -> str:
     return hashlib.sha256(written.encode()).hexdigest()[:16]
 
 
+def verbatim(cell: NotebookNode) -> str:
+    """What the student wrote in a cell of a marked notebook, to the letter: in data, and never in a page."""
+    return str(cell.metadata.get(WRITTEN, cell.source))
+
+
 def _fill_in(cell: NotebookNode, theirs: NotebookNode) -> None:
     """A written cell keeps its checksum, by which nbgrader tells an answer from an empty one."""
     source = str(theirs.source)
     if cell.cell_type == "markdown":
         cell.source = safe_markdown(source)
+        if cell.source != source:
+            cell.metadata[WRITTEN] = source
         if attachments := safe_attachments(theirs):
             cell["attachments"] = attachments
     else:

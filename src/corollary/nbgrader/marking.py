@@ -13,13 +13,13 @@ from nbformat.v4 import new_notebook
 
 from corollary.messages import did_you_mean
 from corollary.nbgrader.given import give
-from corollary.nbgrader.marked_notebook import answer_cells
+from corollary.nbgrader.marked_notebook import answer_cells, verbatim
 from corollary.nbgrader.marks import stale_pages, synchronized
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.answers_to_mark import AnswerGroup, PartToMark, WrittenCell
 from corollary.records.files import Course, one_writer, students
 from corollary.records.manual import ManualMark, Place
-from corollary.records.marks import read_marks, write_page
+from corollary.records.marks import check_graded, read_marks, write_page
 from corollary.records.record import Record, Row
 from corollary.render.wording import points
 
@@ -29,7 +29,9 @@ class NotMarkable(ValueError):
 
 
 def to_mark(course: Course, problem_set: ProblemSet, *, everything: bool = False) -> list[PartToMark]:
-    """The parts with answers that wait for a person, or `everything`, in the order of the set. Raises NotACourse."""
+    """The parts with answers that wait for a person, or `everything`, in the order of the set. Raises NotACourse and
+    NothingGraded."""
+    check_graded(course, problem_set.name)
     with one_writer(course):
         manual = synchronized(course)
     roster = [student.id for student in students(course)]
@@ -164,7 +166,7 @@ def _cells(nb: NotebookNode, key: str) -> Iterable[WrittenCell]:
             for mime, content in kinds.items()
             if mime in {"image/png", "image/jpeg"}
         ]
-        yield WrittenCell(str(cell.source), cell.cell_type == "code", tuple(pictures))
+        yield WrittenCell(str(cell.source), verbatim(cell), cell.cell_type == "code", tuple(pictures))
 
 
 def _notebook(course: Course, problem_set: ProblemSet, student: str) -> NotebookNode:

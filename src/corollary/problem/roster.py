@@ -17,6 +17,8 @@ from corollary.problem.table import Table, read_table
 
 COLUMNS = ("id", "first_name", "last_name", "email")
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.@-]{0,99}$")
+# Windows takes these for devices, with any ending, and drops a dot at the end of a name.
+NO_FOLDER = re.compile(r"((con|prn|aux|nul|com\d|lpt\d)(\..*)?|.*\.)$", re.IGNORECASE)
 # Canvas's rows that are no people: what each assignment is out of, how marks are posted, and its invented student.
 NOBODY = re.compile(r"\s*(points possible|student, test|test student)\s*$", re.IGNORECASE)
 # Letters that Unicode does not take apart into one of ASCII's and an accent.
@@ -80,7 +82,7 @@ def read_roster(path: Path, id_column: str = "", known: Collection[str] = (), he
             sentence = f"has {len(row)} cells, and there are {len(columns.headings)} columns; put quotes round a cell that holds {table.delimiter!r}"
             complaints.append(Diagnostic(path, line, sentence))
             continue
-        student = _student(columns, row, at)
+        student = _student(columns, row, at, known)
         if sentence := _trouble(student, found, columns.headings[at], _cell(row, at), known):
             complaints.append(Diagnostic(path, line, sentence))
         found.setdefault(student.id, (line, student))
@@ -94,7 +96,7 @@ def folder_name(given: str) -> str:
     """The id as it is where it can name a folder on every computer; else its letters without accents and a digest of it,
     so that it is the same each time and nobody else's."""
     given = unicodedata.normalize("NFC", given)
-    if not given or ID.match(given):
+    if not given or (ID.match(given) and not NO_FOLDER.match(given)):
         return given
     ascii_only = (
         unicodedata.normalize("NFKD", given.translate(WITHOUT_STROKES)).encode("ascii", "ignore").decode()
@@ -209,14 +211,16 @@ def _cell(row: Sequence[str], at: int | None) -> str:
     return row[at] if at is not None and at < len(row) else ""
 
 
-def _student(columns: Columns, row: Sequence[str], at: int) -> Student:
+def _student(columns: Columns, row: Sequence[str], at: int, known: Collection[str]) -> Student:
     first, last = _cell(row, columns.first_name), _cell(row, columns.last_name)
     if (name := _cell(row, columns.name)) and not (first or last):
         last, comma, first = name.partition(",")
         if not comma:
             first, _, last = name.rpartition(" ")
     ids = tuple((columns.headings[each], value) for each in columns.ids if (value := _cell(row, each)))
-    return Student(folder_name(_cell(row, at)), first.strip(), last.strip(), _cell(row, columns.email), ids)
+    given = _cell(row, at)
+    own = given if given in known else folder_name(given)
+    return Student(own, first.strip(), last.strip(), _cell(row, columns.email), ids)
 
 
 def _trouble(

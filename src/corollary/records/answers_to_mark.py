@@ -9,9 +9,10 @@ from corollary.records.manual import ManualMark
 
 @dataclass(frozen=True, slots=True)
 class WrittenCell:
-    """What a student wrote in one cell, and the pictures in it or below it as data URIs."""
+    """What a student wrote in one cell, harmless for a page and `verbatim`, and the pictures in it or below it as data URIs."""
 
     source: str
+    verbatim: str
     is_code: bool
     pictures: tuple[str, ...]
 

@@ -40,12 +40,14 @@ class AssignedSheet:
     """What one student was given, as far as the set still has it: a variant of each problem, in the order of the set.
 
     `removed` are the problems of which something is gone, with the parts that are. `identity` is a text that is another one
-    when the numbers are, or what was asked.
+    when the numbers are, or what was asked, or what it is called; `numbers` and `names` tell the last from the others.
     """
 
     variants: tuple[Variant, ...]
     identity: str
     removed: tuple[Variant, ...] = ()
+    numbers: str = ""
+    names: str = ""
 
     def variant(self, problem: Problem) -> Variant | None:
         """Of a problem as the set has it today; None when it was never asked."""
@@ -129,7 +131,13 @@ def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[st
             for numbers in row.values()
             if (problem := removed[numbers.edition]) is not None
         )
-        found[student] = AssignedSheet(tuple(variants), _identity(record, student), gone)
+        found[student] = AssignedSheet(
+            tuple(variants),
+            _identity(record, student),
+            gone,
+            _identity(record, student, renamed=False),
+            _names(record, student),
+        )
     return found
 
 
@@ -182,11 +190,13 @@ def _variant(problem: Problem, edition: Edition, numbers: StudentNumbers) -> Var
     return Variant(problem, values_now(problem, edition, numbers.exact), numbers.index)
 
 
-def _identity(record: Assigned, student: str) -> str:
-    """For those whose numbers come from an earlier version what that one took for it: so their marks are not made again."""
+def _identity(record: Assigned, student: str, *, renamed: bool = True) -> str:
+    """For those whose numbers come from an earlier version what that one took for it: so their marks are not made again. What
+    is called otherwise since is left out when not `renamed`."""
     row = record.students[student]
     editions = [record.edition(numbers) for numbers in row.values()]
-    if student in record.carried and all(edition.renamed == Renamed() for edition in editions):
+    as_called = not renamed or all(edition.renamed == Renamed() for edition in editions)
+    if student in record.carried and as_called:
         return json.dumps(record.carried[student], sort_keys=True)
     return json.dumps(
         [
@@ -195,9 +205,18 @@ def _identity(record: Assigned, student: str) -> str:
                 numbers.values,
                 edition.units,
                 [part.id for part in edition.parts],
-                to_builtins(edition.renamed),
+                to_builtins(edition.renamed if renamed else Renamed()),
             ]
             for edition, numbers in zip(editions, row.values(), strict=True)
         ],
         sort_keys=True,
     )
+
+
+def _names(record: Assigned, student: str) -> str:
+    """What is called otherwise than on the student's sheet; empty when nothing is."""
+    editions = [record.edition(numbers) for numbers in record.students[student].values()]
+    found = {
+        edition.code: to_builtins(edition.renamed) for edition in editions if edition.renamed != Renamed()
+    }
+    return json.dumps(found, sort_keys=True) if found else ""

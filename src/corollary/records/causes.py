@@ -9,12 +9,14 @@ from pathlib import Path
 from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Deadlines, Terms
 from corollary.records.files import Course
-from corollary.records.hand_in_time import handed_in, moment
+from corollary.records.hand_in_time import handed_in
 from corollary.records.record import Record
 from corollary.records.regrading import Change
 from corollary.sandbox.file import bytes_of
 
-HAND_IN, DEADLINE = "what was handed in", "the deadline"
+NOTEBOOK, TIME, DEADLINE = "the notebook", "when it was handed in", "the deadline"
+BOTH = "what was handed in"
+"""In the records of earlier versions, one digest of the notebook and its time."""
 
 
 def dependencies(
@@ -26,31 +28,26 @@ def dependencies(
     terms: Terms,
     state: Mapping[str, bytes],
 ) -> dict[str, str]:
-    """What one student's marks depend on: a short digest of each, under the name that people read. `state` is what they share
-    with everybody's."""
+    """What one student's marks depend on, under the names that people read: a short digest of each, and the time of handing in as
+    it is. `state` is what they share with everybody's."""
     content = bytes_of(path, within=course.folder / "submitted")
-    file = content if isinstance(content, bytes) else content.why.encode()
     found = {
-        HAND_IN: file + str(handed_in(course, set_name, student)).encode(),
+        NOTEBOOK: content if isinstance(content, bytes) else content.why.encode(),
         DEADLINE: repr((terms.due and terms.due.isoformat(), terms.excused)).encode(),
-        "the numbers": assigned.identity.encode(),
+        "the numbers": assigned.numbers.encode(),
+        **({"what is called otherwise": assigned.names.encode()} if assigned.names else {}),
         **state,
     }
-    return {name: hashlib.sha256(each).hexdigest()[:12] for name, each in found.items()}
+    digests = {name: hashlib.sha256(each).hexdigest()[:12] for name, each in found.items()}
+    return digests | {TIME: str(handed_in(course, set_name, student))}
 
 
-def is_handed_in_anew(
-    course: Course, set_name: str, student: str, old: Record, depends: Mapping[str, str]
-) -> bool:
-    """Whether the student handed in something else since the marks were given; the records of earlier versions do not say, but
-    nbgrader has the moment of what was marked."""
-    if old.depends:
-        return old.depends.get(HAND_IN) != depends.get(HAND_IN)
-    stamp = course.place("autograded", student, set_name) / "timestamp.txt"
-    try:
-        return moment(stamp.read_text(encoding="utf-8")) != handed_in(course, set_name, student)
-    except (OSError, ValueError, LookupError):
-        return False
+def is_handed_in_anew(old: Record, depends: Mapping[str, str], answers: Mapping[str, str]) -> bool:
+    """Whether the student handed in another notebook since the marks were given, which alone says so: its time may be a file's
+    that was lost or copied. The records of earlier versions do not tell the two apart, but have what was answered."""
+    if NOTEBOOK in old.depends:
+        return old.depends[NOTEBOOK] != depends.get(NOTEBOOK)
+    return bool(old.answers) and old.answers != answers
 
 
 def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlines: Deadlines) -> bool:
@@ -65,12 +62,17 @@ def why(old: Record, depends: Mapping[str, str]) -> str:
     if not old.depends:
         return "they were given by an earlier version, which did not record what they depend on"
     names = _changed(old, depends)
-    return (
-        f"changed: {', '.join(names)}"
-        if names
-        else "nothing was changed; the notebook ran otherwise than before"
-    )
+    if not names:
+        return "nothing was changed; the notebook ran otherwise than before"
+    about = {}
+    if TIME in names and TIME in old.depends:
+        now, before = (each[TIME].replace("+00:00", " UTC") for each in (depends, old.depends))
+        about[TIME] = f"{TIME} ({now}, and {before} when it was marked)"
+    return f"changed: {', '.join(about.get(name, name) for name in names)}"
 
 
 def _changed(old: Record, depends: Mapping[str, str]) -> list[str]:
-    return [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
+    names = [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
+    if NOTEBOOK in old.depends:
+        return names
+    return [name for name in names if name not in {NOTEBOOK, TIME, BOTH}] or [f"{BOTH}, or its time"]

@@ -18,6 +18,10 @@ from corollary.records.manual import ManualMark, ManualMarks, Place, journal_pla
 from corollary.records.record import Record, with_manual
 
 
+class NothingGraded(LookupError):
+    """There are no marks yet; one sentence says what to do."""
+
+
 @dataclass(frozen=True, slots=True)
 class NewMarks:
     """What is written of one student's marks: the record, the feedback page, and the facts that it is made again from."""
@@ -63,6 +67,15 @@ def graded_sets(course: Course) -> list[str]:
     """The names of the sets of which somebody's marks are recorded."""
     places = course.record("graded", "any").parent.glob("*/")
     return sorted(place.name for place in places)
+
+
+def check_graded(course: Course, set_name: str) -> None:
+    """Raises NothingGraded unless the set was graded, though nobody may have handed in: the report says that."""
+    if not report_place(course, set_name).exists() and set_name not in graded_sets(course):
+        raise NothingGraded(
+            f"nothing of {set_name} is graded in {course.folder}; "
+            f"run corollary grade {set_name} --course {course.folder} first"
+        )
 
 
 def read_records(course: Course, problem_set: ProblemSet, students: Iterable[str]) -> dict[str, Record]:

@@ -70,6 +70,11 @@ class MarksTable:
         return self.notation.written(Mark(column.out_of, column.out_of))
 
     @property
+    def is_blank(self) -> bool:
+        """Whether nobody has a mark; what a sheet is out of is none."""
+        return not any(column.marks for column in self.columns if column.title != "out_of")
+
+    @property
     def waiting(self) -> tuple[str, ...]:
         """Whose marks are without parts that wait for a person."""
         return tuple(dict.fromkeys(student for column in self.columns for student in column.waiting))

@@ -73,7 +73,7 @@ class PartRecord(msgspec.Struct, frozen=True):
 class Record(msgspec.Struct, frozen=True):
     """How a student's marks in one set came about: answers, verdicts, variants, isolation, and the fingerprint of all that
     they depend on. Parts go by their name in the notebook (X12_5_a); `late` in seconds; `answers` holds a digest of what the
-    student wrote for each, `depends` one of everything else that the marks depend on, by name."""
+    student wrote for each, `depends` says what else the marks depend on, by name: a digest of each, and when it was handed in."""
 
     points: float
     out_of: float

@@ -69,7 +69,13 @@ def write_marks(table: MarksTable) -> MarksText:
 def _on_size(table: MarksTable) -> Iterator[str]:
     written = (table.cell(each, column) for each in table.students for column in table.columns)
     if any(MARK.match(text) and float(text) > MOST for text in written):
-        yield f"Moodle takes no file with a mark above {MOST}, unless its administrator allows more; --out-of {MOST} scales them"
+        out_of = table.notation.out_of
+        why = (
+            f"--out-of {MOST} scales them"
+            if out_of is None or out_of > MOST
+            else f"some are more than all of {out_of:g}, for extra credit"
+        )
+        yield f"Moodle takes no file with a mark above {MOST}, unless its administrator allows more; {why}"
 
 
 def _notes(
