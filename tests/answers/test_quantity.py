@@ -198,6 +198,10 @@ def test_three_components():
         (" at 3 deg at 4 deg", "refused"),
         ("()", "refused"),
         ("i" * 190, "refused"),
+        (
+            "1e-300 m/s at 89.9999999 deg",
+            "refused",
+        ),  # its component along the first axis is below all that is meant
     ],
 )
 def test_what_is_no_vector(text, status):

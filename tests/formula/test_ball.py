@@ -209,6 +209,18 @@ def test_an_exact_zero_is_zero(formula):
 
 
 @pytest.mark.parametrize(
+    ("formula", "double"),
+    [
+        ("asin(sqrt(x)^2/x)", math.pi / 2),
+        ("asin(-sqrt(x)^2/x)", -math.pi / 2),
+        ("acos(-sqrt(x)^2/x)", math.pi),
+    ],
+)
+def test_an_arc_is_cut_where_rounding_leaves_it_unknown_whether_a_number_is_beyond_1(formula, double):
+    assert certified(author_formula(formula), {"x": RationalPi(Fraction(3, 7))}).value == double
+
+
+@pytest.mark.parametrize(
     ("formula", "why"),
     [
         ("sqrt(x - 4)", "root of a negative"),

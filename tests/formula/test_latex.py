@@ -52,6 +52,8 @@ def test_letters(name, tex):
             "m_A*v_A0 + m_B*v_B0 = (m_A + m_B)*v",
             r"m_{A}\, v_{A,0} + m_{B}\, v_{B,0} = \left(m_{A} + m_{B}\right)\, v",
         ),
+        ("pi/2", r"\frac{\pi}{2}"),
+        ("m/180", r"\frac{m}{180}"),
         ("-(1/2)*m*v^2", r"-\frac{1}{2}\, m\, v^{2}"),
         ("sqrt(2*g*h)", r"\sqrt{2\, g\, h}"),
         ("((m - M)/(m + M))^2*L", r"\left(\frac{m - M}{m + M}\right)^{2}\, L"),
