@@ -15,7 +15,9 @@ ASKS = "\n## Momentum {#a .value}\nHow much?\n"
 
 
 def test_what_a_problem_holds(read):
-    problem = read(CART + MASS + SPEED + "require:\n  - m > 0\nwhere: v != 2\n", "A cart of {{m}}.\n" + ASKS)
+    problem = read(
+        CART + MASS + SPEED + "require:\n  - m > 0\nwhere: v != 2 m/s\n", "A cart of {{m}}.\n" + ASKS
+    )
     assert (problem.code, problem.prefix, problem.title) == ("X1.1", "X1_1", "A cart")
     assert (problem.name, problem.topic) == ("cart", "carts")
     mass, speed = problem.givens
@@ -23,7 +25,7 @@ def test_what_a_problem_holds(read):
     assert [mass.grid[i] for i in range(mass.grid.count)] == [Fraction(i, 10) for i in range(1, 10)]
     assert (speed.grid.count, speed.grid.first, speed.value) == (1, 3, 3)
     assert [(each.text, each.hard, each.line) for each in problem.conditions] == [
-        ("v != 2", False, 9),
+        ("v != 2 m/s", False, 9),
         ("m > 0", True, 8),
     ]
     assert problem.statement == "A cart of {{m}}."

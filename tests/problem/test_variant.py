@@ -73,8 +73,8 @@ given:
   d: {is: depth, value: 30, unit: cm}
 require:
   - m > 0
-  - 1/d > 2
-where: m != 0.5
+  - 1/d > 2 1/m
+where: m != 0.5 kg
 """
 
 
@@ -84,8 +84,8 @@ where: m != 0.5
         ({"M": 1}, r"M is not among the givens of X1\.1 \(m, d\)"),
         ({"m": 0}, r"X1\.1 needs m > 0, but m = 0\.0\s*kg"),
         ({"m": Fraction(-1, 2)}, "needs m > 0, but m = −0.5"),
-        ({"d": 0}, r"needs 1/d > 2, but d = 0\s*cm"),
-        ({"d": 60}, "needs 1/d > 2"),
+        ({"d": 0}, r"needs 1/d > 2 1/m, but d = 0\s*cm"),
+        ({"d": 60}, "needs 1/d > 2 1/m"),
     ],
 )
 def test_values_against_the_physics(read, values, words):

@@ -141,7 +141,7 @@ def test_a_mistake_that_coincides_here_and_there(verified, problem):
 
 def test_conditions_that_leave_nothing(verified, problem):
     met(
-        verified(problem=problem.replace("---\nA cart.", "where: v > 100\n---\nA cart.")),
+        verified(problem=problem.replace("---\nA cart.", "where: v > 100 m/s\n---\nA cart.")),
         "no variant keeps all the conditions",
         5,
         "cart.md",

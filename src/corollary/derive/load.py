@@ -48,8 +48,12 @@ def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
     import sympy  # only here: a solution that is in the cache is used without it
 
     known: dict[str, bool] = {}
+    turned = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
     for condition in problem.conditions:
-        match condition.relation:  # pyright: ignore[reportMatchNotExhaustive]
+        relation = condition.relation
+        if isinstance(relation.left, Number) and relation.sign in turned:  # 0 < m
+            relation = Relation(turned[relation.sign], relation.right, relation.left)
+        match relation:  # pyright: ignore[reportMatchNotExhaustive]
             case Relation(sign, Name(left), Number(value)) if condition.hard and left == name and value == 0:
                 known |= {
                     ">": {"positive": True},

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import keyword
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
-from corollary.formula.ast import Relation, names
 from corollary.formula.functions import SPELLINGS
-from corollary.formula.syntax import author_formula
+from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.parts_markdown import read_parts
 from corollary.problem.problem import Condition, Problem
 from corollary.problem.statement import HOLE, holes
-from corollary.units.unit import unit
+from corollary.units.unit import Unit, unit
 
 CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
@@ -43,12 +43,15 @@ def read_problem(path: Path) -> Problem:
         for symbol, node in rows.items()
         if (given := _given(path, symbol, node, complaints)) is not None
     )
-    known = frozenset(rows)  # those with a fault too: one fault is one complaint
+    known = frozenset(rows)  # those with a fault too
+    units = {given.symbol: given.unit for given in givens}
+    nodes = [
+        (node, hard) for name, hard in (("where", False), ("require", True)) for node in front.list_of(name)
+    ]
     conditions = [
         condition
-        for name, hard in (("where", False), ("require", True))
-        for node in front.list_of(name)
-        if (condition := _condition(path, node, known, hard, complaints)) is not None
+        for node, hard in (nodes if len(units) == len(rows) else ())  # one fault is one complaint
+        for condition in _conditions(path, node, units, hard, complaints)
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     front.finish()
@@ -157,47 +160,23 @@ def _given(
     )
 
 
-def _condition(
+def _conditions(
     path: Path,
     node: TableNode | TextNode | ListNode,
-    known: frozenset[str],
+    givens: Mapping[str, Unit],
     hard: bool,
     complaints: list[Diagnostic],
-) -> Condition | None:
+) -> list[Condition]:
     if not isinstance(node, TextNode):
         complaints.append(
-            Diagnostic(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5")
+            Diagnostic(path, node.line, "a condition must be one relation, such as abs(v - w) > 1.5 m/s")
         )
-        return None
+        return []
     try:
-        relation = author_formula(node.text)
+        return [Condition(relation, text, hard, node.line) for relation, text in relations(node.text, givens)]
     except ValueError as error:
         complaints.append(Diagnostic(path, node.line, f"condition {node.text!r}: {error}"))
-        return None
-    if not isinstance(relation, Relation):
-        complaints.append(
-            Diagnostic(
-                path,
-                node.line,
-                f"condition {node.text!r} compares nothing; write a relation with <, <=, >, >= or !=",
-            )
-        )
-        return None
-    if unknown := sorted(names(relation) - known - {"pi"}):
-        complaints.append(
-            Diagnostic(
-                path,
-                node.line,
-                f"condition {node.text!r}: {unknown[0]} is not among the givens ({', '.join(sorted(known))})",
-            )
-        )
-        return None
-    if not names(relation) - {"pi"}:
-        complaints.append(
-            Diagnostic(path, node.line, f"condition {node.text!r} is about none of the givens; leave it out")
-        )
-        return None
-    return Condition(relation, node.text, hard, node.line)
+        return []
 
 
 def _check_holes(

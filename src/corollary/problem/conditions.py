@@ -1,0 +1,125 @@
+"""Conditions as authors write them: chains, numbers with units, and sides that measure the same."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Relation,
+    Sum,
+    names,
+    substitute,
+)
+from corollary.formula.errors import ParseError
+from corollary.formula.exact import constant
+from corollary.formula.rational_pi import RationalPi
+from corollary.formula.syntax import author_formula
+from corollary.formula.text import text as written
+from corollary.units.dimensional_analysis import dimension_of
+from corollary.units.unit import ONE, Dimension, Unit, read_unit, show, si_unit, unit
+
+COMPARED = re.compile(r"\s*(<=|>=|!=|==|<|>|=|≤|≥|≠)\s*")
+NUMBER = r"(?<![\w.])(?P<number>\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)"
+SYMBOL = r"(?:(?:Δ|delta )?[°º]\s?[CF]?|[A-Za-zµμΩΩ]+|%)(?:\^(?:-?[\d.]+|\(-?[\d./]+\))|[⁻⁰¹²³⁴-⁹]+)?"
+FACTORS = rf"{SYMBOL}(?: +{SYMBOL})*"
+BELOW = rf"/(?:\({FACTORS}\)|{SYMBOL})"
+QUANTITY = re.compile(rf"{NUMBER} ?(?P<unit>{FACTORS}(?:{BELOW})?|(?<= )1{BELOW})")
+
+
+def relations(text: str, units: Mapping[str, Unit]) -> list[tuple[Relation, str]]:
+    """The relations that a condition states, numbers in SI, each with its own text: two for `0 < F < M`.
+
+    `units` are those of the givens. Raises ValueError with a sentence, for what compares nothing, names an unknown letter, or
+    compares what cannot be compared.
+    """
+    pieces = COMPARED.split(text)
+    if len(pieces) > 3:
+        signs = {sign[0].translate(str.maketrans("≤≥", "<>")) for sign in pieces[1::2]}
+        if len(signs) > 1 or signs - {"<", ">"}:
+            raise ValueError("a chain has all its signs one way, such as 0 < F < M")
+    found = [
+        _relation(f"{left} {sign} {right}" if len(pieces) > 3 else text, units)
+        for left, sign, right in zip(pieces[:-2:2], pieces[1::2], pieces[2::2], strict=True)
+    ]
+    if not found:
+        author_formula(text)  # what is wrong with it is said first
+        raise ValueError("it compares nothing; write a relation with <, <=, >, >= or !=")
+    return found
+
+
+def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
+    quantities: dict[str, tuple[RationalPi, Unit]] = {}
+
+    def named(found: re.Match[str]) -> str:
+        name = f"quantity_{len(quantities)}"
+        its_unit = _unit(found["unit"], found["number"], units)
+        quantities[name] = RationalPi(*its_unit.to_si(Fraction(found["number"]))), its_unit
+        return name
+
+    tree = author_formula(QUANTITY.sub(named, text))
+    assert isinstance(tree, Relation)  # it has a sign, and no brackets around it
+    if unknown := sorted(names(tree) - units.keys() - quantities.keys() - {"pi"}):
+        raise ValueError(f"{unknown[0]} is not among the givens ({', '.join(sorted(units))})")
+    if not names(tree) & units.keys():
+        raise ValueError("it is about none of the givens; leave it out")
+    measured = {name: its_unit.dimension for name, its_unit in units.items()}
+    measured |= {name: its_unit.dimension for name, (_value, its_unit) in quantities.items()}
+    if isinstance(misfit := dimension_of(tree, measured), ParseError):
+        raise ValueError(misfit.why + _remedy(tree, measured))
+    for side, other in ((tree.left, tree.right), (tree.right, tree.left)):
+        number = constant(side)
+        if number and not names(side) and (angle := _angle(other, units)):
+            raise ValueError(f"{angle} is an angle; write {written(side)} deg, or {written(side)} rad")
+    return substitute(tree, {name: _tree(value) for name, (value, _unit) in quantities.items()}), text
+
+
+def _unit(text: str, number: str, givens: Mapping[str, Unit]) -> Unit:
+    """The unit behind a number. Raises ValueError where it is none, or a given could be meant below the slash."""
+    below = text.partition("/")[2].strip("()")
+    if below in givens:
+        raise ValueError(
+            f"{below} may be the unit or the given: write ({number} …)/{below}, or {number} …/({below})"
+        )
+    found = read_unit(text)
+    if isinstance(found, ParseError) and text.split("/")[0] in givens:
+        raise ValueError(f"{number} {text}: write * for every product")
+    return unit(text)
+
+
+def _remedy(tree: Relation, measured: Mapping[str, Dimension]) -> str:
+    """The bare number with the unit that it has been read in so far, SI: `600 kg`."""
+    for side, other in ((tree.left, tree.right), (tree.right, tree.left)):
+        if constant(side) is not None and not names(side):
+            found = dimension_of(other, measured)
+            if not isinstance(found, ParseError) and found != ONE:
+                return f"; a bare number has no unit, so write {written(side)} {show(si_unit(found))} (or in another unit)"
+    return ""
+
+
+def _angle(tree: Expr, units: Mapping[str, Unit]) -> str:
+    """The given in degrees that a side measures, as `theta`, `abs(theta - phi)` or `2*theta` do; "" for none."""
+    match tree:
+        case Name(name):
+            return name if name in units and units[name].pi and units[name].dimension == ONE else ""
+        case Negative(term):
+            return _angle(term, units)
+        case Sum(parts) | Product(parts) | Call("abs" | "min" | "max", parts):
+            return next(filter(None, (_angle(part, units) for part in parts)), "")
+        case _:
+            return ""
+
+
+def _tree(value: RationalPi) -> Expr:
+    number = Number(value.ratio)
+    if not value.pi:
+        return number
+    return Product((number, Name("pi") if value.pi == 1 else Power(Name("pi"), Number(Fraction(value.pi)))))
