@@ -85,7 +85,7 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
 def _unit(text: str, number: str, givens: Mapping[str, Unit]) -> Unit:
     """The unit behind a number. Raises ValueError where it is none, or a given could be meant below the slash."""
     below = text.partition("/")[2].strip("()")
-    if below in givens:
+    if below in givens and not text.startswith("1/"):
         raise ValueError(
             f"{below} may be the unit or the given: write ({number} …)/{below}, or {number} …/({below})"
         )
