@@ -78,9 +78,7 @@ def _answer(passage: RowResult) -> Answer:
 
 
 def _compiled(row: RowOfBodies, tolerance: float) -> Answer:
-    from corollary.scenes.integrate import compiled  # here, since it brings numba
-
-    return _answer(compiled.collide(row, tolerance))
+    return _answer(regularised.collide(row, tolerance, compiled=True))
 
 
 def _exact(row: RowOfBodies) -> Answer:

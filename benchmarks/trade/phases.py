@@ -8,8 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from corollary.scenes.integrate import contact_motion
+from corollary.scenes.integrate.contact_motion import SIZE, SPIN, TIME, TURN, P, W
 from corollary.scenes.integrate.runge_kutta import Tableau, step
-from corollary.scenes.integrate.single_contact import SPIN, TIME, TURN, P, W, groups_of
+from corollary.scenes.integrate.single_contact import groups_of
 from corollary.scenes.models.pair import Pair, Parting, Touching
 
 
@@ -23,7 +25,8 @@ def through(pair: Pair, met: Touching, table: Tableau, steps: int) -> Parting:
         spent += 1
         rho, share, time, turn = state
         w, rate = rho * math.sin(phase), rho * math.cos(phase)
-        rates = groups.slope(0.0, [w, rate, share, time, turn])
+        rates = [0.0] * SIZE
+        contact_motion.slope([w, rate, share, time, turn], rates, groups, False)
         ahead = (rate * rates[W] - w * rates[P]) / (rho * rho)
         grown = (w * rates[W] + rate * rates[P]) / rho
         return [grown / ahead, rates[SPIN] / ahead, rates[TIME] / ahead, rates[TURN] / ahead]

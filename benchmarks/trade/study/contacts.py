@@ -15,7 +15,7 @@ import numpy as np
 
 from corollary.scenes.collision import collide
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate import compiled
+from corollary.scenes.integrate import regularised
 from corollary.scenes.plan import play
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import Observable
@@ -100,7 +100,7 @@ def row(draw: int) -> Problem:
         return Found(made.velocities, made.places - rest, made.evaluations, made.stated, made.notes)
 
     def as_one_loop(tolerance: float) -> Found:
-        passage = compiled.collide(balls, tolerance)
+        passage = regularised.collide(balls, tolerance, compiled=True)
         return Found(np.array(passage.velocities), None, passage.evaluations)
 
     gaps = [lambda y, j=j: y[j] - y[j + 1] for j in range(2)]

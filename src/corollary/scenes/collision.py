@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
-import os
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from corollary.scenes.integrate import regularised
+from corollary.scenes.integrate import both_ways, regularised
 from corollary.scenes.row import RowOfBodies, RowResult, energy, natural_units
-from corollary.scenes.run import BadSetting, GuardFailed, Model
+from corollary.scenes.run import GuardFailed, Model
 
 # What rounding leaves of a closed formula.
 ROUNDING = 2e-15
@@ -19,8 +16,6 @@ ROUNDING = 2e-15
 SAFE = 10.0
 # In longer rows of springs a sum of normal modes costs more than steps.
 MOST_FOR_NORMAL_MODES = 20
-COMPILED = "COROLLARY_COMPILED"
-"""The environment variable that asks for compiled steps; unset, empty or 0: plain Python."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,8 +83,11 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
 
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
-    follow = _follower(line)
-    coarse, fine = follow(line, max(tolerance, 1e-14)), follow(line, max(tolerance / 30.0, 1e-15))
+    compiled = both_ways.wanted()
+    coarse, fine = (
+        regularised.collide(line, allowed, compiled=compiled)
+        for allowed in (max(tolerance, 1e-14), max(tolerance / 30.0, 1e-15))
+    )
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."
@@ -108,19 +106,6 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     why = _reason(line)
     errors = {name: max(SAFE * e, ROUNDING) for name, e in error.items()}
     return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
-
-
-def _follower(line: RowOfBodies) -> Callable[[RowOfBodies, float], RowResult]:
-    """Plain Python, or the compiled loop where it is asked for and knows all that acts; both take the same steps."""
-    if os.environ.get(COMPILED, "0") in ("", "0") or line.weight or any(c.eta > 0.0 for c in line.contacts):
-        return regularised.collide
-    if importlib.util.find_spec("numba") is None:
-        raise BadSetting(
-            f"{COMPILED} is set, but numba is not installed: pip install 'corollary[fast]', or unset it."
-        )
-    from corollary.scenes.integrate import compiled  # here, since numba takes long to load
-
-    return compiled.collide
 
 
 def _reason(line: RowOfBodies) -> str:

@@ -1,87 +1,19 @@
-"""One contact between two spheres, damping and turning included, in a time stretched where the contact is young.
-
-With overlap = w^s and dt = s w^(s-1) d(sigma) the equations are polynomials in w, and the release is a simple zero of w, reached
-exactly with w itself as the variable of the last step.
-"""
+"""One contact between two spheres that damping or an overlap at the start keeps from quadrature, followed in its own time."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from corollary.scenes.forces.contact import smoothing_power
-from corollary.scenes.integrate.controller import factor
-from corollary.scenes.integrate.dop853 import DOP853
-from corollary.scenes.integrate.extrema import maximum_between
-from corollary.scenes.integrate.step import IntegrationStep, tried
+from corollary.scenes.integrate import both_ways, contact_motion
+from corollary.scenes.integrate.contact_motion import ROOM, SIZE, SPIN, TIME, TURN, P
 from corollary.scenes.models.pair import Pair, Parting, Touching, deepest, loaded_speed, refuse_too_soft
-from corollary.scenes.models.sticking import never_faster
 from corollary.scenes.run import GuardFailed
 
 MOST_STEPS = 3000
-# Places in the state: root of the overlap, its rate, share of the spin left, time, angle turned.
-W, P, SPIN, TIME, TURN = range(5)
-
-
-@dataclass(frozen=True, slots=True)
-class Groups:
-    """The pure numbers on which a contact depends, in units of its depth and its speed.
-
-    rate' = -spring x^q - drag rate - across^2 thickness share^2 / (1 - thickness x)^3, where x is the overlap.
-    """
-
-    q: float
-    s: int
-    spring: float
-    drag: float
-    across: float
-    thickness: float
-
-    def slope(self, _: float, y: Sequence[float]) -> list[float]:
-        w, rate, share = y[W], y[P], y[SPIN]
-        x, pace = w**self.s, self.s * w ** (self.s - 1)
-        near = 1.0 - self.thickness * x
-        spring = self.spring * x**self.q if x > 0.0 else 0.0
-        push = spring + self.drag * rate + self.across**2 * self.thickness * share**2 / near**3
-        return [
-            rate,
-            -pace * push,
-            -pace * self.drag * share,
-            pace,
-            pace * self.across * self.thickness * share / near**2,
-        ]
-
-    def force(self, y: Sequence[float]) -> float:
-        """The size of the force, its drag across the line of centres included."""
-        x = max(y[W], 0.0) ** self.s
-        return math.hypot(self.spring * x**self.q + self.drag * y[P], self._drag_across(y, x))
-
-    def _drag_across(self, y: Sequence[float], x: float) -> float:
-        return self.drag * self.across * y[SPIN] / (1.0 - self.thickness * x)
-
-    def force_growth(self, y: Sequence[float]) -> float:
-        """Half the rate of change of the force squared."""
-        x = max(y[W], 0.0) ** self.s
-        near, rate = 1.0 - self.thickness * x, y[P]
-        push = self.spring * x**self.q + self.drag * rate
-        gained = -push - self.across**2 * self.thickness * y[SPIN] ** 2 / near**3
-        stiffness = self.spring * self.q * x ** (self.q - 1.0) if x > 0.0 else 0.0
-        side = self._drag_across(y, x)
-        return push * (stiffness * rate + self.drag * gained) + side**2 * (
-            self.thickness * rate / near - self.drag
-        )
-
-    def sticks(self, y: Sequence[float]) -> bool:
-        """Whether the contact will never end: the argument for two bodies on a line, the turning counted as a spring.
-
-        It fades faster than the overlap, so what holds now holds for ever.
-        """
-        x, rate = max(y[W], 0.0) ** self.s, y[P]
-        if self.drag == 0.0 or x == 0.0 or rate > 0.0:
-            return False
-        turning = self.across**2 * self.thickness * y[SPIN] ** 2 / x
-        return never_faster(self.drag, self.spring * x ** (self.q - 1.0) + turning, -rate / x)
+Groups = tuple[float, int, float, float, float, float]
+"""The pure numbers on which a contact depends (`contact_motion`)."""
 
 
 def groups_of(pair: Pair, met: Touching) -> tuple[Groups, float, float]:
@@ -104,15 +36,15 @@ def groups_of(pair: Pair, met: Touching) -> tuple[Groups, float, float]:
         speed, depth = met.inward, deepest(pair, met)
     if contact.eta > 0.0:
         depth = max(min(depth, mass * speed / contact.eta), met.overlap)
-    numbers = Groups(
-        q=contact.q,
-        s=smoothing_power(contact),
-        spring=contact.k * depth ** (contact.q + 1.0) / (mass * speed**2),
-        drag=contact.eta * depth / (mass * speed),
-        across=met.spin / (pair.reach * speed),
-        thickness=depth / pair.reach,
-    )
-    return numbers, depth, speed
+    spring = contact.k * depth ** (contact.q + 1.0) / (mass * speed**2)
+    drag, across = contact.eta * depth / (mass * speed), met.spin / (pair.reach * speed)
+    groups = contact.q, smoothing_power(contact), spring, drag, across, depth / pair.reach
+    return groups, depth, speed
+
+
+def start_of(groups: Groups, met: Touching, depth: float, speed: float) -> list[float]:
+    """The state of a contact when it begins, in its units."""
+    return [(met.overlap / depth) ** (1.0 / groups[1]), met.inward / speed, 1.0, 0.0, 0.0]
 
 
 def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
@@ -121,53 +53,28 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
     Raises GuardFailed when the end is not reached, BadSetting when the centres all but meet.
     """
     groups, depth, speed = groups_of(pair, met)
-    state = [(met.overlap / depth) ** (1.0 / groups.s), met.inward / speed, 1.0, 0.0, 0.0]
-    top_force, top_overlap, spent, h = groups.force(state), met.overlap / depth, 0, 0.1
-    ended = False
-    for _ in range(MOST_STEPS):
-        if ended or groups.sticks(state):
-            return Parting(
-                turned=state[TURN],
-                outward=-state[P] * speed,
-                spin=state[SPIN] * met.spin,
-                duration=state[TIME] * depth / speed if ended else math.inf,
-                overlap=top_overlap * depth,
-                force=top_force * pair.mass * speed**2 / depth,
-                sticks=not ended,
-                evaluations=spent,
-            )
-        trial = _try(groups, state, h, tolerance)
-        size, new = trial.size, trial.after
-        spent += len(DOP853.rows)
-        if not size <= 1.0 or (new[W] <= 0.0 and not trial.lands):
-            h *= min(0.5, factor(size))
-            continue
-        if state[P] > 0.0 >= new[P]:
-            top, cost = maximum_between(state[P], new[P], trial.part_way, lambda y: y[P])
-            top_overlap, spent = top[W] ** groups.s, spent + cost
-            refuse_too_soft(top_overlap * groups.thickness, 1.0)
-        refuse_too_soft(new[W] ** groups.s * groups.thickness, 1.0)
-        rising, falling = groups.force_growth(state), groups.force_growth(new)
-        if rising > 0.0 >= falling:
-            top, cost = maximum_between(rising, falling, trial.part_way, groups.force_growth)
-            top_force, spent = max(top_force, groups.force(top)), spent + cost
-        state, ended = new, trial.lands
-        h *= factor(size)
-    remedy = "Choose less damping." if groups.drag > 0.0 else "Start the spheres apart, or faster."
-    raise GuardFailed(f"The contact did not end within {MOST_STEPS} steps. {remedy}")
-
-
-def _try(groups: Groups, state: list[float], h: float, tolerance: float) -> IntegrationStep:
-    """One step in stretched time; when that would pass the release, one with w as the variable that ends there."""
-    allowed = [tolerance] * len(state)
-    stepped = tried(groups.slope, 0.0, state, h, allowed)
-    if stepped.after[W] > 0.0 or state[P] >= 0.0 or state[W] == 0.0:
-        return stepped
-
-    def by_root(w: float, y: Sequence[float]) -> list[float]:
-        rates = groups.slope(0.0, [w, *y[1:]])
-        return [rate / rates[W] for rate in rates]
-
-    landed = tried(by_root, state[W], state, -state[W], allowed, lands=True)
-    landed.after[W] = 0.0
-    return landed
+    y, room = start_of(groups, met, depth, speed), [[0.0] * SIZE for _ in range(ROOM)]
+    follow, what = contact_motion.follow, groups
+    if both_ways.wanted():
+        follow, y, room = (
+            both_ways.compiled("contact_motion").follow,
+            both_ways.array(y),
+            both_ways.array(room),
+        )
+    end, overlap, force, spent = follow(y, what, tolerance, MOST_STEPS, room)
+    if end == contact_motion.TOO_SOFT:
+        refuse_too_soft(1.0, 1.0)
+    if end == contact_motion.TOO_LONG:
+        remedy = "Choose less damping." if pair.contact.eta > 0.0 else "Start the spheres apart, or faster."
+        raise GuardFailed(f"The contact did not end within {MOST_STEPS} steps. {remedy}")
+    stuck = end == contact_motion.STICKS
+    return Parting(
+        turned=float(y[TURN]),
+        outward=-float(y[P]) * speed,
+        spin=float(y[SPIN]) * met.spin,
+        duration=math.inf if stuck else float(y[TIME]) * depth / speed,
+        overlap=overlap * depth,
+        force=force * pair.mass * speed**2 / depth,
+        sticks=stuck,
+        evaluations=spent,
+    )

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.integrate.controller import factor
-from corollary.scenes.integrate.step import EVALUATIONS, tried
+from corollary.scenes.integrate.stages import EVALUATIONS, factor
+from corollary.scenes.integrate.step import tried
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
 SETTINGS = (

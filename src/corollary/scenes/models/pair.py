@@ -9,6 +9,7 @@ from flint import acb, arb
 
 from corollary.formula.ball import MOST_BITS, precision_of
 from corollary.scenes.forces.contact import Contact, smoothing_power
+from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.models.certain import (
     FIRST_BITS,
     Balls,
@@ -24,9 +25,6 @@ from corollary.scenes.run import BadSetting, GuardFailed, Model, Outcome
 
 Vector = tuple[float, float]
 
-# Centres nearer than this share of the reach: no contact law means anything there, and the turning, which grows as the inverse
-# square of the distance, would leave doubles less than the twelve digits that are promised.
-NEAREST = 1e-3
 PASS = "the spheres pass each other"
 NO_DAMPING = "no damping: energy and angular momentum of the pair leave two integrals"
 CONSERVATION: tuple[Model, str] = "conservation", "no damping: momentum and energy are as at the start"

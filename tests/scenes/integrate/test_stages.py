@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.scenes.integrate.controller import factor
+from corollary.scenes.integrate.stages import factor
 
 
 @given(st.floats(-8.0, 8.0), st.floats(-6.0, 6.0))

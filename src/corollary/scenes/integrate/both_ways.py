@@ -1,0 +1,88 @@
+"""Kernels written once, in the part of Python that numba compiles, and run both ways: plain on lists, compiled on arrays.
+
+A module of kernels marks its functions with `kernel, module = ways(__name__)` and takes other modules of kernels from `module`.
+Imported as usual it is plain Python; `compiled` loads the same file once more, under another name, for numba.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import os
+import sys
+from collections.abc import Callable, Sequence
+from importlib.machinery import SourceFileLoader
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from corollary.scenes.run import BadSetting
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+HERE = Path(__file__).parent
+SUFFIX = "_compiled"
+ASKED_BY = "COROLLARY_COMPILED"
+"""The environment variable that asks for compiled kernels (1) or plain ones (0)."""
+
+
+def ways(name: str) -> tuple[Callable, Callable[[str], ModuleType]]:
+    """For a module of this name: what its kernels are decorated with, and how it imports another module of kernels."""
+    if not name.endswith(SUFFIX):
+        return lambda function: function, lambda other: importlib.import_module(f"{__package__}.{other}")
+    from numba import njit  # pyright: ignore[reportMissingImports]
+
+    return njit(cache=True, error_model="numpy"), compiled
+
+
+def compiled(module: str) -> ModuleType:
+    """A module of kernels, for numba. What is compiled is kept in the user's cache folder until any of the files changes.
+
+    Raises BadSetting when numba is not installed.
+    """
+    name = f"{__package__}.{module}{SUFFIX}"
+    if name in sys.modules:
+        return sys.modules[name]
+    if importlib.util.find_spec("numba") is None:
+        raise BadSetting(
+            "Compiled steps need numba: pip install 'corollary[fast]', or unset COROLLARY_COMPILED."
+        )
+    from numba import config  # pyright: ignore[reportMissingImports]
+
+    from corollary.user_cache import folder
+
+    # numba looks at the date of one file only; a kernel is made of several.
+    spec = importlib.util.spec_from_loader(name, SourceFileLoader(name, str(HERE / f"{module}.py")))
+    assert spec is not None
+    assert spec.loader is not None
+    found = sys.modules[name] = importlib.util.module_from_spec(spec)
+    before, ours = config.CACHE_DIR, folder()
+    config.CACHE_DIR = before or (str(ours / f"kernels-{_digest()}") if ours else "")
+    try:
+        spec.loader.exec_module(found)
+    except BaseException:
+        del sys.modules[name]
+        raise
+    finally:
+        config.CACHE_DIR = before
+    return found
+
+
+def wanted() -> bool:
+    """Whether compiled kernels are asked for."""
+    return os.environ.get(ASKED_BY, "0") not in ("", "0")
+
+
+def _digest() -> str:
+    import hashlib
+
+    texts = [path.read_bytes() for path in sorted(HERE.glob("*.py"))]
+    return hashlib.sha256(b"".join(texts)).hexdigest()[:12]
+
+
+def array(values: Sequence) -> NDArray:
+    """Numbers, flags or rows of numbers as compiled kernels take them."""
+    import numpy as np  # here, for plain kernels need none
+
+    return np.array(values)
