@@ -34,7 +34,7 @@ def files(folder: Path) -> dict[str, bytes]:
 def test_what_is_written_verifies(said, tmp_path, like):
     status, out, _ = said("Q1", "sliding_box", "--bank", "mine", *like)
     assert status == 0
-    assert "corollary verify Q1 --bank mine" in out
+    assert "corollary verify --watch Q1 --bank mine" in out
     bank = Bank(tmp_path / "mine")
     problem = bank["Q1"]
     assert (problem.name, problem.title) == ("sliding_box", "Sliding box")

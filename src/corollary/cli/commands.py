@@ -28,6 +28,7 @@ from corollary.cli.parameters import (
     RUNNING,
     SET,
     SOLUTION,
+    VARIANTS,
     WAY_OUT,
     WHAT_CAME,
     TargetOption,
@@ -136,11 +137,10 @@ _command(
     "Proves problems and solutions right, or says what is wrong.",
     all_when_left_out("codes", "[CODE]...", "Problems to verify", CODES),
     BANK,
-    click.Option(
-        ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to walk for each problem."
-    ),
+    VARIANTS,
     JSON,
     flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
+    flag("--watch", "Verify one problem again whenever it is saved, until ctrl-C."),
 )
 _command(
     "new",

@@ -121,7 +121,7 @@ def _say_what_next(code: str, place: Bank, problem: Path, solution: Path, printe
     print(f"         {_short(solution)}  what is true")
     print("Both verify as they are. Change a little, save, look, and so on:")
     print(f"  corollary preview {code}{option}")
-    print(f"  corollary verify {code}{option}")
+    print(f"  corollary verify --watch {code}{option}")
     if option:
         print(f"To leave out --bank from now on: export {VARIABLE}={place.folder}")
     if printed:

@@ -88,6 +88,9 @@ WAY_OUT = click.Option(["--to"], required=True, type=click.Choice(WAYS), help="T
 WHAT_CAME = click.Argument(
     ["files"], nargs=-1, required=True, type=PATH, metavar="FILE|FOLDER...", help="What the LMS gave."
 )
+VARIANTS = click.Option(
+    ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to walk for each problem."
+)
 SOLUTION = flag("--solution", "Add the worked solution.")
 
 

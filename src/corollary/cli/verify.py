@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from corollary.cli.console import console
-from corollary.cli.ending import FAILS, HOLDS, answer, counted
+from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
 from corollary.cli.progress import steps
-from corollary.problem.bank import Bank, doubles, files, home, open_bank
+from corollary.problem.bank import Bank, doubles, files, home, home_of_file, open_bank
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem import Problem
@@ -20,8 +20,21 @@ from corollary.verify.programs import unstarted
 from corollary.verify.verify import verify
 
 
-def run(codes: list[str], bank: Path | None, variants: int, as_json: bool, extremes: bool = False) -> int:
+def run(
+    codes: list[str],
+    bank: Path | None,
+    variants: int,
+    as_json: bool,
+    extremes: bool = False,
+    watch: bool = False,
+) -> int:
     start = time.perf_counter()
+    if watch:
+        if len(codes) != 1 or as_json or extremes:
+            refuse("--watch follows one problem, for a person; name one code, without --json and --extremes")
+        from corollary.cli.watch import follow
+
+        return follow(*home_of_file(bank, codes[0]), variants)
     todo, broken = _problems(codes, bank)
     if extremes:
         from corollary.cli.verify_extremes import run_extremes

@@ -142,12 +142,19 @@ def forms(unknowns: tuple[sympy.Symbol, ...], root: Root) -> ClosedForms:
     return ClosedForms(tuple(tree(simplest(root[symbol])) for symbol in unknowns))
 
 
+@lru_cache(maxsize=4096)
 def simplest(expr: sympy.Expr) -> sympy.Expr:
     """The shortest of a few equal forms; a form already short is left alone."""
     forms = [expr]
     if sympy.count_ops(expr) > 2:
         forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
     return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))  # pyright: ignore[reportReturnType]
+
+
+@lru_cache(maxsize=1024)
+def vanishes(residual: sympy.Expr) -> bool:
+    """Whether an expression is zero whatever its letters are, as far as algebra sees it."""
+    return sympy.simplify(sympy.expand(residual)) == 0
 
 
 def _ball(formula: Expr, where: Point, bits: int) -> Any:

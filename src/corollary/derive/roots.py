@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy
 
@@ -42,7 +43,9 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
     equations = [left - right for stated in laws for left, right in sides(stated)]
     live = [equation for equation in equations if sympy.expand(equation) != 0]
     try:
-        found = stated_outright(laws, unknowns) or sympy.solve(live, list(unknowns), dict=True)
+        found = stated_outright(laws, unknowns) or [
+            dict(root) for root in _solved(tuple(live), tuple(unknowns))
+        ]
     except NotImplementedError:
         raise NoRoot(
             f"these laws cannot be solved for {_list(unknowns)} in a formula; find one letter after the other"
@@ -62,6 +65,14 @@ def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[symp
                 f"{_count(len(live), 'law')} for {_count(len(unknowns), 'unknown')}: {_list(free)} stays free"
             )
     return found
+
+
+@lru_cache(maxsize=1024)
+def _solved(
+    equations: tuple[sympy.Expr, ...], unknowns: tuple[sympy.Symbol, ...]
+) -> tuple[tuple[tuple[sympy.Symbol, sympy.Expr], ...], ...]:
+    """Solved once while a command runs: `verify` solves and puts back, and an author's next edition has most steps unchanged."""
+    return tuple(tuple(root.items()) for root in sympy.solve(list(equations), list(unknowns), dict=True))
 
 
 def stated_outright(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol]) -> list[Root]:

@@ -10,7 +10,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, supposed_value
-from corollary.derive.known import Known, Root, at, forms, simplest
+from corollary.derive.known import Known, Root, at, forms, simplest, vanishes
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.parts import misfits, unsolved
@@ -66,7 +66,7 @@ def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
             for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
                 for one, other in sides(law):
                     residual = known.with_asides(one - other)
-                    if sympy.simplify(sympy.expand(residual)) == 0:
+                    if vanishes(residual):
                         proven += 1
                     elif not residual.free_symbols & known.measured:
                         sentence = f"{law.name} does not hold for the answers: {one} = {other}"

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator
+
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.figure.svg import NotADrawing, safe_svg
@@ -17,7 +20,10 @@ from corollary.verify.checked import Checked, Tally
 from corollary.verify.laws import check_dimensions, check_laws
 from corollary.verify.programs import check_programs
 from corollary.verify.samples import check_claims, check_printed, check_samples
-from corollary.verify.walk import LEAST, walk
+from corollary.verify.walk import LEAST, Walked, check_scenes, walk
+
+SLOW = ("laws put back", "variants", "scenes", "programs")
+"""The stages that take most of the time, in their order."""
 
 
 def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | None = None) -> Checked:
@@ -25,28 +31,66 @@ def verify(bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | No
 
     Never raises for what an author did wrong; it is a complaint.
     """
-    tally, share, reasons = Tally(), 0.0, dict[str, int]()
-    number, exact = variants(problem)
-    check_figure(problem, tally)
-    try:
-        solution = solve(bank, problem)
-        tally.count("parts", len(problem.parts))
-        tally.count("mistakes", sum(len(find.mistakes) for find in solution.unknowns))
-        check_laws(bank, solution, tally)
-        check_dimensions(bank, solution, tally)
-        own = make_key(solution, chapter(problem))
-        check_claims(own, tally)
-        check_samples(own, tally)
-        check_programs(bank, own, tally, runner)
-        check_printed(bank, solution, tally)
-        share, reasons = walk(bank, solution, tally, count)
-    except NotDerivable as error:
-        tally.complain(str(error))
-    except Undefined as error:
-        line = problem.givens[0].line if problem.givens else 1
-        tally.complain(f"{problem.path.name}:{line}: the chapter's own numbers have no answer: {error}")
-    common = sorted(reasons.items(), key=lambda item: -item[1])[:3]
-    return Checked(problem.code, number, exact, share, tuple(common), tally.counts, tuple(tally.complaints))
+    whole = Verification(bank, problem, count, runner)
+    for _ in whole.stages():
+        pass
+    return whole.checked()
+
+
+class Verification:
+    """The checks of one problem in stages, the quick ones first; `tally` has at any time what was found so far."""
+
+    def __init__(self, bank: Bank, problem: Problem, count: int = LEAST, runner: Runner | None = None):
+        self.bank, self.problem, self.count, self.runner = bank, problem, count, runner
+        self.tally, self.walked = Tally(), Walked(0.0, Counter(), ())
+
+    def stages(self) -> Iterator[str]:
+        """The name of each stage before it begins; those in SLOW take most of the time. Never raises for what an author did wrong."""
+        bank, problem, tally = self.bank, self.problem, self.tally
+        yield "derivation"
+        check_figure(problem, tally)
+        try:
+            solution = solve(bank, problem)
+            tally.count("parts", len(problem.parts))
+            tally.count("mistakes", sum(len(find.mistakes) for find in solution.unknowns))
+            check_dimensions(bank, solution, tally)
+            own = make_key(solution, chapter(problem))
+            yield "samples"
+            check_samples(own, tally)
+            check_printed(bank, solution, tally)
+            for stage in SLOW:
+                yield stage
+                match stage:
+                    case "laws put back":
+                        check_laws(bank, solution, tally)
+                        check_claims(own, tally)
+                    case "variants":
+                        self.walked = walk(bank, solution, tally, self.count)
+                    case "scenes":
+                        for key in self.walked.first:
+                            check_scenes(bank, key, tally)
+                    case _:
+                        check_programs(bank, own, tally, self.runner)
+        except NotDerivable as error:
+            tally.complain(str(error))
+        except Undefined as error:
+            line = problem.givens[0].line if problem.givens else 1
+            tally.complain(f"{problem.path.name}:{line}: the chapter's own numbers have no answer: {error}")
+
+    def checked(self) -> Checked:
+        """What was found by the stages that are done."""
+        number, exact = variants(self.problem)
+        common = sorted(self.walked.reasons.items(), key=lambda item: -item[1])[:3]
+        tally = self.tally
+        return Checked(
+            self.problem.code,
+            number,
+            exact,
+            self.walked.refused,
+            tuple(common),
+            tally.counts,
+            tuple(tally.complaints),
+        )
 
 
 def check_figure(problem: Problem, tally: Tally) -> None:

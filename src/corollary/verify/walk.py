@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from dataclasses import dataclass
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, word
@@ -28,10 +29,19 @@ TOO_MANY = 0.8  # of the draws refused: then few numbers are left, and much alik
 AGREE = 1e-9  # relative
 
 
-def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tuple[float, Counter[str]]:
-    """Draws until `count` variants are admitted (or all are seen); the share refused and why."""
+@dataclass(frozen=True, slots=True)
+class Walked:
+    """The share of draws refused and why, and the keys of the first variants, to be simulated."""
+
+    refused: float
+    reasons: Counter[str]
+    first: tuple[Key, ...]
+
+
+def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Walked:
+    """Draws until `count` variants are admitted (or all are seen)."""
     problem, reasons, met = solution.problem, Counter[str](), 0
-    drawn = 0
+    drawn, first = 0, list[Key]()
     for variant in sample(problem, 20 * count):
         drawn += 1
         key, reason = admitted(solution, variant)
@@ -43,7 +53,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
         check_right(key, tally)
         check_neglected(bank, key, tally)
         if met <= SIMULATED:
-            check_scenes(bank, key, tally)
+            first.append(key)
         if met == count:
             break
     refused = sum(reasons.values())
@@ -62,7 +72,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> tu
         tally.complain(f"{ranges}: the chapter's own numbers: {reason}")
     if (broken := first_broken(chapter(problem), hard_only=True)) is not None:
         tally.complain(f"{problem.path.name}:{broken.line}: the chapter's own numbers break {broken.text}")
-    return share, reasons
+    return Walked(share, reasons, tuple(first))
 
 
 def check_right(key: Key, tally: Tally) -> None:
