@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import derivation, mistake, neglected, simulate, step, supposed, unknowns
-from corollary.laws import after_elastic, in_the_limit, law, seen_from
+from corollary.laws import after_elastic, in_the_limit, law, seen_from, wrong
 
 
 def derive(vA, vB):
@@ -21,16 +21,16 @@ def derive(vA, vB):
                 mistake(
                     "The wall's own velocity is taken off, with its sign: who rides towards the ball sees "
                     "it come faster.",
-                    law("Relative motion", "w = v + u", w=w_0, v=vA, u=vB),
+                    wrong("w = v + u", w=w_0, v=vA, u=vB),
                 ),
                 mistake(
                     "That is the wall's velocity as seen from the ball; asked is the ball's, seen from the "
                     "wall.",
-                    law("Relative motion", "w = u - v", w=w_0, v=vA, u=vB),
+                    wrong("w = u - v", w=w_0, v=vA, u=vB),
                 ),
                 mistake(
                     "That is the velocity measured from the ground; someone on the wall moves too.",
-                    law("Relative motion", "w = v", w=w_0, v=vA),
+                    wrong("w = v", w=w_0, v=vA),
                 ),
             ],
             check="If the wall comes towards the ball, the ball seems faster from there.",
@@ -56,15 +56,15 @@ def derive(vA, vB):
                 mistake(
                     "You treated the wall as if it stood still: turn the velocity *relative to the wall* "
                     "round.",
-                    law("Relative motion", "v = -v_A", v=v_1, v_A=vA),
+                    wrong("v = -v_A", v=v_1, v_A=vA),
                 ),
                 mistake(
                     "That is the velocity seen from the wall; come back to the ground.",
-                    law("Relative motion", "v = w", v=v_1, w=w_1),
+                    wrong("v = w", v=v_1, w=w_1),
                 ),
                 mistake(
                     "The wall's velocity has a sign: you counted it the other way round.",
-                    law("Relative motion", "v = -v_A - 2*v_B", v=v_1, v_A=vA, v_B=vB),
+                    wrong("v = -v_A - 2*v_B", v=v_1, v_A=vA, v_B=vB),
                 ),
             ],
             check="A wall at rest gives -v; a wall that comes towards the ball sends it back faster.",
@@ -80,7 +80,6 @@ def derive(vA, vB):
                 source="(12.79)",
                 epsilon=eps,
                 v_n=after_elastic(A=(1, vA), B=(n, vB))[0],
-                v_1=v_1,
             ),
             supposing=[heavy],
         ),

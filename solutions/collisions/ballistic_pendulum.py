@@ -13,13 +13,13 @@ from corollary.author import (
     supposed,
     unknowns,
 )
-from corollary.laws import change_of_kinetic_energy, falling, law, rope_height, sticking
+from corollary.laws import change_of_kinetic_energy, falling, law, rope_height, sticking, wrong
 
 
 def derive(mA, mB, h, L, g):
     v_1, v_0, dK, q, theta = unknowns("v_1 v_0 dK q theta_max")
     u, x, F, J = unknowns("u x F J")
-    tau, stopped = supposed("tau", "1 ms", "a bullet is stopped sooner")
+    _tau, stopped = supposed("tau", "1 ms", "a bullet is stopped sooner")
     return derivation(
         step(
             v_1,
@@ -30,15 +30,15 @@ def derive(mA, mB, h, L, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h, v=v_1),
+                    wrong("g*h = v^2", v=v_1),
                 ),
                 mistake(
                     "The factor 2 stands on the other side: $v^2/2 = gh$.",
-                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h, v=v_1),
+                    wrong("g*h = 2*v^2", v=v_1),
                 ),
                 mistake(
                     "The block rises by h, not by the length of the rope.",
-                    law("Conservation of mechanical energy", "g*h = v^2/2", g=g, h=L, v=v_1),
+                    wrong("g*h = v^2/2", h=L, v=v_1),
                 ),
             ],
             check="Neither the mass nor the rope matters: it is the speed of a fall through h.",
@@ -53,26 +53,20 @@ def derive(mA, mB, h, L, g):
                 mistake(
                     "Kinetic energy is not kept when a bullet gets stuck: most of it is lost. Use momentum "
                     "in the hit.",
-                    law(
-                        "Conservation of momentum",
+                    wrong(
                         "v_0 = v_1*sqrt((m_A + m_B)/m_A)",
-                        v_0=v_0,
-                        v_1=v_1,
                         m_A=mA,
                         m_B=mB,
                     ),
                 ),
                 mistake(
                     "That is the speed just after the hit; the bullet alone had all of the momentum before.",
-                    law("Conservation of momentum", "v_0 = v_1", v_0=v_0, v_1=v_1),
+                    wrong("v_0 = v_1"),
                 ),
                 mistake(
                     "The masses have changed places.",
-                    law(
-                        "Conservation of momentum",
+                    wrong(
                         "m_B*v_0 = (m_A + m_B)*v_1",
-                        v_0=v_0,
-                        v_1=v_1,
                         m_A=mA,
                         m_B=mB,
                     ),
@@ -96,36 +90,28 @@ def derive(mA, mB, h, L, g):
                         "Loss in a perfectly inelastic collision",
                         "dK = -(m_A*m_B/(m_A + m_B))*v_0^2/2",
                         source="(12.88)",
-                        dK=dK,
                         m_A=mA,
                         m_B=mB,
-                        v_0=v_0,
                     ),
                 ),
             ],
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = (m_A + m_B)*v_1^2 - m_A*v_0^2",
-                        dK=dK,
                         m_A=mA,
                         m_B=mB,
-                        v_0=v_0,
-                        v_1=v_1,
                     ),
                 ),
                 mistake(
                     "That is the energy that is left after the hit, and lifts the block; asked is the "
                     "change in the hit.",
-                    law(
-                        "Change of kinetic energy", "dK = (m_A + m_B)*v_1^2/2", dK=dK, m_A=mA, m_B=mB, v_1=v_1
-                    ),
+                    wrong("dK = (m_A + m_B)*v_1^2/2", m_A=mA, m_B=mB),
                 ),
                 mistake(
                     "Momentum is not energy: kinetic energy goes with the square of the speed.",
-                    law("Change of kinetic energy", "dK = -m_A*v_0/2", dK=dK, m_A=mA, v_0=v_0),
+                    wrong("dK = -m_A*v_0/2", m_A=mA),
                 ),
             ],
             check="It is negative, and nearly all that the bullet brought.",
@@ -133,22 +119,22 @@ def derive(mA, mB, h, L, g):
         step(
             q,
             "Compare with the kinetic energy before, which is the bullet's alone.",
-            law("Relative change", "q = dK/(m_A*v_0^2/2)", q=q, dK=dK, m_A=mA, v_0=v_0),
+            law("Relative change", "q = dK/(m_A*v_0^2/2)", m_A=mA),
             answers="b_rel",
             routes=[
                 route(
                     "With the common velocity put in only the masses are left.",
-                    law("Relative change", "q = -m_B/(m_A + m_B)", source="(12.97)", q=q, m_A=mA, m_B=mB),
+                    law("Relative change", "q = -m_B/(m_A + m_B)", source="(12.97)", m_A=mA, m_B=mB),
                 )
             ],
             mistakes=[
                 mistake(
                     "That is the fraction that is left, $m_A/(m_A + m_B)$; asked is the change.",
-                    law("Relative change", "q = m_A/(m_A + m_B)", q=q, m_A=mA, m_B=mB),
+                    wrong("q = m_A/(m_A + m_B)", m_A=mA, m_B=mB),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Relative change", "q = dK/(m_A*v_0^2)", q=q, dK=dK, m_A=mA, v_0=v_0),
+                    wrong("q = dK/(m_A*v_0^2)", m_A=mA),
                 ),
             ],
             check="Only the masses matter: a light bullet loses practically all of its energy.",
@@ -162,15 +148,15 @@ def derive(mA, mB, h, L, g):
             mistakes=[
                 mistake(
                     "The height is not $L\\sin\\theta$, which is how far the block has moved sideways.",
-                    law("Geometry of the rope", "theta = asin(h/L)", theta=theta, h=h, L=L),
+                    wrong("theta = asin(h/L)", theta=theta),
                 ),
                 mistake(
                     "The cosine belongs to what is left of the height, $L - h$, not to h.",
-                    law("Geometry of the rope", "theta = acos(h/L)", theta=theta, h=h, L=L),
+                    wrong("theta = acos(h/L)", theta=theta),
                 ),
                 mistake(
                     "The block moves on an arc: h is not the length of the arc.",
-                    law("Geometry of the rope", "theta = h/L", theta=theta, h=h, L=L),
+                    wrong("theta = h/L", theta=theta),
                 ),
             ],
             check="For h = L the rope would be horizontal, θ = 90°.",
@@ -182,20 +168,15 @@ def derive(mA, mB, h, L, g):
             "By then block and bullet have moved by at most x, and the rope, which carries their weight on "
             "a circle, pulls them back with at most F. "
             "The momentum J that it takes from them was the bullet's too.",
-            law("Way", "x = v_1*tau", x=x, v_1=v_1, tau=tau),
+            law("Way", "x = v_1*tau"),
             law(
                 "Pull of the rope",
                 "F = (m_A + m_B)*(g + v_1^2/L)*x/L",
-                F=F,
                 m_A=mA,
                 m_B=mB,
-                g=g,
-                v_1=v_1,
-                L=L,
-                x=x,
             ),
-            law("Impulse", "J = F*tau", source="(12.20)", J=J, F=F, tau=tau),
-            law("Momentum", "J = m_A*u", source="(12.15)", J=J, m_A=mA, u=u),
+            law("Impulse", "J = F*tau", source="(12.20)"),
+            law("Momentum", "J = m_A*u", source="(12.15)", m_A=mA),
             also=[x, F, J],
             supposing=[stopped],
         ),

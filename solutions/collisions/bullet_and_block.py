@@ -1,7 +1,7 @@
 """Bullet and a block: work and energy on the rough table, momentum in the hit."""
 
 from corollary.author import derivation, mistake, route, simulate, step, unknowns
-from corollary.laws import change_of_kinetic_energy, law, level_floor, sliding_to_rest, sticking
+from corollary.laws import change_of_kinetic_energy, law, level_floor, sliding_to_rest, sticking, wrong
 
 
 def derive(m, M, mu, d, g):
@@ -20,7 +20,7 @@ def derive(m, M, mu, d, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy on the rough table.",
-                    law("Work and kinetic energy", "m*v^2 = mu*N*d", m=m + M, v=u, mu=mu, N=N, d=d),
+                    wrong("m*v^2 = mu*N*d", m=m + M, v=u),
                 ),
             ],
         ),
@@ -34,16 +34,16 @@ def derive(m, M, mu, d, g):
             mistakes=[
                 mistake(
                     "Kinetic energy is not kept when a bullet gets stuck; momentum is.",
-                    law("Conservation of momentum", "m*v^2/2 = (m + M)*u^2/2", m=m, v=v, M=M, u=u),
+                    wrong("m*v^2/2 = (m + M)*u^2/2"),
                 ),
                 mistake(
                     "That is the speed of block and bullet just after the hit. One step is left: momentum "
                     "in the collision.",
-                    law("Conservation of momentum", "v = u", v=v, u=u),
+                    wrong("v = u"),
                 ),
                 mistake(
                     "After the hit the bullet is in the block: both masses move together.",
-                    law("Conservation of momentum", "m*v = M*u", m=m, v=v, M=M, u=u),
+                    wrong("m*v = M*u"),
                 ),
             ],
             check=(
@@ -64,10 +64,6 @@ def derive(m, M, mu, d, g):
                         "Loss in a perfectly inelastic collision",
                         "dK = -(m*M/(m + M))*v^2/2",
                         source="(12.88)",
-                        dK=dK,
-                        m=m,
-                        M=M,
-                        v=v,
                     ),
                 ),
                 route(
@@ -76,13 +72,6 @@ def derive(m, M, mu, d, g):
                     law(
                         "Loss in a perfectly inelastic collision",
                         "dK = mu*g*(m + M)*d - m*v^2/2",
-                        dK=dK,
-                        m=m,
-                        M=M,
-                        mu=mu,
-                        g=g,
-                        d=d,
-                        v=v,
                     ),
                 ),
             ],
@@ -90,16 +79,16 @@ def derive(m, M, mu, d, g):
                 mistake(
                     "That is the work of friction on the rough table; asked is the change in the collision "
                     "itself.",
-                    law("Change of kinetic energy", "dK = -mu*N*d", dK=dK, mu=mu, N=N, d=d),
+                    wrong("dK = -mu*N*d"),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Change of kinetic energy", "dK = (m + M)*u^2 - m*v^2", dK=dK, m=m, M=M, u=u, v=v),
+                    wrong("dK = (m + M)*u^2 - m*v^2"),
                 ),
                 mistake(
                     "You squared the difference of the velocities; take the difference of the kinetic "
                     "energies.",
-                    law("Change of kinetic energy", "dK = m*(u - v)^2/2", dK=dK, m=m, u=u, v=v),
+                    wrong("dK = m*(u - v)^2/2"),
                 ),
             ],
             check="It is negative: a perfectly inelastic collision always costs kinetic energy.",

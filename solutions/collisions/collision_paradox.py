@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import choice, derivation, explain, mistake, route, simulate, step, unknowns
-from corollary.laws import change_of_kinetic_energy, law, sticking
+from corollary.laws import change_of_kinetic_energy, law, sticking, wrong
 
 
 def derive(m, v0, u, m2, w):
@@ -21,17 +21,17 @@ def derive(m, v0, u, m2, w):
             mistakes=[
                 mistake(
                     "You counted one car only; both lose their kinetic energy.",
-                    law("Change of kinetic energy", "dK = -m*v_0^2/2", dK=dK, m=m, v_0=v0),
+                    law("Change of kinetic energy", "dK = -m*v_0^2/2", v_0=v0),
                     instead="Change of kinetic energy",
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Change of kinetic energy", "dK = -2*m*v_0^2", dK=dK, m=m, v_0=v0),
+                    law("Change of kinetic energy", "dK = -2*m*v_0^2", v_0=v0),
                     instead="Change of kinetic energy",
                 ),
                 mistake(
                     "Asked is the change: what is there after, less what was there before. Mind the sign.",
-                    law("Change of kinetic energy", "dK = m*v_0^2", dK=dK, m=m, v_0=v0),
+                    law("Change of kinetic energy", "dK = m*v_0^2", v_0=v0),
                     instead="Change of kinetic energy",
                 ),
             ],
@@ -40,20 +40,20 @@ def derive(m, v0, u, m2, w):
         step(
             K_0,
             "From car 1 the other car comes at twice the speed, and car 1 is at rest.",
-            law("Kinetic energy", "K = m*0^2/2 + m*v_2^2/2", K=K_0, m=m, v_2=-2 * v0),
+            law("Kinetic energy", "K = m*0^2/2 + m*v_2^2/2", K=K_0, v_2=-2 * v0),
             answers="c",
             mistakes=[
                 mistake(
                     "The speed has to be doubled *before* squaring: $(2v_0)^2$ is not $2v_0^2$.",
-                    law("Kinetic energy", "K = m*2*v_0^2/2", K=K_0, m=m, v_0=v0),
+                    wrong("K = m*2*v_0^2/2", K=K_0, v_0=v0),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Kinetic energy", "K = m*(2*v_0)^2", K=K_0, m=m, v_0=v0),
+                    wrong("K = m*(2*v_0)^2", K=K_0, v_0=v0),
                 ),
                 mistake(
                     "In its own frame a car is at rest; only the other one counts.",
-                    law("Kinetic energy", "K = m*v_0^2/2 + m*(2*v_0)^2/2", K=K_0, m=m, v_0=v0),
+                    wrong("K = m*v_0^2/2 + m*(2*v_0)^2/2", K=K_0, v_0=v0),
                 ),
             ],
             check="It is twice the kinetic energy seen from the road.",
@@ -66,27 +66,27 @@ def derive(m, v0, u, m2, w):
         step(
             K_1,
             "The wreck moves on, and both cars are in it.",
-            law("Kinetic energy", "K = 2*m*V^2/2", K=K_1, m=m, V=V_c),
+            law("Kinetic energy", "K = 2*m*V^2/2", K=K_1, V=V_c),
             answers="d",
             routes=[
                 route(
                     "Seen from the road the wreck is at rest; an observer who moves at v₀ sees it move at "
                     "v₀.",
-                    law("Kinetic energy", "K = 2*m*v_0^2/2", K=K_1, m=m, v_0=v0),
+                    law("Kinetic energy", "K = 2*m*v_0^2/2", K=K_1, v_0=v0),
                 )
             ],
             mistakes=[
                 mistake(
                     "In this frame the wreck is not at rest: momentum was not zero before.",
-                    law("Kinetic energy", "K = 0*m*V^2", K=K_1, m=m, V=V_c),
+                    wrong("K = 0*m*V^2", K=K_1, V=V_c),
                 ),
                 mistake(
                     "Both cars are in the wreck: its mass is 2m.",
-                    law("Kinetic energy", "K = m*V^2/2", K=K_1, m=m, V=V_c),
+                    wrong("K = m*V^2/2", K=K_1, V=V_c),
                 ),
                 mistake(
                     "The wreck does not move on at 2v₀: it has twice the mass.",
-                    law("Kinetic energy", "K = 2*m*(2*v_0)^2/2", K=K_1, m=m, v_0=v0),
+                    wrong("K = 2*m*(2*v_0)^2/2", K=K_1, v_0=v0),
                 ),
             ],
             check="Half of what was there before in this frame.",
@@ -94,23 +94,23 @@ def derive(m, v0, u, m2, w):
         step(
             dK_c,
             "After less before, in this frame.",
-            law("Change of kinetic energy", "dK = K_1 - K_0", dK=dK_c, K_1=K_1, K_0=K_0),
+            law("Change of kinetic energy", "dK = K_1 - K_0", dK=dK_c),
             answers="e",
             routes=[
                 route(
                     "The loss is the energy of the relative motion, which is the same for every observer.",
-                    law("Change of kinetic energy", "dK = -(m/2)*(2*v_0)^2/2", dK=dK_c, m=m, v_0=v0),
+                    law("Change of kinetic energy", "dK = -(m/2)*(2*v_0)^2/2", dK=dK_c, v_0=v0),
                 )
             ],
             mistakes=[
                 mistake(
                     "That is the argument of the riddle: it forgets that the wreck still moves in this "
                     "frame.",
-                    law("Change of kinetic energy", "dK = -K_0", dK=dK_c, K_0=K_0),
+                    wrong("dK = -K_0", dK=dK_c),
                 ),
                 mistake(
                     "Asked is the change: after less before. Mind the sign.",
-                    law("Change of kinetic energy", "dK = K_0 - K_1", dK=dK_c, K_1=K_1, K_0=K_0),
+                    wrong("dK = K_0 - K_1", dK=dK_c),
                 ),
             ],
             check="It is the same as seen from the road.",
@@ -154,12 +154,12 @@ def derive(m, v0, u, m2, w):
         step(
             (x_1, x_2),
             "The observer sees every velocity less by u.",
-            law("Relative motion", "v = u + w", source="(12.74)", v=(v0, -v0), u=u, w=(x_1, x_2)),
+            law("Relative motion", "v = u + w", source="(12.74)", v=(v0, -v0), w=(x_1, x_2)),
             mistakes=[
                 mistake(
                     "Take the observer's velocity off both cars' velocities, with its sign and theirs: one "
                     "car seems faster, the other slower.",
-                    law("Relative motion", "w = c", w=(x_1, x_2), c=(v0 - u, -(v0 - u))),
+                    wrong("w = c", w=(x_1, x_2), c=(v0 - u, -(v0 - u))),
                 )
             ],
         ),
@@ -167,24 +167,24 @@ def derive(m, v0, u, m2, w):
         step(
             (E_0, E_1, dE),
             "Both cars before, the wreck of both after, and the difference.",
-            law("Before", "K_0 = m*v_1^2/2 + m*v_2^2/2", K_0=E_0, m=m, v_1=x_1, v_2=x_2),
-            law("After", "K_1 = 2*m*V^2/2", K_1=E_1, m=m, V=X),
+            law("Before", "K_0 = m*v_1^2/2 + m*v_2^2/2", K_0=E_0, v_1=x_1, v_2=x_2),
+            law("After", "K_1 = 2*m*V^2/2", K_1=E_1, V=X),
             law("Change of kinetic energy", "dK = K_1 - K_0", dK=dE, K_1=E_1, K_0=E_0),
             answers="g",
             mistakes=[
                 mistake(
                     "For a moving observer the wreck is not at rest.",
-                    law("After", "K_1 = 0*m*V^2", K_1=E_1, m=m, V=X),
+                    law("After", "K_1 = 0*m*V^2", K_1=E_1, V=X),
                     instead="After",
                 ),
                 mistake(
                     "Both cars are in the wreck: its mass is 2m.",
-                    law("After", "K_1 = m*V^2/2", K_1=E_1, m=m, V=X),
+                    law("After", "K_1 = m*V^2/2", K_1=E_1, V=X),
                     instead="After",
                 ),
                 mistake(
                     "That is the kinetic energy before seen from the road; the observer moves.",
-                    law("Before", "K_0 = m*v_0^2", K_0=E_0, m=m, v_0=v0),
+                    law("Before", "K_0 = m*v_0^2", K_0=E_0, v_0=v0),
                     instead="Before",
                 ),
             ],
@@ -210,38 +210,33 @@ def derive(m, v0, u, m2, w):
                         m_1=m,
                         m_2=m2,
                         v_0=v0,
-                        w=w,
                     ),
                 )
             ],
             mistakes=[
                 mistake(
                     "Unequal cars do not stop each other: the wreck still moves.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = -m_1*v_0^2/2 - m_2*w^2/2",
                         dK=dK_h,
                         m_1=m,
                         v_0=v0,
                         m_2=m2,
-                        w=w,
                     ),
                 ),
                 mistake(
                     "Head-on the cars come together at the *sum* of their speeds.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = -m_1*m_2/(m_1 + m_2)*(v_0 - w)^2/2",
                         dK=dK_h,
                         m_1=m,
                         m_2=m2,
                         v_0=v0,
-                        w=w,
                     ),
                 ),
                 mistake(
                     "You used the mass of car 1 for both.",
-                    law("Change of kinetic energy", "dK = -m_1/2*(v_0 + w)^2/2", dK=dK_h, m_1=m, v_0=v0, w=w),
+                    wrong("dK = -m_1/2*(v_0 + w)^2/2", dK=dK_h, m_1=m, v_0=v0),
                 ),
             ],
             check="With equal masses and speeds it is the answer of (b).",

@@ -1,7 +1,7 @@
 """General elastic collision: momentum and energy, with both blocks moving."""
 
 from corollary.author import derivation, mistake, reject, route, simulate, step, unknowns
-from corollary.laws import conservation_of_momentum, elastic, law, restitution
+from corollary.laws import conservation_of_momentum, elastic, law, restitution, wrong
 
 
 def derive(mA, mB, vA, vB):
@@ -31,12 +31,12 @@ def derive(mA, mB, vA, vB):
                 ),
                 mistake(
                     "Only equal masses exchange their velocities.",
-                    law("Exchange", "v_A1 = v_B", v_A1=v_A1, v_B=vB),
+                    law("Exchange", "v_A1 = v_B", v_B=vB),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
                     "You used the formula for a block B at rest; here B moves too.",
-                    law("B at rest", "v_A1 = (m_A - m_B)/(m_A + m_B)*v_A", v_A1=v_A1, m_A=mA, m_B=mB, v_A=vA),
+                    law("B at rest", "v_A1 = (m_A - m_B)/(m_A + m_B)*v_A", m_A=mA, m_B=mB, v_A=vA),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
@@ -44,7 +44,6 @@ def derive(mA, mB, vA, vB):
                     law(
                         "Sign of B",
                         "v_A1 = ((m_A - m_B)*v_A + 2*m_B*v_B)/(m_A + m_B)",
-                        v_A1=v_A1,
                         m_A=mA,
                         m_B=mB,
                         v_A=vA,
@@ -81,15 +80,12 @@ def derive(mA, mB, vA, vB):
                 ),
                 mistake(
                     "Momentum has a direction: put A's velocity after the collision in with its sign.",
-                    law(
-                        "Conservation of momentum",
+                    wrong(
                         "m_A*v_A + m_B*v_B = -m_A*v_A1 + m_B*v_B1",
                         m_A=mA,
                         v_A=vA,
-                        v_A1=v_A1,
                         m_B=mB,
                         v_B=vB,
-                        v_B1=v_B1,
                     ),
                 ),
             ],

@@ -11,6 +11,7 @@ from corollary.laws import (
     law,
     momentum,
     restitution,
+    wrong,
 )
 
 
@@ -46,7 +47,6 @@ def derive(mA, mB, vA):
                     law(
                         "Conservation of mechanical energy",
                         "v_A1 = (m_B - m_A)/(m_A + m_B)*v_A",
-                        v_A1=v_A1,
                         m_A=mA,
                         m_B=mB,
                         v_A=vA,
@@ -70,18 +70,15 @@ def derive(mA, mB, vA):
                 mistake(
                     "A keeps some momentum, or takes more than it had: it is not all given to B. Put A's "
                     "velocity in, with its sign.",
-                    law("Conservation of momentum", "m_A*v_A = m_B*v_B1", m_A=mA, v_A=vA, m_B=mB, v_B1=v_B1),
+                    wrong("m_A*v_A = m_B*v_B1", m_A=mA, v_A=vA, m_B=mB),
                 ),
                 mistake(
                     "Momentum has a direction: put A's velocity after the collision in with its sign.",
-                    law(
-                        "Conservation of momentum",
+                    wrong(
                         "m_A*v_A = -m_A*v_A1 + m_B*v_B1",
                         m_A=mA,
                         v_A=vA,
-                        v_A1=v_A1,
                         m_B=mB,
-                        v_B1=v_B1,
                     ),
                 ),
             ],
@@ -93,9 +90,7 @@ def derive(mA, mB, vA):
             law(
                 "Fraction of the kinetic energy",
                 "q = (m_B*v_B1^2/2)/(m_A*v_A^2/2)",
-                q=q,
                 m_B=mB,
-                v_B1=v_B1,
                 m_A=mA,
                 v_A=vA,
             ),
@@ -104,23 +99,20 @@ def derive(mA, mB, vA):
                 mistake(
                     "That is a fraction of the momentum; the kinetic energy goes with the square of the "
                     "speed.",
-                    law(
-                        "Fraction of the momentum",
+                    wrong(
                         "q = m_B*v_B1/(m_A*v_A)",
-                        q=q,
                         m_B=mB,
-                        v_B1=v_B1,
                         m_A=mA,
                         v_A=vA,
                     ),
                 ),
                 mistake(
                     "That is the fraction that A keeps.",
-                    law("Fraction of the kinetic energy", "q = v_A1^2/v_A^2", q=q, v_A1=v_A1, v_A=vA),
+                    wrong("q = v_A1^2/v_A^2", v_A=vA),
                 ),
                 mistake(
                     "You left out the masses: kinetic energy is mv²/2.",
-                    law("Fraction of the kinetic energy", "q = v_B1^2/v_A^2", q=q, v_B1=v_B1, v_A=vA),
+                    wrong("q = v_B1^2/v_A^2", v_A=vA),
                 ),
             ],
             check="It is 1 for equal masses, and never more: nobody gives away more than there is.",
@@ -133,7 +125,7 @@ def derive(mA, mB, vA):
             routes=[
                 route(
                     "The same from what A has lost.",
-                    law("Conservation of momentum", "p = m_A*v_A - m_A*v_A1", p=p, m_A=mA, v_A=vA, v_A1=v_A1),
+                    law("Conservation of momentum", "p = m_A*v_A - m_A*v_A1", m_A=mA, v_A=vA),
                 )
             ],
             mistakes=[
@@ -185,15 +177,15 @@ def derive(mA, mB, vA):
                 ),
                 mistake(
                     "They do not stick together: an elastic collision leaves A all of its kinetic energy.",
-                    law("Limit", "v = 0", v=f),
+                    wrong("v = 0", v=f),
                 ),
                 mistake(
                     "B takes up twice A's momentum, but it is so heavy that its velocity is negligible.",
-                    law("Limit", "v = v_limit", v=f, v_limit=(-vA, 2 * vA)),
+                    wrong("v = v_limit", v=f, v_limit=(-vA, 2 * vA)),
                 ),
                 mistake(
                     "B hardly notices; so A keeps its speed, but it cannot go on through B.",
-                    law("Limit", "v = v_limit", v=f, v_limit=(vA, 0)),
+                    wrong("v = v_limit", v=f, v_limit=(vA, 0)),
                 ),
             ],
             check="A wall: the velocity is just turned round.",
@@ -211,12 +203,12 @@ def derive(mA, mB, vA):
                 ),
                 mistake(
                     "B does not stay with A: they part as fast as they came together.",
-                    law("Limit", "v = v_limit", v=g, v_limit=(vA, vA)),
+                    wrong("v = v_limit", v=g, v_limit=(vA, vA)),
                 ),
                 mistake(
                     "They exchange their velocities only if the masses are equal; a heavy A is not stopped "
                     "by a light B.",
-                    law("Limit", "v = v_limit", v=g, v_limit=(0, vA)),
+                    wrong("v = v_limit", v=g, v_limit=(0, vA)),
                 ),
             ],
             check="Seen from A, the light block comes at it and is turned round, as from a wall.",

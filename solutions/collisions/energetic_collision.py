@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import choice, derivation, example, explain, mistake, simulate, step, unknowns
-from corollary.laws import law, momentum, sticking
+from corollary.laws import law, momentum, sticking, wrong
 
 
 def derive(m1, v1, m2):
@@ -62,19 +62,19 @@ def derive(m1, v1, m2):
             mistakes=[
                 mistake(
                     "Equal and opposite velocities do not have opposite momenta if the masses differ.",
-                    law("Conservation of momentum", "v_2 = -v_1", v_2=v_2, v_1=v1),
+                    wrong("v_2 = -v_1", v_1=v1),
                 ),
                 mistake(
                     "Equal kinetic energies do not help: it is the momenta that must cancel.",
-                    law("Kinetic energy", "v_2 = -v_1*sqrt(m_1/m_2)", v_2=v_2, v_1=v1, m_1=m1, m_2=m2),
+                    wrong("v_2 = -v_1*sqrt(m_1/m_2)", v_1=v1, m_1=m1, m_2=m2),
                 ),
                 mistake(
                     "The masses have changed places: the lighter one must be the faster one.",
-                    law("Conservation of momentum", "m_1*v_2 = -m_2*v_1", v_2=v_2, v_1=v1, m_1=m1, m_2=m2),
+                    wrong("m_1*v_2 = -m_2*v_1", v_1=v1, m_1=m1, m_2=m2),
                 ),
                 mistake(
                     "Momentum has a direction: with this velocity the two momenta add up and do not cancel.",
-                    law("Conservation of momentum", "m_2*v_2 = m_1*v_1", v_2=v_2, v_1=v1, m_1=m1, m_2=m2),
+                    wrong("m_2*v_2 = m_1*v_1", v_1=v1, m_1=m1, m_2=m2),
                 ),
             ],
             check="It points the other way, and the heavier object 2 is, the slower it need be.",

@@ -11,6 +11,7 @@ from corollary.laws import (
     law,
     line_of_centres,
     magnitude,
+    wrong,
 )
 
 
@@ -63,21 +64,19 @@ def derive(v0, theta, s, D, mA, mB):
                 mistake(
                     "Sine and cosine have changed places: a slightly deflected A keeps nearly all of its "
                     "speed.",
-                    law("Magnitude", "v = c", v=speeds, c=(v0 * sympy.sin(theta), v0 * sympy.cos(theta))),
+                    wrong("v = c", v=speeds, c=(v0 * sympy.sin(theta), v0 * sympy.cos(theta))),
                 ),
                 mistake(
                     "Speeds do not add up to v₀: momentum is a vector. Momentum along y must vanish too.",
-                    law(
-                        "Magnitude", "v = c", v=speeds, c=(v0 * sympy.cos(theta), v0 * (1 - sympy.cos(theta)))
-                    ),
+                    wrong("v = c", v=speeds, c=(v0 * sympy.cos(theta), v0 * (1 - sympy.cos(theta)))),
                 ),
                 mistake(
                     "You let A keep its speed and only turn; then there is no energy left for B.",
-                    law("Magnitude", "v = c", v=speeds, c=(v0, v0 * sympy.sin(theta))),
+                    wrong("v = c", v=speeds, c=(v0, v0 * sympy.sin(theta))),
                 ),
                 mistake(
                     "The two do not share the energy in equal halves; momentum must be kept along y as well.",
-                    law("Magnitude", "v = c", v=speeds, c=(v0 / sympy.sqrt(2), v0 / sympy.sqrt(2))),
+                    wrong("v = c", v=speeds, c=(v0 / sympy.sqrt(2), v0 / sympy.sqrt(2))),
                 ),
             ],
             check=(
@@ -94,12 +93,12 @@ def derive(v0, theta, s, D, mA, mB):
             mistakes=[
                 mistake(
                     "B does not move off at the same angle on the other side, unless θ is 45°.",
-                    law("Scalar product", "psi = 2*theta", psi=psi, theta=theta),
+                    wrong("psi = 2*theta", psi=psi),
                 ),
                 mistake(
                     "That is the angle of B's velocity with +x; asked is the angle between the velocities "
                     "of A and B.",
-                    law("Scalar product", "psi = pi/2 - theta", psi=psi, theta=theta),
+                    wrong("psi = pi/2 - theta", psi=psi),
                 ),
             ],
             check="It does not depend on θ, nor on v₀.",
@@ -112,7 +111,7 @@ def derive(v0, theta, s, D, mA, mB):
             mistakes=[
                 mistake(
                     "Sine and cosine have changed places: s is the side *across* the motion, along y.",
-                    law("Line of centres", "n_y = sqrt(D^2 - s^2)/D", n_y=n[1], s=s, D=D),
+                    wrong("n_y = sqrt(D^2 - s^2)/D", n_y=n[1]),
                 ),
             ],
         ),
@@ -128,12 +127,12 @@ def derive(v0, theta, s, D, mA, mB):
                 mistake(
                     "Only the component of A's velocity along the line of centres takes part in the "
                     "collision.",
-                    law("Whole velocity", "w_B = v_0", w_B=w_B, v_0=v0),
+                    law("Whole velocity", "w_B = v_0", v_0=v0),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
                     "Along the line of centres the spheres do not stick together.",
-                    law("Perfectly inelastic", "w_A = w_B", w_A=w_A, w_B=w_B),
+                    law("Perfectly inelastic", "w_A = w_B"),
                     instead="Conservation of mechanical energy",
                 ),
             ],
@@ -148,11 +147,11 @@ def derive(v0, theta, s, D, mA, mB):
             mistakes=[
                 mistake(
                     "You treated it as a head-on collision; B moves along the line of centres, not along x.",
-                    law("Velocity along n", "v = v_limit", v=B, v_limit=(v0, 0)),
+                    wrong("v = v_limit", v=B, v_limit=(v0, 0)),
                 ),
                 mistake(
                     "B lies at +s: it is pushed towards +y, and A towards -y.",
-                    law("Velocity along n", "v = w*n", v=B, w=w_B, n=(n[0], -n[1])),
+                    wrong("v = w*n", v=B, w=w_B, n=(n[0], -n[1])),
                 ),
             ],
             check=(
@@ -170,18 +169,18 @@ def derive(v0, theta, s, D, mA, mB):
             mistakes=[
                 mistake(
                     "That would be right for equal masses.",
-                    law("Equal masses", "u_B = v_0*n_x", u_B=u_B, v_0=v0, n_x=n[0]),
+                    law("Equal masses", "u_B = v_0*n_x", v_0=v0, n_x=n[0]),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
                     "Only the component of A's velocity along the line of centres takes part in the "
                     "collision.",
-                    law("Whole velocity", "u_B = 2*m_A/(m_A + m_B)*v_0", u_B=u_B, m_A=mA, m_B=mB, v_0=v0),
+                    law("Whole velocity", "u_B = 2*m_A/(m_A + m_B)*v_0", m_A=mA, m_B=mB, v_0=v0),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
                     "Along the line of centres the spheres do not stick together.",
-                    law("Perfectly inelastic", "u_A = u_B", u_A=u_A, u_B=u_B),
+                    law("Perfectly inelastic", "u_A = u_B"),
                     instead="Conservation of mechanical energy",
                 ),
             ],
@@ -194,11 +193,11 @@ def derive(v0, theta, s, D, mA, mB):
             mistakes=[
                 mistake(
                     "B moves along the line of centres, not along x.",
-                    law("Velocity along n", "v = c", v=V, c=(u_B, 0)),
+                    wrong("v = c", v=V, c=(u_B, 0)),
                 ),
                 mistake(
                     "B lies at +s: it is pushed towards +y.",
-                    law("Velocity along n", "v = w*n", v=V, w=u_B, n=(n[0], -n[1])),
+                    wrong("v = w*n", v=V, w=u_B, n=(n[0], -n[1])),
                 ),
             ],
             check="With equal masses this is (c); a light B moves off at up to 2v₀ n_x.",
@@ -258,8 +257,7 @@ def derive(v0, theta, s, D, mA, mB):
             mistakes=[
                 mistake(
                     "Before squaring: the speeds do not add up to v₀, only the velocities do, as vectors.",
-                    law(
-                        "Speeds",
+                    wrong(
                         "v_0 = sqrt(A_x^2 + A_y^2) + sqrt(B_x^2 + B_y^2)",
                         v_0=v0,
                         A_x=A[0],
@@ -270,7 +268,7 @@ def derive(v0, theta, s, D, mA, mB):
                 ),
                 mistake(
                     "Momentum along y is zero before, so the two components along y are opposite, not equal.",
-                    law("Along y", "A_y = B_y", A_y=A[1], B_y=B[1]),
+                    wrong("A_y = B_y", A_y=A[1], B_y=B[1]),
                 ),
             ],
         ),

@@ -13,17 +13,17 @@ from corollary.author import (
     unknowns,
     vector,
 )
-from corollary.laws import conservation_of_momentum, elastic, falling, law
+from corollary.laws import conservation_of_momentum, elastic, falling, law, wrong
 
 
 def derive(m, M, L, g):
     v_0, h_1 = unknowns("v_0 h_1")
     x, F, J, w, eps = unknowns("x F J w epsilon")
-    tau, touch = supposed("tau", "1 ms", "hard things touch no longer")
+    _tau, touch = supposed("tau", "1 ms", "hard things touch no longer")
     swing = (
-        law("Way", "x = v_0*tau", x=x, v_0=v_0, tau=tau),
-        law("Pull of the rope", "F = m*(g + v_0^2/L)*x/L", F=F, m=m, g=g, v_0=v_0, L=L, x=x),
-        law("Impulse", "J = F*tau", source="(12.20)", J=J, F=F, tau=tau),
+        law("Way", "x = v_0*tau"),
+        law("Pull of the rope", "F = m*(g + v_0^2/L)*x/L"),
+        law("Impulse", "J = F*tau", source="(12.20)"),
     )
     u = vector("u", "m M")
     before, after = [(m, v_0), (M, 0)], [(m, u[0]), (M, u[1])]
@@ -38,15 +38,15 @@ def derive(m, M, L, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=L, v=v_0),
+                    wrong("g*h = v^2", h=L, v=v_0),
                 ),
                 mistake(
                     "The factor 2 stands on the other side: $v^2/2 = gh$.",
-                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=L, v=v_0),
+                    wrong("g*h = 2*v^2", h=L, v=v_0),
                 ),
                 mistake(
                     "The sphere starts at the height of the rope's upper end: it comes down by L, not by 2L.",
-                    law("Conservation of mechanical energy", "g*h = v^2/2", g=g, h=2 * L, v=v_0),
+                    wrong("g*h = v^2/2", h=2 * L, v=v_0),
                 ),
             ],
             check="It is the speed of a free fall through L; the mass does not matter.",
@@ -78,7 +78,7 @@ def derive(m, M, L, g):
                 ),
                 mistake(
                     "The sphere is turned round without loss of speed only by something infinitely heavy.",
-                    law("Turned round", "v_A = -v_0", v_A=u[0], v_0=v_0),
+                    law("Turned round", "v_A = -v_0", v_A=u[0]),
                     instead="Conservation of mechanical energy",
                 ),
             ],
@@ -98,15 +98,15 @@ def derive(m, M, L, g):
                 ),
                 mistake(
                     "The height goes with the square of the speed.",
-                    law("Conservation of mechanical energy", "h = L*abs(u)/v_0", h=h_1, L=L, u=u[0], v_0=v_0),
+                    wrong("h = L*abs(u)/v_0", h=h_1, u=u[0]),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=u[0]),
+                    wrong("g*h = v^2", h=h_1, v=u[0]),
                 ),
                 mistake(
                     "That is how high it would swing without the block; it has given energy away.",
-                    law("Conservation of mechanical energy", "h = L", h=h_1, L=L),
+                    wrong("h = L", h=h_1),
                 ),
             ],
             check="It is less than L, and does not depend on g. With M = 2m it is a ninth of L.",
@@ -120,7 +120,7 @@ def derive(m, M, L, g):
             "The momentum J that it takes changes the sphere's velocity by at most J/m and the block's by "
             "at most 2J/m.",
             *swing,
-            law("Change of both velocities", "w = sqrt(1 + 2^2)*J/m", w=w, J=J, m=m),
+            law("Change of both velocities", "w = sqrt(1 + 2^2)*J/m"),
             also=[x, F, J],
             supposing=[touch],
         ),
@@ -130,7 +130,7 @@ def derive(m, M, L, g):
             eps,
             "It changes the sphere's velocity by at most J/m, as in (a), and the height $u^2/2g$ with it.",
             *swing,
-            law("Change of the height", "epsilon = abs(u)*J/(m*g)", epsilon=eps, u=u[0], J=J, m=m, g=g),
+            law("Change of the height", "epsilon = abs(u)*J/(m*g)", epsilon=eps, u=u[0]),
             also=[x, F, J],
             supposing=[touch],
         ),

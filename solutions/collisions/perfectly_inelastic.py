@@ -1,7 +1,7 @@
 """Perfectly inelastic collision: momentum alone, and what it costs in kinetic energy."""
 
 from corollary.author import derivation, mistake, route, simulate, step, unknowns
-from corollary.laws import change_of_kinetic_energy, law, sticking
+from corollary.laws import change_of_kinetic_energy, law, sticking, wrong
 
 
 def derive(mA, mB, vA, vB):
@@ -15,22 +15,20 @@ def derive(mA, mB, vA, vB):
             mistakes=[
                 mistake(
                     "Kinetic energy is not kept when things stick together; momentum is.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "v_1 = v_A*sqrt(m_A/(m_A + m_B))",
                         m_A=mA,
                         m_B=mB,
-                        v_1=v_1,
                         v_A=vA,
                     ),
                 ),
                 mistake(
                     "Both move on together: the momentum is shared by both masses, not carried by B alone.",
-                    law("Conservation of momentum", "m_A*v_A = m_B*v_1", m_A=mA, v_A=vA, m_B=mB, v_1=v_1),
+                    wrong("m_A*v_A = m_B*v_1", m_A=mA, v_A=vA, m_B=mB),
                 ),
                 mistake(
                     "The velocity is not halved; the masses are not the same.",
-                    law("Half each", "v_1 = v_A/2", v_1=v_1, v_A=vA),
+                    wrong("v_1 = v_A/2", v_A=vA),
                 ),
             ],
             check="It lies between B's velocity, 0, and A's; a heavy B hardly moves.",
@@ -41,10 +39,8 @@ def derive(mA, mB, vA, vB):
             law(
                 "Ratio of kinetic energies",
                 "q = ((m_A + m_B)*v_1^2/2)/(m_A*v_A^2/2)",
-                q=q,
                 m_A=mA,
                 m_B=mB,
-                v_1=v_1,
                 v_A=vA,
             ),
             answers="b",
@@ -55,7 +51,6 @@ def derive(mA, mB, vA, vB):
                         "Ratio of kinetic energies",
                         "q = m_A/(m_A + m_B)",
                         source="(12.87)",
-                        q=q,
                         m_A=mA,
                         m_B=mB,
                     ),
@@ -64,21 +59,18 @@ def derive(mA, mB, vA, vB):
             mistakes=[
                 mistake(
                     "After the collision both masses move: you left B's out.",
-                    law("Ratio of kinetic energies", "q = v_1^2/v_A^2", q=q, v_1=v_1, v_A=vA),
+                    wrong("q = v_1^2/v_A^2", v_A=vA),
                 ),
                 mistake(
                     "That is the fraction that is lost.",
-                    law("Ratio of kinetic energies", "q = m_B/(m_A + m_B)", q=q, m_A=mA, m_B=mB),
+                    wrong("q = m_B/(m_A + m_B)", m_A=mA, m_B=mB),
                 ),
                 mistake(
                     "That is K₀/K₁: energy before over energy after.",
-                    law(
-                        "Ratio of kinetic energies",
+                    wrong(
                         "q = (m_A*v_A^2)/((m_A + m_B)*v_1^2)",
-                        q=q,
                         m_A=mA,
                         m_B=mB,
-                        v_1=v_1,
                         v_A=vA,
                     ),
                 ),
@@ -93,30 +85,23 @@ def derive(mA, mB, vA, vB):
             routes=[
                 route(
                     "The same from the fraction that is left.",
-                    law("Change of kinetic energy", "dK = (q - 1)*m_A*v_A^2/2", dK=dK, q=q, m_A=mA, v_A=vA),
+                    law("Change of kinetic energy", "dK = (q - 1)*m_A*v_A^2/2", m_A=mA, v_A=vA),
                 )
             ],
             mistakes=[
                 mistake(
                     "That is what is left of the kinetic energy; asked is its change.",
-                    law(
-                        "Change of kinetic energy", "dK = (m_A + m_B)*v_1^2/2", dK=dK, m_A=mA, m_B=mB, v_1=v_1
-                    ),
+                    wrong("dK = (m_A + m_B)*v_1^2/2", m_A=mA, m_B=mB),
                 ),
                 mistake(
                     "You squared the change of A's velocity; take the difference of the kinetic energies.",
-                    law(
-                        "Change of kinetic energy", "dK = m_A*(v_1 - v_A)^2/2", dK=dK, m_A=mA, v_1=v_1, v_A=vA
-                    ),
+                    wrong("dK = m_A*(v_1 - v_A)^2/2", m_A=mA, v_A=vA),
                 ),
                 mistake(
                     "You forgot that B moves afterwards too and has kinetic energy.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = m_A*v_1^2/2 - m_A*v_A^2/2",
-                        dK=dK,
                         m_A=mA,
-                        v_1=v_1,
                         v_A=vA,
                     ),
                 ),
@@ -139,7 +124,7 @@ def derive(mA, mB, vA, vB):
                 ),
                 mistake(
                     "Take the mean of the velocities weighted with the masses: heavy blocks count more.",
-                    law("Mean", "V = (v_A + v_B)/2", V=V, v_A=vA, v_B=vB),
+                    wrong("V = (v_A + v_B)/2", v_A=vA, v_B=vB),
                 ),
             ],
             check="It lies between the two velocities from before.",
@@ -166,8 +151,7 @@ def derive(mA, mB, vA, vB):
             mistakes=[
                 mistake(
                     "The relative velocity is the *difference* of the two, with their signs.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = -m_A*m_B/(m_A + m_B)*(v_A + v_B)^2/2",
                         dK=dK_V,
                         m_A=mA,
@@ -178,26 +162,22 @@ def derive(mA, mB, vA, vB):
                 ),
                 mistake(
                     "Kinetic energy has no direction: B's counts as positive, whichever way it moves.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = (m_A + m_B)*V^2/2 - (m_A*v_A^2/2 - m_B*v_B^2/2)",
                         dK=dK_V,
                         m_A=mA,
                         m_B=mB,
-                        V=V,
                         v_A=vA,
                         v_B=vB,
                     ),
                 ),
                 mistake(
                     "B had kinetic energy before too; you left it out.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = (m_A + m_B)*V^2/2 - m_A*v_A^2/2",
                         dK=dK_V,
                         m_A=mA,
                         m_B=mB,
-                        V=V,
                         v_A=vA,
                     ),
                 ),

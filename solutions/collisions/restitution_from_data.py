@@ -1,7 +1,7 @@
 """Coefficient of restitution from data: from velocities, from heights, and from the force itself."""
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import damped_frequency, damped_rebound, damping_rate, law, restitution
+from corollary.laws import damped_frequency, damped_rebound, damping_rate, law, restitution, wrong
 
 
 def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
@@ -16,8 +16,7 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
             mistakes=[
                 mistake(
                     "The coefficient is what is left of the relative velocity: after over before.",
-                    law(
-                        "Coefficient of restitution",
+                    wrong(
                         "r*(v_B1 - v_A1) = -(v_B0 - v_A0)",
                         r=r_v,
                         v_A0=vA0,
@@ -29,13 +28,12 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
                 mistake(
                     "That compares the speed of B after with that of A before; what counts are the "
                     "velocities of A and B *relative to each other*.",
-                    law("Coefficient of restitution", "r = v_B1/v_A0", r=r_v, v_A0=vA0, v_B1=vB1),
+                    wrong("r = v_B1/v_A0", r=r_v, v_A0=vA0, v_B1=vB1),
                 ),
                 mistake(
                     "Mind the signs: a relative velocity is the difference of the two velocities, not their "
                     "sum.",
-                    law(
-                        "Coefficient of restitution",
+                    wrong(
                         "r = (v_B1 + v_A1)/(v_A0 + v_B0)",
                         r=r_v,
                         v_A0=vA0,
@@ -65,15 +63,15 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
                 mistake(
                     "The heights tell the energies; r compares the *speeds*, which go with the root of the "
                     "height.",
-                    law("Height of a bounce", "r = h_1/h_0", r=r_h, h_0=h0, h_1=h1),
+                    wrong("r = h_1/h_0", r=r_h, h_0=h0, h_1=h1),
                 ),
                 mistake(
                     "The speed grows with the root of the height, not with its square.",
-                    law("Height of a bounce", "r = (h_1/h_0)^2", r=r_h, h_0=h0, h_1=h1),
+                    wrong("r = (h_1/h_0)^2", r=r_h, h_0=h0, h_1=h1),
                 ),
                 mistake(
                     "That is what belongs to the height that is lost; use the height of the bounce.",
-                    law("Height of a bounce", "r = sqrt(1 - h_1/h_0)", r=r_h, h_0=h0, h_1=h1),
+                    wrong("r = sqrt(1 - h_1/h_0)", r=r_h, h_0=h0, h_1=h1),
                 ),
             ],
             check="A ball that comes back to its old height has r = 1. The value of g does not matter.",
@@ -94,16 +92,16 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
             T,
             "The bumper is back at $x = 0$ after half a swing, for $x = (v/\\omega)\\,e^{-\\beta "
             "t}\\sin\\omega t$.",
-            law("Half a swing", "omega*T = pi", omega=omega, T=T),
+            law("Half a swing", "omega*T = pi"),
             mistakes=[
                 mistake(
                     "That is a whole swing; the contact ends after half of one.",
-                    law("Half a swing", "omega*T = 2*pi", omega=omega, T=T),
+                    wrong("omega*T = 2*pi"),
                 ),
                 mistake(
                     "That is a quarter of a swing, up to the deepest point; the ball still has to come out "
                     "again.",
-                    law("Half a swing", "omega*T = pi/2", omega=omega, T=T),
+                    wrong("omega*T = pi/2"),
                 ),
             ],
         ),
@@ -117,15 +115,15 @@ def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
                 mistake(
                     "That is the share of the kinetic energy that is left, r²; the coefficient compares "
                     "velocities.",
-                    law("Damped oscillation", "r = exp(-2*beta*T)", r=r_c, beta=beta, T=T),
+                    wrong("r = exp(-2*beta*T)", r=r_c),
                 ),
                 mistake(
                     "You took T from β alone: the time of contact comes from the spring.",
-                    law("Damped oscillation", "r = exp(-pi)", r=r_c),
+                    wrong("r = exp(-pi)", r=r_c),
                 ),
                 mistake(
                     "That is the share of the speed that is lost.",
-                    law("Damped oscillation", "r = 1 - exp(-beta*T)", r=r_c, beta=beta, T=T),
+                    wrong("r = 1 - exp(-beta*T)", r=r_c),
                 ),
             ],
             check=(

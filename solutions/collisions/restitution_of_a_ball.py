@@ -16,13 +16,13 @@ from corollary.author import (
     unknown,
     unknowns,
 )
-from corollary.laws import change_of_kinetic_energy, falling, law, restitution
+from corollary.laws import change_of_kinetic_energy, falling, law, restitution, wrong
 
 
 def derive(m, v0, r, h0, n, g):
     v_1, dK, w, u, h_1, q, h_n = unknowns("v_1 dK w u h_1 q h_n")
     u_g, eps = unknowns("u_g epsilon")
-    tau, touch = supposed("tau", "0.2 ms", "a hard ball touches a hard floor no longer")
+    _tau, touch = supposed("tau", "0.2 ms", "a hard ball touches a hard floor no longer")
     kept = unknown("e_1"), unknown("e_0")
     return derivation(
         step(
@@ -33,15 +33,15 @@ def derive(m, v0, r, h0, n, g):
             mistakes=[
                 mistake(
                     "The size is right, but the ball comes back: its velocity changes sign.",
-                    law("Coefficient of restitution", "v_1 = r*v_0", v_1=v_1, r=r, v_0=v0),
+                    wrong("v_1 = r*v_0", v_0=v0),
                 ),
                 mistake(
                     "r compares velocities, not kinetic energies: no root is needed.",
-                    law("Coefficient of restitution", "v_1 = -sqrt(r)*v_0", v_1=v_1, r=r, v_0=v0),
+                    wrong("v_1 = -sqrt(r)*v_0", v_0=v0),
                 ),
                 mistake(
                     "r is what the ball keeps of its speed, not what it loses.",
-                    law("Coefficient of restitution", "v_1 = -(1 - r)*v_0", v_1=v_1, r=r, v_0=v0),
+                    wrong("v_1 = -(1 - r)*v_0", v_0=v0),
                 ),
             ],
             check="For r = 1 the velocity is just turned round.",
@@ -54,16 +54,16 @@ def derive(m, v0, r, h0, n, g):
             mistakes=[
                 mistake(
                     "You squared the difference of the velocities; take the difference of the squares.",
-                    law("Change of kinetic energy", "dK = m*(v_1 - v_0)^2/2", dK=dK, m=m, v_1=v_1, v_0=v0),
+                    wrong("dK = m*(v_1 - v_0)^2/2", v_0=v0),
                 ),
                 mistake(
                     "r is the share of the speed that is kept; the kinetic energy goes with the square of "
                     "the speed.",
-                    law("Change of kinetic energy", "dK = (r - 1)*m*v_0^2/2", dK=dK, m=m, r=r, v_0=v0),
+                    wrong("dK = (r - 1)*m*v_0^2/2", v_0=v0),
                 ),
                 mistake(
                     "That is the kinetic energy that is left; asked is by how much it changes.",
-                    law("Kinetic energy", "dK = m*v_1^2/2", dK=dK, m=m, v_1=v_1),
+                    wrong("dK = m*v_1^2/2"),
                 ),
             ],
             check="It is never positive: a wall at rest gives no energy to a ball.",
@@ -88,15 +88,15 @@ def derive(m, v0, r, h0, n, g):
             mistakes=[
                 mistake(
                     "The height goes with the square of the speed, and r is a ratio of speeds.",
-                    law("Height", "h_1 = r*h_0", h_1=h_1, r=r, h_0=h0),
+                    wrong("h_1 = r*h_0", h_0=h0),
                 ),
                 mistake(
                     "r compares speeds, not energies: square it rather than taking its root.",
-                    law("Height", "h_1 = sqrt(r)*h_0", h_1=h_1, r=r, h_0=h0),
+                    wrong("h_1 = sqrt(r)*h_0", h_0=h0),
                 ),
                 mistake(
                     "That is the height that is lost; asked is how high the ball rises.",
-                    law("Height", "h_1 = (1 - r^2)*h_0", h_1=h_1, r=r, h_0=h0),
+                    wrong("h_1 = (1 - r^2)*h_0", h_0=h0),
                 ),
             ],
             check="Neither the mass nor g matters; with r = 1 the ball comes back to where it was let go.",
@@ -104,36 +104,36 @@ def derive(m, v0, r, h0, n, g):
         step(
             q,
             "Each bounce leaves the same fraction of the height before it.",
-            law("Fraction", "q = h_1/h_0", q=q, h_1=h_1, h_0=h0),
+            law("Fraction", "q = h_1/h_0", h_0=h0),
         ),
         step(
             h_n,
             "Each bounce multiplies the speed by r and so the height by r²; n bounces do it n times.",
-            law("Bounce after bounce", "h_n = h_0*(r^2)^n", h_n=h_n, h_0=h0, r=r, n=n),
+            law("Bounce after bounce", "h_n = h_0*(r^2)^n", h_0=h0),
             answers="d",
             routes=[
                 route(
                     "The same from the height of the first bounce: every bounce leaves the same fraction of "
                     "the height.",
-                    law("Bounce after bounce", "h_n = h_0*q^n", h_n=h_n, h_0=h0, q=q, n=n),
+                    law("Bounce after bounce", "h_n = h_0*q^n", h_0=h0),
                 )
             ],
             mistakes=[
                 mistake(
                     "Each bounce multiplies the speed by r, but the height by r².",
-                    law("Bounce after bounce", "h_n = h_0*r^n", h_n=h_n, h_0=h0, r=r, n=n),
+                    wrong("h_n = h_0*r^n", h_0=h0),
                 ),
                 mistake(
                     "You are one bounce short: the first bounce counts too.",
-                    law("Bounce after bounce", "h_n = h_0*(r^2)^(n - 1)", h_n=h_n, h_0=h0, r=r, n=n),
+                    wrong("h_n = h_0*(r^2)^(n - 1)", h_0=h0),
                 ),
                 mistake(
                     "You are one bounce too far.",
-                    law("Bounce after bounce", "h_n = h_0*(r^2)^(n + 1)", h_n=h_n, h_0=h0, r=r, n=n),
+                    wrong("h_n = h_0*(r^2)^(n + 1)", h_0=h0),
                 ),
                 mistake(
                     "Each bounce takes the same *fraction* of the height, not the same number of metres.",
-                    law("Bounce after bounce", "h_n = h_0 - n*(h_0 - h_1)", h_n=h_n, h_0=h0, h_1=h_1, n=n),
+                    wrong("h_n = h_0 - n*(h_0 - h_1)", h_0=h0),
                 ),
             ],
             check="One bounce (n = 1) gives the answer of (c).",
@@ -168,8 +168,8 @@ def derive(m, v0, r, h0, n, g):
             "gravity during the touch",
             eps,
             "It changes the velocity by at most $u_g$, and the height with it: $u^2/2g$ by $u\\,u_g/g$.",
-            law("Free fall", "u = g*tau", u=u_g, g=g, tau=tau),
-            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=u, u=u_g, g=g),
+            law("Free fall", "u = g*tau", u=u_g),
+            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=u, u=u_g),
             also=[u_g],
             supposing=[touch],
         ),

@@ -24,6 +24,7 @@ from corollary.laws import (
     in_the_limit,
     law,
     restitution,
+    wrong,
 )
 
 
@@ -44,11 +45,11 @@ def derive(mA, mB, h0, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h0, v=v_0),
+                    wrong("g*h = v^2", h=h0, v=v_0),
                 ),
                 mistake(
                     "The factor 2 stands on the other side: $v^2/2 = gh$.",
-                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h0, v=v_0),
+                    wrong("g*h = 2*v^2", h=h0, v=v_0),
                 ),
             ],
             check="Both balls have it: a fall does not depend on the mass.",
@@ -72,7 +73,7 @@ def derive(mA, mB, h0, g):
             mistakes=[
                 mistake(
                     "B is not at rest when A meets it: it still falls at v₀.",
-                    law("B at rest", "v_B1 = 2*m_A/(m_A + m_B)*v_0", v_B1=v_B1, m_A=mA, m_B=mB, v_0=v_0),
+                    law("B at rest", "v_B1 = 2*m_A/(m_A + m_B)*v_0", m_A=mA, m_B=mB),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
@@ -82,7 +83,7 @@ def derive(mA, mB, h0, g):
                 ),
                 mistake(
                     "B is not just turned round, as it would be by a floor at rest: A comes up to meet it.",
-                    law("Turned round", "v_B1 = v_0", v_B1=v_B1, v_0=v_0),
+                    law("Turned round", "v_B1 = v_0"),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
@@ -90,10 +91,8 @@ def derive(mA, mB, h0, g):
                     law(
                         "All energy to B",
                         "v_B1 = sqrt((m_A + m_B)/m_B)*v_0",
-                        v_B1=v_B1,
                         m_A=mA,
                         m_B=mB,
-                        v_0=v_0,
                     ),
                     instead="Conservation of mechanical energy",
                 ),
@@ -123,7 +122,7 @@ def derive(mA, mB, h0, g):
                 ),
                 mistake(
                     "That is A's velocity before it met B.",
-                    law("Conservation of momentum", "v_A1 = v_0", v_A1=v_A1, v_0=v_0),
+                    wrong("v_A1 = v_0"),
                 ),
             ],
             check="If A is three times as heavy as B, A stops: B has taken all of the energy.",
@@ -136,18 +135,14 @@ def derive(mA, mB, h0, g):
             mistakes=[
                 mistake(
                     "The height goes with the square of the speed.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "h_1 = h_0*v_B1/v_0",
-                        h_1=h_1,
                         h_0=h0,
-                        v_B1=v_B1,
-                        v_0=v_0,
                     ),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=v_B1),
+                    wrong("g*h = v^2", h=h_1, v=v_B1),
                 ),
                 mistake("You used A's speed; asked is how high B rises.", falling(v_A1, g, h_1)),
             ],
@@ -167,7 +162,7 @@ def derive(mA, mB, h0, g):
             mistakes=[
                 mistake(
                     "Twice A's speed is right for a B at rest; but here B comes down at v₀ as well.",
-                    law("Limit", "v = 2*v_0", v=v_most, v_0=v_0),
+                    wrong("v = 2*v_0", v=v_most),
                 ),
             ],
         ),
@@ -180,18 +175,16 @@ def derive(mA, mB, h0, g):
                 mistake(
                     "The height goes with the square of the speed: three times the speed is more than three "
                     "times the height.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "h = h_0*v/v_0",
                         h=h_most,
                         h_0=h0,
                         v=v_most,
-                        v_0=v_0,
                     ),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_most, v=v_most),
+                    wrong("g*h = v^2", h=h_most, v=v_most),
                 ),
             ],
             check="However heavy A is, B does not rise higher than this.",
@@ -228,7 +221,7 @@ def derive(mA, mB, h0, g):
             "While A touches the floor, B falls on for the time τ, which makes it a little faster after the "
             "hit; while the balls touch, both fall, which makes it slower. Each is at most gτ, and they "
             "work against each other.",
-            law("Free fall", "u = g*tau", u=u, g=g, tau=tau),
+            law("Free fall", "u = g*tau"),
             supposing=[touch],
         ),
         neglected(
@@ -237,7 +230,7 @@ def derive(mA, mB, h0, g):
             eps,
             "It changes B's velocity by at most gτ, as in (b), and the height with it: $v^2/2g$ by "
             "$v\\,u/g$.",
-            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=v_B1, u=g * tau, g=g),
+            law("Change of the height", "epsilon = v*u/g", epsilon=eps, v=v_B1, u=g * tau),
             supposing=[touch],
         ),
     )

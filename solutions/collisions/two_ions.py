@@ -13,7 +13,7 @@ from corollary.author import (
     unknowns,
     vector,
 )
-from corollary.laws import distance, ionic, law, reduced_mass
+from corollary.laws import distance, ionic, law, reduced_mass, wrong
 
 
 def derive(C, mA, mB, v, r0, s, dx, dy):
@@ -29,7 +29,7 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 mistake(
                     "The distance is the length of the vector: the root of the sum of the squares, not the "
                     "sum.",
-                    law("Distance", "r = abs(x) + abs(y)", r=r, x=dx, y=dy),
+                    wrong("r = abs(x) + abs(y)", x=dx, y=dy),
                 )
             ],
         ),
@@ -42,12 +42,12 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 mistake(
                     "That is the force on B. With $\\Delta\\vec r = \\vec r_B - \\vec r_A$ the force on A "
                     "has a minus sign.",
-                    law("Ionic force", "F = C/r^2*Dr/r", F=F, C=C, Dr=(dx, dy), r=r),
+                    wrong("F = C/r^2*Dr/r", F=F, Dr=(dx, dy)),
                 ),
                 mistake(
                     "The unit vector is $\\Delta\\vec r/\\Delta r$: together with $1/(\\Delta r)^2$ the "
                     "vector is divided by the third power of the distance.",
-                    law("Ionic force", "F = -C/r^2*Dr", F=F, C=C, Dr=(dx, dy), r=r),
+                    wrong("F = -C/r^2*Dr", F=F, Dr=(dx, dy)),
                 ),
             ],
             check="Its length is $C/(\\Delta r)^2$, whatever the direction.",
@@ -61,12 +61,12 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 mistake(
                     "You used the mass of one ion. Both move: the reduced mass $m_A m_B/(m_A + m_B)$ "
                     "belongs to the relative motion.",
-                    law("Reduced mass", "mu = m_A", mu=mu, m_A=mA),
+                    wrong("mu = m_A", m_A=mA),
                 ),
                 mistake(
                     "The masses do not add up in the relative motion; the reduced mass is smaller than each "
                     "of them.",
-                    law("Reduced mass", "mu = m_A + m_B", mu=mu, m_A=mA, m_B=mB),
+                    wrong("mu = m_A + m_B", m_A=mA, m_B=mB),
                 ),
             ],
         ),
@@ -79,20 +79,16 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 "E = mu*v^2/2 + C/r_0",
                 source="(12.25)",
                 holds="the potential energy is zero far apart",
-                E=E,
-                mu=mu,
-                v=v,
-                C=C,
                 r_0=r0,
             ),
             mistakes=[
                 mistake(
                     "At the start the ions repel each other already: $C/r_0$ is part of the energy.",
-                    law("Energy", "E = mu*v^2/2", E=E, mu=mu, v=v),
+                    wrong("E = mu*v^2/2"),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Energy", "E = mu*v^2 + C/r_0", E=E, mu=mu, v=v, C=C, r_0=r0),
+                    wrong("E = mu*v^2 + C/r_0", r_0=r0),
                 ),
             ],
         ),
@@ -104,20 +100,18 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 "Conservation of mechanical energy",
                 "E = C/r",
                 holds="the force is conservative",
-                E=E,
-                C=C,
                 r=r_b,
             ),
             answers="b",
             mistakes=[
                 mistake(
                     "The potential energy of this force is $C/r$: integrate $C/r^2$ over the distance.",
-                    law("Conservation of mechanical energy", "E = C/(2*r)", E=E, C=C, r=r_b),
+                    wrong("E = C/(2*r)", r=r_b),
                 ),
                 mistake(
                     "You balanced the kinetic energy with the difference the wrong way round: the potential "
                     "energy at the start helps the ions apart.",
-                    law("Conservation of mechanical energy", "E + C/r_0 = C/r", E=E, C=C, r_0=r0, r=r_b),
+                    wrong("E + C/r_0 = C/r", r_0=r0, r=r_b),
                 ),
             ],
             check="Slow ions (v → 0) turn round at $r_0$ itself; faster or heavier ones come closer.",
@@ -130,20 +124,12 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 "Conservation of mechanical energy",
                 "E = mu*w^2/2 + C/r",
                 holds="the force is conservative",
-                E=E,
-                mu=mu,
-                w=w,
-                C=C,
                 r=r_c,
             ),
             law(
                 "Conservation of angular momentum",
                 "mu*v*s = mu*w*r",
                 holds="the force is central",
-                mu=mu,
-                v=v,
-                s=s,
-                w=w,
                 r=r_c,
             ),
             answers="c",
@@ -153,13 +139,13 @@ def derive(C, mA, mB, v, r0, s, dx, dy):
                 mistake(
                     "They do not stop against each other now: at the closest approach they still pass with "
                     "a velocity across the line between them.",
-                    law("Conservation of mechanical energy", "E = C/r", E=E, C=C, r=r_c),
+                    law("Conservation of mechanical energy", "E = C/r", r=r_c),
                     instead="Conservation of mechanical energy",
                 ),
                 mistake(
                     "The impact parameter is not the closest distance: the ions push each other further "
                     "away.",
-                    law("Conservation of mechanical energy", "r = s", r=r_c, s=s),
+                    law("Conservation of mechanical energy", "r = s", r=r_c),
                     instead="Conservation of mechanical energy",
                 ),
             ],

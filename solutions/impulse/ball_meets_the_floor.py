@@ -1,7 +1,7 @@
 """Ball colliding with the floor: energy gives the velocity after it, momentum the mean force."""
 
 from corollary.author import derivation, mistake, reject, simulate, step, unknowns
-from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
+from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, mean_force, wrong
 
 
 def derive(m, v0, dt, g):
@@ -17,7 +17,7 @@ def derive(m, v0, dt, g):
                 mistake(
                     "You let the ball stop on the floor. No energy is lost here: it leaves as fast as it "
                     "came.",
-                    law("At rest", "v = 0", v=v_1),
+                    wrong("v = 0", v=v_1),
                 ),
             ],
         ),
@@ -40,7 +40,7 @@ def derive(m, v0, dt, g):
                 ),
                 mistake(
                     "That is a kinetic energy; momentum is $mv$.",
-                    law("Change of momentum", "dp = m*v^2/2", dp=dp, m=m, v=v0),
+                    wrong("dp = m*v^2/2", v=v0),
                 ),
             ],
             check=(
@@ -57,12 +57,12 @@ def derive(m, v0, dt, g):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide by it.",
-                    law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
+                    wrong("F = J*dt", J=dp),
                 ),
                 mistake(
                     "You took half of it, as for a mean velocity; the mean force is the whole change of "
                     "momentum divided by the time.",
-                    law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
+                    wrong("F = J/(2*dt)", J=dp),
                 ),
             ],
             check="Many times the weight of the ball: that is what makes a collision a collision.",
@@ -76,13 +76,13 @@ def derive(m, v0, dt, g):
                 mistake(
                     "That is the weight. A ball at rest would be carried by it; this one is also thrown "
                     "back.",
-                    law("Weight", "N = m*g", N=N, m=m, g=g),
+                    wrong("N = m*g"),
                 ),
-                mistake("That is the impulse; asked is a force.", law("Impulse", "N = J", N=N, J=dp)),
+                mistake("That is the impulse; asked is a force.", wrong("N = J", J=dp)),
                 mistake(
                     "You took half of the force: the floor must stop the ball and throw it back, all within "
                     "this time.",
-                    law("Net force", "F/2 = N - m*g", F=F, N=N, m=m, g=g),
+                    wrong("F/2 = N - m*g"),
                 ),
             ],
             check=(

@@ -17,7 +17,7 @@ from corollary.author import (
     step,
     unknowns,
 )
-from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force
+from corollary.laws import change_of_momentum, energy_at_heights, force_on_standing, law, mean_force, wrong
 
 
 def derive(g, R, m, y0, v0, k):
@@ -35,20 +35,20 @@ def derive(g, R, m, y0, v0, k):
             mistakes=[
                 mistake(
                     "You left out that the ball still falls from its start to the first touch.",
-                    law("Free", "v = v_0", v=v, v_0=v0),
+                    wrong("v = v_0", v_0=v0),
                 ),
                 mistake(
                     "The ball moves down and up is positive: its velocity is negative.",
-                    law("Speed", "v = sqrt(v_0^2 + 2*g*(y_0 - R))", v=v, v_0=v0, g=g, y_0=y0, R=R),
+                    wrong("v = sqrt(v_0^2 + 2*g*(y_0 - R))", v_0=v0, y_0=y0),
                 ),
                 mistake(
                     "y is the height of the centre: at first touch it is R, and the ball has fallen by y₀ - "
                     "R only.",
-                    law("Speed", "v = -sqrt(v_0^2 + 2*g*y_0)", v=v, v_0=v0, g=g, y_0=y0),
+                    wrong("v = -sqrt(v_0^2 + 2*g*y_0)", v_0=v0, y_0=y0),
                 ),
                 mistake(
                     "Speeds do not add up in a fall; their squares do (energy).",
-                    law("Speed", "v = v_0 - sqrt(2*g*(y_0 - R))", v=v, v_0=v0, g=g, y_0=y0, R=R),
+                    wrong("v = v_0 - sqrt(2*g*(y_0 - R))", v_0=v0, y_0=y0),
                 ),
             ],
             check="A little faster than at the start.",
@@ -64,7 +64,7 @@ def derive(g, R, m, y0, v0, k):
             mistakes=[
                 mistake(
                     "You let the ball stop on the floor; it leaves as fast as it came.",
-                    law("At rest", "v = 0", v=v_1),
+                    wrong("v = 0", v=v_1),
                 )
             ],
         ),
@@ -85,7 +85,7 @@ def derive(g, R, m, y0, v0, k):
                 ),
                 mistake(
                     "That is a kinetic energy; momentum is $mv$.",
-                    law("Change of momentum", "dp = m*v^2/2", dp=dp, m=m, v=v),
+                    wrong("dp = m*v^2/2"),
                 ),
             ],
             check="Up, and twice the momentum of the first touch.",
@@ -105,17 +105,17 @@ def derive(g, R, m, y0, v0, k):
                 mistake(
                     "That is the energy of a linear spring, $kx^2/2$; here the force goes with the power "
                     "3/2.",
-                    law("Spring", "x = -v*sqrt(m/k)", x=x, v=v, m=m, k=k),
+                    wrong("x = -v*sqrt(m/k)", x=x),
                 ),
                 mistake(
                     "You balanced contact force and weight: there the net force is zero, but the ball still "
                     "moves.",
-                    law("Balance", "x = (m*g/k)^(2/3)", x=x, m=m, g=g, k=k),
+                    wrong("x = (m*g/k)^(2/3)", x=x),
                 ),
                 mistake(
                     "The work of the contact is an integral of $k\\,x^{3/2}$ over the way, not the largest "
                     "force times the way.",
-                    law("Work", "x = (m*v^2/(2*k))^(2/5)", x=x, m=m, v=v, k=k),
+                    wrong("x = (m*v^2/(2*k))^(2/5)", x=x),
                 ),
             ],
             check=(
@@ -126,20 +126,20 @@ def derive(g, R, m, y0, v0, k):
         step(
             F,
             "The floor pushes hardest when the ball is squeezed most; the net force is less by the weight.",
-            law("Contact force", "N = k*d^(3/2)", source="(12.23)", N=N, k=k, d=x),
+            law("Contact force", "N = k*d^(3/2)", source="(12.23)", d=x),
             force_on_standing(F, N, m, g),
             also=[N],
             answers="d",
             mistakes=[
                 mistake(
                     "The force goes with the power 3/2 of the compression.",
-                    law("Contact force", "N = k*d", N=N, k=k, d=x),
+                    law("Contact force", "N = k*d", d=x),
                     instead="Contact force",
                 ),
                 mistake(
                     "That is the energy stored in the contact divided by the way, a mean over the way; the "
                     "largest force is $k\\,x^{3/2}$.",
-                    law("Contact force", "N = 2*k*d^(3/2)/5", N=N, k=k, d=x),
+                    law("Contact force", "N = 2*k*d^(3/2)/5", d=x),
                     instead="Contact force",
                 ),
             ],
@@ -156,15 +156,15 @@ def derive(g, R, m, y0, v0, k):
                 mistake(
                     "The ball does not keep its speed while it is squeezed: way over speed of first touch "
                     "is too short.",
-                    law("Uniform", "T = 2*x/(-v)", T=T, x=x, v=v),
+                    wrong("T = 2*x/(-v)", x=x),
                 ),
                 mistake(
                     "That is half a period of a linear spring; here the force goes with the power 3/2.",
-                    law("Half a period", "T = pi*sqrt(m/k)", T=T, m=m, k=k),
+                    wrong("T = pi*sqrt(m/k)"),
                 ),
                 mistake(
                     "That is the time until the deepest point; the way back takes as long again.",
-                    law("Half-way", "T = sqrt(pi)*gamma(7/5)/gamma(9/10)*x/(-v)", T=T, x=x, v=v),
+                    wrong("T = sqrt(pi)*gamma(7/5)/gamma(9/10)*x/(-v)", x=x),
                 ),
             ],
             check=(
@@ -180,12 +180,12 @@ def derive(g, R, m, y0, v0, k):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide by it.",
-                    law("Mean force", "F = J*dt", F=F_m, J=dp, dt=T),
+                    wrong("F = J*dt", F=F_m, J=dp, dt=T),
                 ),
                 mistake(
                     "That is half of the largest force; the force rises and falls steeply and stays above "
                     "half for longer than that.",
-                    law("Mean force", "F = F_max/2", F=F_m, F_max=F),
+                    wrong("F = F_max/2", F=F_m, F_max=F),
                 ),
             ],
             check=(

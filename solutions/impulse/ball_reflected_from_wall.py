@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import HALF_PI, derivation, mistake, optimum, simulate, step, unknown, vector
-from corollary.laws import change_of_momentum, law, mean_force, third_law
+from corollary.laws import change_of_momentum, mean_force, third_law, wrong
 
 
 def derive(m, v0, theta, dt):
@@ -50,11 +50,11 @@ def derive(m, v0, theta, dt):
             mistakes=[
                 mistake(
                     "That is the impulse on the ball. The wall is pushed the opposite way.",
-                    law("Newton's third law", "J = dp", J=J, dp=dp),
+                    wrong("J = dp", J=J, dp=dp),
                 ),
                 mistake(
                     "You divided by the time: that is a force. The impulse is the whole change of momentum.",
-                    law("Newton's third law", "J = -dp/dt", J=J, dp=dp, dt=dt),
+                    wrong("J = -dp/dt", J=J, dp=dp),
                 ),
             ],
             check="The two impulses add up to nothing, as they must.",
@@ -67,11 +67,11 @@ def derive(m, v0, theta, dt):
             mistakes=[
                 mistake(
                     "You multiplied by the time of contact; divide by it.",
-                    law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
+                    wrong("F = J*dt", F=F, J=dp),
                 ),
                 mistake(
                     "That is the force on the wall; asked is the force on the ball.",
-                    law("Mean force", "F = -J/dt", F=F, J=dp, dt=dt),
+                    wrong("F = -J/dt", F=F, J=dp),
                 ),
             ],
             check="It points away from the wall: a wall can only push.",
@@ -87,12 +87,12 @@ def derive(m, v0, theta, dt):
             mistakes=[
                 mistake(
                     "There the ball only grazes the wall: the force is smallest.",
-                    law("Smallest", "x = 0", x=steepest),
+                    wrong("x = 0", x=steepest),
                 ),
                 mistake(
                     "At 45° $\\sin\\theta\\cos\\theta$ would be largest, but the force grows with "
                     "$\\sin\\theta$ alone.",
-                    law("Half-way", "x = pi/4", x=steepest),
+                    wrong("x = pi/4", x=steepest),
                 ),
             ],
             check="A head-on hit turns all of the momentum round.",

@@ -12,6 +12,7 @@ from corollary.laws import (
     impulse_of_constant_force,
     law,
     mean_force,
+    wrong,
 )
 
 
@@ -47,11 +48,11 @@ def derive(m, v0, v1, w, alpha, dt, g):
                 ),
                 mistake(
                     "You put in the mass in grams; in kilograms it is a thousandth of that number.",
-                    law("Change of momentum", "dp = 1000*m*(v_1 - v_0)", dp=dp, m=m, v_1=(v1, 0), v_0=come),
+                    wrong("dp = 1000*m*(v_1 - v_0)", dp=dp, v_1=(v1, 0), v_0=come),
                 ),
                 mistake(
                     "You divided by the time: that is a force. The impulse is the whole change of momentum.",
-                    law("Impulse", "J = dp/dt", J=J, dp=dp, dt=dt),
+                    wrong("J = dp/dt", J=J, dp=dp),
                 ),
             ],
             check="It points the way the ball is returned, and is larger than either momentum alone.",
@@ -64,11 +65,11 @@ def derive(m, v0, v1, w, alpha, dt, g):
             mistakes=[
                 mistake(
                     "You multiplied by the time; a short hit needs a large force.",
-                    law("Mean force", "F = J*dt", F=F, J=J, dt=dt),
+                    wrong("F = J*dt", F=F, J=J),
                 ),
                 mistake(
                     "You put in the time in milliseconds.",
-                    law("Mean force", "F = J/(1000*dt)", F=F, J=J, dt=dt),
+                    wrong("F = J/(1000*dt)", F=F, J=J),
                 ),
             ],
             check="A ball twice as heavy, or a contact half as long, would need twice the force.",
@@ -81,11 +82,11 @@ def derive(m, v0, v1, w, alpha, dt, g):
             mistakes=[
                 mistake(
                     "That is the force on the ball. The racket is pushed the opposite way.",
-                    law("Newton's third law", "F_AB = F_BA", F_AB=R, F_BA=F),
+                    wrong("F_AB = F_BA", F_AB=R, F_BA=F),
                 ),
                 mistake(
                     "That is an impulse; asked is the force.",
-                    law("Newton's third law", "J_AB = -J_BA", J_AB=R, J_BA=J),
+                    wrong("J_AB = -J_BA", J_AB=R, J_BA=J),
                 ),
             ],
             check="It points against the x-axis: the racket is pushed back.",
@@ -113,11 +114,11 @@ def derive(m, v0, v1, w, alpha, dt, g):
                 ),
                 mistake(
                     "You put in the mass in grams; in kilograms it is a thousandth of that number.",
-                    law("Change of momentum", "dp = 1000*m*(v_1 - v_0)", dp=dp_l, m=m, v_1=lob, v_0=come),
+                    wrong("dp = 1000*m*(v_1 - v_0)", dp=dp_l, v_1=lob, v_0=come),
                 ),
                 mistake(
                     "You divided by the time: that is a force. The impulse is the whole change of momentum.",
-                    law("Impulse", "J = dp/dt", J=J_l, dp=dp_l, dt=dt),
+                    wrong("J = dp/dt", J=J_l, dp=dp_l),
                 ),
             ],
             check="Along y the ball starts from nothing; along x it is first stopped and then sent back.",
@@ -130,11 +131,11 @@ def derive(m, v0, v1, w, alpha, dt, g):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide by it.",
-                    law("Mean force", "F = J*dt", F=F_l, J=J_l, dt=dt),
+                    wrong("F = J*dt", F=F_l, J=J_l),
                 ),
                 mistake(
                     "You put in the time in milliseconds.",
-                    law("Mean force", "F = J/(1000*dt)", F=F_l, J=J_l, dt=dt),
+                    wrong("F = J/(1000*dt)", F=F_l, J=J_l),
                 ),
             ],
             check="It has the direction of the impulse.",
@@ -149,15 +150,15 @@ def derive(m, v0, v1, w, alpha, dt, g):
                 mistake(
                     "That is the direction of the ball after the hit. The force has the direction of the "
                     "*change* of momentum.",
-                    law("Direction", "beta = alpha", beta=beta, alpha=alpha),
+                    wrong("beta = alpha"),
                 ),
                 mistake(
                     "You divided the other way round: that is the angle from the y-axis.",
-                    law("Direction", "beta = atan(F_x/F_y)", beta=beta, F_x=F_l[0], F_y=F_l[1]),
+                    wrong("beta = atan(F_x/F_y)", F_x=F_l[0], F_y=F_l[1]),
                 ),
                 mistake(
                     "You took the ratio itself; the angle is its arc tangent.",
-                    law("Direction", "beta = F_y/F_x", beta=beta, F_x=F_l[0], F_y=F_l[1]),
+                    wrong("beta = F_y/F_x", F_x=F_l[0], F_y=F_l[1]),
                 ),
             ],
             check=(
@@ -168,11 +169,11 @@ def derive(m, v0, v1, w, alpha, dt, g):
         step(
             W,
             "The weight is mass times the acceleration of gravity.",
-            law("Weight", "W = m*g", source="(12.33)", W=W, m=m, g=g),
+            law("Weight", "W = m*g", source="(12.33)"),
             answers="d1",
             mistakes=[
-                mistake("You put in the mass in grams.", law("Weight", "W = 1000*m*g", W=W, m=m, g=g)),
-                mistake("That is the mass; the weight is a force.", law("Weight", "W = m", W=W, m=m)),
+                mistake("You put in the mass in grams.", wrong("W = 1000*m*g")),
+                mistake("That is the mass; the weight is a force.", wrong("W = m")),
             ],
             check="Hundreds of times smaller than the force of the racket.",
         ),
@@ -184,11 +185,9 @@ def derive(m, v0, v1, w, alpha, dt, g):
             mistakes=[
                 mistake(
                     "You divided by the time; an impulse is a force times a time.",
-                    law("Impulse", "J = F/dt", J=J_g, F=W, dt=dt),
+                    wrong("J = F/dt", J=J_g, F=W),
                 ),
-                mistake(
-                    "You put in the time in milliseconds.", law("Impulse", "J = 1000*F*dt", J=J_g, F=W, dt=dt)
-                ),
+                mistake("You put in the time in milliseconds.", wrong("J = 1000*F*dt", J=J_g, F=W)),
             ],
             check="As many times smaller than the impulse of the racket: it was right to neglect it.",
         ),
@@ -198,14 +197,14 @@ def derive(m, v0, v1, w, alpha, dt, g):
             W_r,
             "Racket and weight together make the net force, so the force between ball and racket differs "
             "from the one found by the weight.",
-            law("Weight", "W = m*g", source="(12.33)", W=W_r, m=m, g=g),
+            law("Weight", "W = m*g", source="(12.33)", W=W_r),
         ),
         neglected(
             "c2",
             "the weight of the ball",
             W_l,
             "The force of the racket and the weight together make the net force that was found.",
-            law("Weight", "W = m*g", source="(12.33)", W=W_l, m=m, g=g),
+            law("Weight", "W = m*g", source="(12.33)", W=W_l),
         ),
         neglected(
             "c3",

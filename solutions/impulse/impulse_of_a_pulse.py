@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import derivation, mistake, simulate, step, unknown, unknowns
-from corollary.laws import impulse_of, law, mean_force
+from corollary.laws import impulse_of, mean_force, wrong
 
 
 def derive(F0, T):
@@ -33,7 +33,7 @@ def derive(F0, T):
                 mistake(
                     "The inner derivative: the integral of $\\sin(\\pi t/T)$ is $-\\cos(\\pi t/T)$ times a "
                     "time.",
-                    law("Impulse", "J = 2*F", J=J_s, F=F0),
+                    wrong("J = 2*F", J=J_s, F=F0),
                 ),
             ],
             check=(
@@ -48,17 +48,17 @@ def derive(F0, T):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide the impulse by it.",
-                    law("Mean force", "F = J*t", F=F_s, J=J_s, t=T),
+                    wrong("F = J*t", F=F_s, J=J_s, t=T),
                 ),
                 mistake(
                     "The root of the mean square is another mean; here the force itself is averaged over "
                     "the time.",
-                    law("Mean force", "F = F_0/sqrt(2)", F=F_s, F_0=F0),
+                    wrong("F = F_0/sqrt(2)", F=F_s, F_0=F0),
                 ),
                 mistake(
                     "You took the middle between nothing and the largest force; the sine stays high for "
                     "longer than that.",
-                    law("Mean force", "F = F_0/2", F=F_s, F_0=F0),
+                    wrong("F = F_0/2", F=F_s, F_0=F0),
                 ),
             ],
             check=(
@@ -96,7 +96,7 @@ def derive(F0, T):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide the impulse by it.",
-                    law("Mean force", "F = J*t", F=F_t, J=J_t, t=T),
+                    wrong("F = J*t", F=F_t, J=J_t, t=T),
                 ),
                 mistake(
                     "You divided by the time until the peak; the pulse lasts twice as long.",

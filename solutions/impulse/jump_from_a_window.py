@@ -1,7 +1,15 @@
 """Jump from a window: the fall fixes the change of momentum, the landing only shares it out over time or way."""
 
 from corollary.author import derivation, explain, mistake, route, simulate, step, unknowns
-from corollary.laws import change_of_momentum, falling, force_on_standing, law, mean_force, work_of_net_force
+from corollary.laws import (
+    change_of_momentum,
+    falling,
+    force_on_standing,
+    law,
+    mean_force,
+    work_of_net_force,
+    wrong,
+)
 
 
 def derive(h, m, dt, s, g):
@@ -16,15 +24,15 @@ def derive(h, m, dt, s, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h, v=v),
+                    wrong("g*h = v^2"),
                 ),
                 mistake(
                     "You did not take the root: energy goes with the square of the speed.",
-                    law("Conservation of mechanical energy", "v = 2*g*h", g=g, h=h, v=v),
+                    wrong("v = 2*g*h"),
                 ),
                 mistake(
                     "The factor 1/2 stands at the square of the speed, not at the height.",
-                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h, v=v),
+                    wrong("g*h = 2*v^2"),
                 ),
             ],
             check="Your mass does not matter: all bodies fall alike.",
@@ -42,7 +50,7 @@ def derive(h, m, dt, s, g):
                 ),
                 mistake(
                     "That is the kinetic energy; momentum is mass times velocity.",
-                    law("Change of momentum", "dp = m*v^2/2", dp=dp, m=m, v=v),
+                    wrong("dp = m*v^2/2"),
                 ),
                 mistake(
                     "You do not bounce back: you end at rest.", change_of_momentum(dp, m, before=-v, after=v)
@@ -58,12 +66,12 @@ def derive(h, m, dt, s, g):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide by it.",
-                    law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
+                    wrong("F = J*dt", J=dp),
                 ),
                 mistake(
                     "You took half of it, as for a mean velocity; the mean force is the whole change of "
                     "momentum divided by the time.",
-                    law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
+                    wrong("F = J/(2*dt)", J=dp),
                 ),
             ],
             check="Twice the time means half the force.",
@@ -77,16 +85,16 @@ def derive(h, m, dt, s, g):
             mistakes=[
                 mistake(
                     "That is the net force; the ground must carry your weight besides.",
-                    law("Net force", "F = N", F=F, N=N),
+                    wrong("F = N"),
                 ),
                 mistake(
                     "The weight points down: the ground must push with more than the net force, not with "
                     "less.",
-                    law("Net force", "F = N + m*g", F=F, N=N, m=m, g=g),
+                    wrong("F = N + m*g"),
                 ),
                 mistake(
                     "That is your weight alone; the ground must also stop you.",
-                    law("Net force", "N = m*g", N=N, m=m, g=g),
+                    wrong("N = m*g"),
                 ),
             ],
             check="With a very long stopping time it becomes your weight, as when you stand.",
@@ -99,12 +107,12 @@ def derive(h, m, dt, s, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Work and kinetic energy", "F*s = m*v^2", F=F_s, s=s, m=m, v=v),
+                    wrong("F*s = m*v^2", F=F_s),
                 ),
                 mistake(
                     "That is how momentum and time go together; over a way it is the kinetic energy that "
                     "counts.",
-                    law("Work and kinetic energy", "F*s = m*v", F=F_s, s=s, m=m, v=v),
+                    wrong("F*s = m*v", F=F_s),
                 ),
             ],
         ),
@@ -117,19 +125,19 @@ def derive(h, m, dt, s, g):
                 route(
                     "From window to rest at once: the ground takes, over s, all the energy that gravity "
                     "gives over h + s.",
-                    law("Work and kinetic energy", "N*s = m*g*(h + s)", N=N_s, s=s, m=m, g=g, h=h),
+                    law("Work and kinetic energy", "N*s = m*g*(h + s)", N=N_s),
                 )
             ],
             mistakes=[
                 mistake(
                     "That is the net force; while you sink by s gravity still does work, and the ground "
                     "must carry your weight besides.",
-                    law("Net force", "F = N", F=F_s, N=N_s),
+                    wrong("F = N", F=F_s, N=N_s),
                 ),
                 mistake(
                     "The weight points down: the ground must push with more than the net force, not with "
                     "less.",
-                    law("Net force", "F = N + m*g", F=F_s, N=N_s, m=m, g=g),
+                    wrong("F = N + m*g", F=F_s, N=N_s),
                 ),
             ],
             check="It is $mg(1 + h/s)$: stiff legs (a small s) make it enormous.",

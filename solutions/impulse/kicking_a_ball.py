@@ -1,7 +1,7 @@
 """Kicking a ball: an impulse is a change of momentum, and a force is how fast it comes."""
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import change_of_momentum, impulse_momentum, law, mean_force
+from corollary.laws import change_of_momentum, impulse_momentum, mean_force, wrong
 
 
 def derive(m, v, w, dt):
@@ -15,12 +15,12 @@ def derive(m, v, w, dt):
             mistakes=[
                 mistake(
                     "That is the kinetic energy, $mv^2/2$; momentum is mass times velocity.",
-                    law("Kinetic energy", "K = m*v^2/2", K=dp, m=m, v=v),
+                    wrong("K = m*v^2/2", K=dp),
                 ),
                 mistake(
                     "That is the rate at which the momentum changes, a force; the change itself does not "
                     "ask how long the kick lasts.",
-                    law("Rate of change", "p = m*v/dt", p=dp, m=m, v=v, dt=dt),
+                    wrong("p = m*v/dt", p=dp),
                 ),
             ],
             check="It points the way the ball goes, and grows with mass and with speed.",
@@ -34,12 +34,12 @@ def derive(m, v, w, dt):
                 mistake(
                     "You divided the change of momentum by the time: that is the mean force. The impulse is "
                     "the whole change of momentum.",
-                    law("Mean force", "F = dp/dt", F=J, dp=dp, dt=dt),
+                    wrong("F = dp/dt", F=J),
                 ),
                 mistake(
                     "You multiplied the change of momentum by the time; an impulse is a force times a time, "
                     "and that is the change of momentum already.",
-                    law("Impulse", "J = dp*dt", J=J, dp=dp, dt=dt),
+                    wrong("J = dp*dt"),
                 ),
             ],
             check="1 N s = 1 kg m/s: an impulse and a momentum have the same unit.",
@@ -53,12 +53,12 @@ def derive(m, v, w, dt):
                 mistake(
                     "You multiplied by the time. A short kick needs a large force: divide the impulse by "
                     "the time.",
-                    law("Mean force", "F = J*dt", F=F, J=J, dt=dt),
+                    wrong("F = J*dt"),
                 ),
                 mistake(
                     "You took half of the mean force, as for a mean velocity; the mean force over the "
                     "contact is the impulse divided by the time.",
-                    law("Mean force", "F = J/(2*dt)", F=F, J=J, dt=dt),
+                    wrong("F = J/(2*dt)"),
                 ),
             ],
             check="The same impulse in half the time would take twice the force.",
@@ -91,7 +91,7 @@ def derive(m, v, w, dt):
             mistakes=[
                 mistake(
                     "You multiplied by the time; divide the impulse by it.",
-                    law("Mean force", "F = J*dt", F=F_r, J=dp_r, dt=dt),
+                    wrong("F = J*dt", F=F_r, J=dp_r),
                 )
             ],
             check="With w = 0 this is the force of part (c); every bit of incoming speed adds to it.",

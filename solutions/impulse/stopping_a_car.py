@@ -1,7 +1,7 @@
 """Stopping a car: the same change of velocity, and a seatbelt that takes its time."""
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import change_of_momentum, law, mean_force
+from corollary.laws import change_of_momentum, mean_force, wrong
 
 
 def derive(v, M, dt, md, td):
@@ -19,11 +19,11 @@ def derive(v, M, dt, md, td):
                 ),
                 mistake(
                     "You put in the speed in km/h as if it were m/s; divide it by 3.6 first.",
-                    law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp, m=M, v=v),
+                    wrong("dp = m*(0 - 3.6*v)", m=M),
                 ),
                 mistake(
                     "You took the kinetic energy for the change of momentum; momentum is $mv$.",
-                    law("Change of momentum", "dp = -m*v^2/2", dp=dp, m=M, v=v),
+                    wrong("dp = -m*v^2/2", m=M),
                 ),
             ],
         ),
@@ -35,12 +35,12 @@ def derive(v, M, dt, md, td):
             mistakes=[
                 mistake(
                     "You multiplied by the time. A quick stop needs a large force: divide by the time.",
-                    law("Mean force", "F = J*dt", F=F, J=dp, dt=dt),
+                    wrong("F = J*dt", J=dp),
                 ),
                 mistake(
                     "You took half of the mean force, as for a mean velocity; the mean force is the whole "
                     "change of momentum divided by the time.",
-                    law("Mean force", "F = J/(2*dt)", F=F, J=dp, dt=dt),
+                    wrong("F = J/(2*dt)", J=dp),
                 ),
             ],
             check="It is negative: a car that drives forward is stopped by a force backward.",
@@ -57,7 +57,7 @@ def derive(v, M, dt, md, td):
                 ),
                 mistake(
                     "You put in the speed in km/h as if it were m/s; divide it by 3.6 first.",
-                    law("Change of momentum", "dp = m*(0 - 3.6*v)", dp=dp_d, m=md, v=v),
+                    wrong("dp = m*(0 - 3.6*v)", dp=dp_d, m=md),
                 ),
                 mistake(
                     "You put in the mass of the car. Asked is the force on the dummy, which stops the dummy "
@@ -78,12 +78,12 @@ def derive(v, M, dt, md, td):
                 ),
                 mistake(
                     "You multiplied by the time; divide by it.",
-                    law("Mean force", "F = J*dt", F=F_d, J=dp_d, dt=td),
+                    wrong("F = J*dt", F=F_d, J=dp_d, dt=td),
                 ),
                 mistake(
                     "You shared out the force on the car by the masses, as if the dummy stopped as quickly "
                     "as the car.",
-                    law("Mean force", "F = m*F_c/M", F=F_d, m=md, F_c=F, M=M),
+                    wrong("F = m*F_c/M", F=F_d, m=md, F_c=F),
                 ),
             ],
             check=(

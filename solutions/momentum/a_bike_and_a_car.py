@@ -1,7 +1,7 @@
 """A bike and a car: the same momentum at very different speeds."""
 
 from corollary.author import derivation, mistake, step, unknowns
-from corollary.laws import kinetic_energy, law, momentum
+from corollary.laws import kinetic_energy, momentum, wrong
 
 
 def derive(mb, M, V):
@@ -26,12 +26,12 @@ def derive(mb, M, V):
                 ),
                 mistake(
                     "The masses have changed places: with the smaller mass you need the larger speed.",
-                    law("Momentum", "p = m_b^2*v/M", p=p, m_b=mb, M=M, v=v),
+                    wrong("p = m_b^2*v/M", m_b=mb),
                 ),
                 mistake(
                     "You put in the speed of the car as if its number in km/h were one in m/s; divide it by "
                     "3.6 first.",
-                    law("Momentum", "3.6*p = m*v", p=p, m=mb, v=v),
+                    wrong("3.6*p = m*v", m=mb),
                 ),
             ],
             check=(

@@ -3,7 +3,7 @@
 import math
 
 from corollary.author import choice, derivation, explain, mistake, simulate, step, unknowns
-from corollary.laws import external_impulse, impulse_of_constant_force, law, total_momentum
+from corollary.laws import external_impulse, impulse_of_constant_force, law, total_momentum, wrong
 
 
 def derive(mA, mB, vAy, vBy, dt, g):
@@ -13,20 +13,18 @@ def derive(mA, mB, vAy, vBy, dt, g):
             G,
             "The external force along y is the weight of both objects; y points up, so it is negative. The "
             "forces of A on B and of B on A cancel.",
-            law("Weight of both", "G = -m_A*g - m_B*g", source="(12.54)", G=G, m_A=mA, m_B=mB, g=g),
+            law("Weight of both", "G = -m_A*g - m_B*g", source="(12.54)", m_A=mA, m_B=mB),
             mistakes=[
                 mistake(
                     "The y-axis points up and gravity down: the impulse of gravity is negative.",
-                    law("Weight of both", "G = m_A*g + m_B*g", G=G, m_A=mA, m_B=mB, g=g),
+                    wrong("G = m_A*g + m_B*g", m_A=mA, m_B=mB),
                 ),
                 mistake(
                     "You left out the acceleration of gravity: an impulse is a force times a time, and the "
                     "force is the mass times g.",
-                    law("Weight of both", "G = -(m_A + m_B)", G=G, m_A=mA, m_B=mB),
+                    wrong("G = -(m_A + m_B)", m_A=mA, m_B=mB),
                 ),
-                mistake(
-                    "Gravity acts on both objects.", law("Weight of both", "G = -m_A*g", G=G, m_A=mA, g=g)
-                ),
+                mistake("Gravity acts on both objects.", wrong("G = -m_A*g", m_A=mA)),
             ],
         ),
         step(
@@ -37,11 +35,11 @@ def derive(mA, mB, vAy, vBy, dt, g):
             mistakes=[
                 mistake(
                     "That is the weight; the impulse is the force times the time it acts.",
-                    law("Impulse", "J = G", J=J, G=G),
+                    wrong("J = G"),
                 ),
                 mistake(
                     "You divided by the time; an impulse is a force times a time.",
-                    law("Impulse", "J = F/dt", J=J, F=G, dt=dt),
+                    wrong("J = F/dt", F=G),
                 ),
             ],
             check="It has the unit N s = kg m/s of a momentum, and points down.",
@@ -61,17 +59,17 @@ def derive(mA, mB, vAy, vBy, dt, g):
         step(
             q,
             "The ratio of the two magnitudes.",
-            law("Ratio", "q = abs(J/P)", q=q, J=J, P=P_0),
+            law("Ratio", "q = abs(J/P)", P=P_0),
             answers="b",
             mistakes=[
                 mistake(
                     "You divided the other way round; asked is how large the impulse is compared with the "
                     "momentum.",
-                    law("Ratio", "q = abs(P/J)", q=q, J=J, P=P_0),
+                    wrong("q = abs(P/J)", P=P_0),
                 ),
                 mistake(
                     "You compared the force with the momentum; compare the impulse.",
-                    law("Ratio", "q = abs(G/P)", q=q, G=G, P=P_0),
+                    wrong("q = abs(G/P)", P=P_0),
                 ),
             ],
             check=(
@@ -87,11 +85,11 @@ def derive(mA, mB, vAy, vBy, dt, g):
             mistakes=[
                 mistake(
                     "Along y the momentum is not conserved: gravity acts. Add its impulse.",
-                    law("External impulse", "P_1 = P_0", P_0=P_0, P_1=P_1),
+                    wrong("P_1 = P_0"),
                 ),
                 mistake(
                     "Gravity takes upward momentum away: its impulse counts with its own, negative sign.",
-                    law("External impulse", "J = P_0 - P_1", J=J, P_0=P_0, P_1=P_1),
+                    wrong("J = P_0 - P_1"),
                 ),
             ],
             check=(

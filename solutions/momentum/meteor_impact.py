@@ -3,7 +3,7 @@
 import math
 
 from corollary.author import derivation, explain, mistake, route, simulate, step, unknown, vector
-from corollary.laws import change_of_kinetic_energy_in_plane, law, sticking
+from corollary.laws import change_of_kinetic_energy_in_plane, law, sticking, wrong
 
 
 def derive(mA, mB, vAx, vAy, vBx, vBy):
@@ -24,7 +24,7 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
                 ),
                 mistake(
                     "You took the mean of the velocities; each velocity counts with its mass.",
-                    law("Conservation of momentum", "v_1 = (v_A0 + v_B0)/2", v_1=v, v_A0=vA, v_B0=vB),
+                    wrong("v_1 = (v_A0 + v_B0)/2", v_1=v, v_A0=vA, v_B0=vB),
                 ),
                 mistake(
                     "You left out the momentum of the planet, which moves as well before the impact.",
@@ -32,8 +32,7 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
                 ),
                 mistake(
                     "After the impact the meteor is a part of what moves: both masses share the momentum.",
-                    law(
-                        "Conservation of momentum",
+                    wrong(
                         "m_A*v_A0 + m_B*v_B0 = m_B*v_1",
                         m_A=mA,
                         v_A0=vA,
@@ -71,15 +70,15 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
             mistakes=[
                 mistake(
                     "A change is what is after less what is before; you took it the other way.",
-                    law("Change of velocity", "dv = v_0 - v_1", dv=dv, v_1=v, v_0=vB),
+                    wrong("dv = v_0 - v_1", dv=dv, v_1=v, v_0=vB),
                 ),
                 mistake(
                     "That is the change of the meteor's velocity; asked is the planet's.",
-                    law("Change of velocity", "dv = v_1 - v_0", dv=dv, v_1=v, v_0=vA),
+                    wrong("dv = v_1 - v_0", dv=dv, v_1=v, v_0=vA),
                 ),
                 mistake(
                     "You added the velocities; a change is a difference.",
-                    law("Change of velocity", "dv = v_1 + v_0", dv=dv, v_1=v, v_0=vB),
+                    wrong("dv = v_1 + v_0", dv=dv, v_1=v, v_0=vB),
                 ),
             ],
             check="It points the way the meteor came, as seen from the planet.",
@@ -111,8 +110,7 @@ def derive(mA, mB, vAx, vAy, vBx, vBy):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law(
-                        "Change of kinetic energy",
+                    wrong(
                         "dK = M*(u_x^2 + u_y^2) - m_A*(v_Ax^2 + v_Ay^2) - m_B*(v_Bx^2 + v_By^2)",
                         dK=dK,
                         M=mA + mB,

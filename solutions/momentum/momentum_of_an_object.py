@@ -1,7 +1,7 @@
 """Momentum of an object: a vector along the velocity, and what becomes of Newton's second law when a mass changes."""
 
 from corollary.author import choice, derivation, mistake, step, unknown, vector
-from corollary.laws import kinetic_energy, law, magnitude, momentum
+from corollary.laws import kinetic_energy, magnitude, momentum, wrong
 
 
 def derive(m, vx, vy):
@@ -25,7 +25,7 @@ def derive(m, vx, vy):
                 mistake("The components have changed places.", momentum(p, m, (vy, vx))),
                 mistake(
                     "That is the velocity; multiply it by the mass.",
-                    law("Velocity", "p = v", p=p, v=(vx, vy)),
+                    wrong("p = v", p=p, v=(vx, vy)),
                 ),
             ],
             check="It points the way the object moves.",
@@ -39,20 +39,20 @@ def derive(m, vx, vy):
                 mistake(
                     "You added the components. They are at right angles: add their squares and take the "
                     "root.",
-                    law("Magnitude", "p = p_x + p_y", p=size, p_x=p[0], p_y=p[1]),
+                    wrong("p = p_x + p_y", p=size, p_x=p[0], p_y=p[1]),
                 ),
                 mistake(
                     "You added the sizes of the components. They are at right angles: add their squares and "
                     "take the root.",
-                    law("Magnitude", "p = p_x - p_y", p=size, p_x=p[0], p_y=p[1]),
+                    wrong("p = p_x - p_y", p=size, p_x=p[0], p_y=p[1]),
                 ),
                 mistake(
                     "Take the root of the sum of the squares.",
-                    law("Magnitude", "p = p_x^2 + p_y^2", p=size, p_x=p[0], p_y=p[1]),
+                    wrong("p = p_x^2 + p_y^2", p=size, p_x=p[0], p_y=p[1]),
                 ),
                 mistake(
                     "The squares of both components add up, whatever their signs.",
-                    law("Magnitude", "p = sqrt(abs(p_x^2 - p_y^2))", p=size, p_x=p[0], p_y=p[1]),
+                    wrong("p = sqrt(abs(p_x^2 - p_y^2))", p=size, p_x=p[0], p_y=p[1]),
                 ),
             ],
             check="It is the mass times the speed, larger than each component and smaller than their sum.",

@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import derivation, mistake, simulate, step, unknown, vector
-from corollary.laws import conservation_of_momentum, law, momentum, same, sticking
+from corollary.laws import conservation_of_momentum, law, momentum, same, sticking, wrong
 
 
 def derive(M, Ms, m, v, theta):
@@ -51,7 +51,7 @@ def derive(M, Ms, m, v, theta):
                 ),
                 mistake(
                     "You and the ball do not share a speed: the momenta are opposite, not the velocities.",
-                    law("Conservation of momentum", "V = -v", V=V, v=flat),
+                    wrong("V = -v", V=V, v=flat),
                 ),
             ],
             check="You slide away from your son, far slower than the ball, since you are far heavier.",
@@ -78,7 +78,7 @@ def derive(M, Ms, m, v, theta):
                 mistake(
                     "He has your speed in the other direction only in a mirror; no force has acted on him "
                     "yet.",
-                    law("Newton's first law", "v_1 = -V", v_1=u, V=V),
+                    wrong("v_1 = -V", v_1=u, V=V),
                 ),
             ],
             scale=V,
@@ -92,7 +92,7 @@ def derive(M, Ms, m, v, theta):
             mistakes=[
                 mistake(
                     "The catch happens between the ball and your son. It does not stop you.",
-                    law("Equality", "V_1 = 0", V_1=V_1),
+                    wrong("V_1 = 0", V_1=V_1),
                 ),
                 mistake(
                     "You and your son do not have opposite velocities; each has shared momentum with the "
@@ -124,7 +124,7 @@ def derive(M, Ms, m, v, theta):
                 ),
                 mistake(
                     "Kinetic energy is not kept in a catch; momentum is.",
-                    law("Conservation of momentum", "u = v*sqrt(m/(m + M))", m=m, v=flat, M=Ms, u=u_1),
+                    wrong("u = v*sqrt(m/(m + M))", v=flat, M=Ms, u=u_1),
                 ),
             ],
             check="Added over you, your son and the ball, the momentum along the ice is still zero.",

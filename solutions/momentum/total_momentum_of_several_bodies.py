@@ -1,7 +1,7 @@
 """Total momentum of several bodies: vectors are added, each with its own mass and its own signs."""
 
 from corollary.author import derivation, mistake, step, vector
-from corollary.laws import law, total_momentum
+from corollary.laws import total_momentum, wrong
 
 
 def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
@@ -22,8 +22,7 @@ def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
                 mistake(
                     "You added the velocities first and then multiplied by the total mass; each velocity "
                     "goes with its own mass.",
-                    law(
-                        "Total momentum",
+                    wrong(
                         "P = M*(v_1 + v_2 + v_3)",
                         P=P,
                         M=m1 + m2 + m3,
@@ -35,8 +34,7 @@ def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
                 mistake(
                     "That is the velocity of the centre of mass; the total momentum is not divided by the "
                     "mass.",
-                    law(
-                        "Total momentum",
+                    wrong(
                         "P = (m_1*v_1 + m_2*v_2 + m_3*v_3)/(m_1 + m_2 + m_3)",
                         P=P,
                         m_1=m1,
@@ -49,7 +47,7 @@ def derive(m1, m2, m3, v1x, v1y, v2x, v2y, v3x, v3y):
                 ),
                 mistake(
                     "You added the velocities; a momentum is a mass times a velocity.",
-                    law("Total momentum", "P = v_1 + v_2 + v_3", P=P, v_1=v1, v_2=v2, v_3=v3),
+                    wrong("P = v_1 + v_2 + v_3", P=P, v_1=v1, v_2=v2, v_3=v3),
                 ),
             ],
             check="If all bodies moved with one velocity, it would be the whole mass times that velocity.",

@@ -38,6 +38,7 @@ from corollary.laws import (
     towards_circle,
     turning_points,
     within,
+    wrong,
 )
 
 
@@ -72,12 +73,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake(
                     "The bottom of the well is at b, not at 0: your distances are right, but measured from "
                     "b.",
-                    law("From zero", "x = l", x=p, l=(-swing, swing)),
+                    wrong("x = l", x=p, l=(-swing, swing)),
                 ),
                 mistake(
                     "The energy goes with the square of the distance from b: a quarter of the energy is "
                     "half of the way.",
-                    law("Proportion", "x = b + l", x=p, b=b, l=(-eps * d, eps * d)),
+                    wrong("x = b + l", x=p, l=(-eps * d, eps * d)),
                 ),
                 mistake(
                     "That is where an atom with exactly the energy U₀ turns round: the ends of the well.",
@@ -95,11 +96,11 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             mistakes=[
                 mistake(
                     "That is the time from one turning point to the other; a full swing is there and back.",
-                    law("Harmonic oscillation", "T = pi*sqrt(m/k)", T=T, m=m, k=k),
+                    wrong("T = pi*sqrt(m/k)"),
                 ),
                 mistake(
                     "That is the time for one radian, $\\sqrt{m/k}$; a full swing is $2\\pi$ of them.",
-                    law("Harmonic oscillation", "T = sqrt(m/k)", T=T, m=m, k=k),
+                    wrong("T = sqrt(m/k)"),
                 ),
             ],
             check="A heavier atom or a softer spring swings more slowly; the energy does not matter.",
@@ -107,25 +108,20 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         step(
             v_far,
             "Outside the potential energy is U₀; what is left of the energy is kinetic.",
-            law(
-                "Conservation of mechanical energy", "E = m*v^2/2 + U_0", E=epsx * U_0, m=m, v=v_far, U_0=U_0
-            ),
+            law("Conservation of mechanical energy", "E = m*v^2/2 + U_0", E=epsx * U_0, v=v_far),
             answers="a3",
             where=v_far >= 0,
             mistakes=[
                 mistake(
                     "Outside the potential energy is U₀, not zero: only the rest of the energy is kinetic.",
-                    law("Conservation of mechanical energy", "E = m*v^2/2", E=epsx * U_0, m=m, v=v_far),
+                    wrong("E = m*v^2/2", E=epsx * U_0, v=v_far),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "E = m*v^2 + U_0",
                         E=epsx * U_0,
-                        m=m,
                         v=v_far,
-                        U_0=U_0,
                     ),
                 ),
             ],
@@ -144,10 +140,6 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "F = -theta*k*(x - b)",
                 holds="F = -dU/dx",
                 F=f,
-                theta=theta,
-                k=k,
-                x=x,
-                b=b,
             ),
             answers="b",
             scale=k * d,
@@ -155,22 +147,17 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake(
                     "The force is *minus* the slope of the potential energy: it points to the bottom of the "
                     "well.",
-                    law("Force and potential energy", "F = theta*k*(x - b)", F=f, theta=theta, k=k, x=x, b=b),
+                    wrong("F = theta*k*(x - b)", F=f),
                 ),
                 mistake(
                     "The bottom of the well, where there is no force, is at b and not at 0.",
-                    law("Force and potential energy", "F = -theta*k*x", F=f, theta=theta, k=k, x=x),
+                    wrong("F = -theta*k*x", F=f),
                 ),
                 mistake(
                     "The factor 1/2 goes away with the derivative of the square.",
-                    law(
-                        "Force and potential energy",
+                    wrong(
                         "F = -theta*k*(x - b)/2",
                         F=f,
-                        theta=theta,
-                        k=k,
-                        x=x,
-                        b=b,
                     ),
                 ),
             ],
@@ -186,28 +173,20 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             mistakes=[
                 mistake(
                     "You left out the well: on its way in, A gains the kinetic energy U₀.",
-                    law("Conservation of mechanical energy", "u = -v_0", u=u, v_0=vA0),
+                    wrong("u = -v_0", v_0=vA0),
                 ),
                 mistake(
                     "The speed is right, but A moves towards the molecule: the velocity is negative.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "u = sqrt(v_0^2 + 2*U_0/m)",
-                        u=u,
                         v_0=vA0,
-                        U_0=U_0,
-                        m=m,
                     ),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "u = -sqrt(v_0^2 + U_0/m)",
-                        u=u,
                         v_0=vA0,
-                        U_0=U_0,
-                        m=m,
                     ),
                 ),
             ],
@@ -222,16 +201,16 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             mistakes=[
                 mistake(
                     "Kinetic energy is not kept when things stick together; momentum is.",
-                    law("Conservation of momentum", "V = u/sqrt(2)", V=V, u=u),
+                    wrong("V = u/sqrt(2)"),
                 ),
                 mistake(
                     "That is an elastic collision: equal masses exchange their velocities only if they do "
                     "not stick.",
-                    law("Conservation of momentum", "V = u", V=V, u=u),
+                    wrong("V = u"),
                 ),
                 mistake(
                     "Momentum has a direction: the joined atoms go on towards the molecule.",
-                    law("Conservation of momentum", "V = -u/2", V=V, u=u),
+                    wrong("V = -u/2"),
                 ),
             ],
             check="Half the velocity, half the kinetic energy.",
@@ -244,22 +223,20 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Conservation of mechanical energy",
                 "2*m*V^2/2 = 2*U_0",
                 holds="at the least speed nothing is left outside",
-                m=m,
                 V=V_e,
-                U_0=U_0,
             ),
             where=V_e >= 0,
             mistakes=[
                 mistake(
                     "Both atoms are in the well: the pair needs $2U_0$.",
-                    law("Conservation of mechanical energy", "2*m*V^2/2 = U_0", m=m, V=V_e, U_0=U_0),
+                    wrong("2*m*V^2/2 = U_0", V=V_e),
                 )
             ],
         ),
         step(
             u_e,
             "The speed of A before the collision that gives this one, from momentum.",
-            law("Conservation of momentum", "m*u = 2*m*V", holds="they stick together", m=m, u=u_e, V=V_e),
+            law("Conservation of momentum", "m*u = 2*m*V", holds="they stick together", u=u_e, V=V_e),
         ),
         step(
             v_e,
@@ -270,12 +247,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             mistakes=[
                 mistake(
                     "That is the speed A needs at b. On its way in it gains U₀, so outside it may be slower.",
-                    law("Conservation of mechanical energy", "v = u", v=v_e, u=u_e),
+                    wrong("v = u", v=v_e, u=u_e),
                 ),
                 mistake(
                     "You forgot the collision: that is the case if no kinetic energy were lost when they "
                     "stick.",
-                    law("Conservation of mechanical energy", "m*v^2/2 + U_0 = 2*U_0", m=m, v=v_e, U_0=U_0),
+                    wrong("m*v^2/2 + U_0 = 2*U_0", v=v_e),
                 ),
             ],
             check=(
@@ -297,12 +274,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 ),
                 mistake(
                     "The force is zero on the circle r = b, not at the molecule.",
-                    law("Central force", "F = -k*s", F=F, k=k, s=(xp, yp)),
+                    wrong("F = -k*s", F=F, s=(xp, yp)),
                 ),
                 mistake(
                     "The size $k(r - b)$ goes with the *unit* vector $\\vec r/r$; you left out the division "
                     "by r.",
-                    law("Central force", "F = -k*(r - b)*s/b", F=F, k=k, b=b, r=r_p, s=(xp, yp)),
+                    wrong("F = -k*(r - b)*s/b", F=F, r=r_p, s=(xp, yp)),
                 ),
             ],
             check="Its length is $k\\,\\lvert r - b\\rvert$, and it lies along the radius.",
@@ -325,7 +302,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
         step(
             kappa,
             "How strong the start is against the spring, as a plain number.",
-            law("Ratio", "kappa = m*v^2/(k*b^2)", kappa=kappa, m=m, v=v0, k=k, b=b),
+            law("Ratio", "kappa = m*v^2/(k*b^2)", v=v0),
         ),
         step(
             lambda_0,
@@ -335,9 +312,6 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Conservation of angular momentum",
                 "b = lambda_0*(b + d)",
                 holds="m and v are the same on both sides",
-                b=b,
-                d=d,
-                lambda_0=lambda_0,
             ),
         ),
         step(
@@ -347,11 +321,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             law(
                 "Conservation of mechanical energy",
                 "m*(v^2 + w^2)/2 = U_0 + m*(lambda_0*v)^2/2",
-                m=m,
                 v=v0,
                 w=w_e,
-                U_0=U_0,
-                lambda_0=lambda_0,
             ),
             where=w_e >= 0,
         ),
@@ -366,20 +337,16 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake(
                     "At the greatest distance the atom does not stand still: it still moves across the "
                     "radius, with $v_0 b/r$.",
-                    law(
-                        "Conservation of mechanical energy",
+                    wrong(
                         "r = b + v*sqrt(m/k)",
                         r=r_max,
-                        b=b,
                         v=v0,
-                        m=m,
-                        k=k,
                     ),
                 ),
                 mistake(
                     "That is the distance where the pull would just be right for a circle at this speed; "
                     "the atom moves outwards and swings further.",
-                    law("Circle", "r = b/2 + sqrt(b^2/4 + m*v^2/k)", r=r_max, b=b, m=m, v=v0, k=k),
+                    wrong("r = b/2 + sqrt(b^2/4 + m*v^2/k)", r=r_max, v=v0),
                 ),
             ],
             check=(
@@ -404,7 +371,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake(
                     "That is the time for a turn about the molecule on the circle r = b at the speed at the "
                     "start; asked is the swing of the distance.",
-                    law("Circle", "T = 2*pi*b/v", T=T_r, b=b, v=v0),
+                    wrong("T = 2*pi*b/v", T=T_r, v=v0),
                 ),
             ],
             check="A little shorter than on a line, and more so for a faster start.",
@@ -419,12 +386,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             mistakes=[
                 mistake(
                     "That would be a closed orbit, once around for each swing. This orbit does not close.",
-                    law("Closed orbit", "phi = 2*pi", phi=phi),
+                    wrong("phi = 2*pi"),
                 ),
                 mistake(
                     "The angular velocity is $v_0/b$ only at the start; further out it is smaller, as "
                     "$1/r^2$.",
-                    law("Angular velocity", "phi = v/b*T", phi=phi, v=v0, b=b, T=T_r),
+                    wrong("phi = v/b*T", v=v0, T=T_r),
                 ),
             ],
             check="In general it is no simple fraction of a full turn: the orbit does not close.",
@@ -457,16 +424,16 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             mistakes=[
                 mistake(
                     "The spring is relaxed at b: it pulls with $k(r - b)$, not with $kr$.",
-                    law("Newton's second law", "r = v*sqrt(m/k)", k=k, r=r_c, m=m, v=v),
+                    wrong("r = v*sqrt(m/k)", r=r_c),
                 ),
                 mistake(
                     "The kinetic energy does not become spring energy here; on a circle the speed stays the "
                     "same. The force must hold the atom.",
-                    law("Newton's second law", "r = b + v*sqrt(m/k)", r=r_c, b=b, v=v, m=m, k=k),
+                    wrong("r = b + v*sqrt(m/k)", r=r_c),
                 ),
                 mistake(
                     "The factor 1/2 belongs to the kinetic energy; what a circle needs is $mv^2/r$.",
-                    law("Newton's second law", "k*(r - b) = m*v^2/(2*r)", k=k, r=r_c, b=b, m=m, v=v),
+                    wrong("k*(r - b) = m*v^2/(2*r)", r=r_c),
                 ),
             ],
             check="A slow atom circles just outside b; the faster it is, the wider the circle.",
@@ -496,7 +463,7 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
             q,
             "Is the circle of (i1) inside the well? Below the largest speed the share $q$ that is left is "
             "real; above it there is no such circle.",
-            law("Room left", "(v/v_max)^2 + q^2 = 1", v=v, v_max=v_max, q=q),
+            law("Room left", "(v/v_max)^2 + q^2 = 1"),
             where=q >= 0,
         ),
         choice(
@@ -568,20 +535,17 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Across the radius",
                 "lambda_k = lambda_0*sin(alpha)",
                 holds="angular momentum is kept",
-                lambda_k=lambda_k,
-                lambda_0=lambda_0,
-                alpha=alpha,
             ),
             mistakes=[
                 mistake(
                     "You left out angular momentum: at the edge the pair still moves across the radius, and "
                     "this part of the energy does not help it out.",
-                    law("No angular momentum", "w = 0", w=lambda_k),
+                    wrong("w = 0", w=lambda_k),
                 ),
                 mistake(
                     "The velocity across the radius is not kept. Angular momentum is: further out it is "
                     "smaller.",
-                    law("Constant velocity", "w = sin(alpha)", w=lambda_k, alpha=alpha),
+                    wrong("w = sin(alpha)", w=lambda_k),
                 ),
             ],
         ),
@@ -593,26 +557,23 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Conservation of mechanical energy",
                 "2*m*V^2/2 = 2*U_0 + 2*m*(lambda_k*V)^2/2",
                 holds="the pull on both atoms is conservative",
-                m=m,
                 V=V_k,
-                U_0=U_0,
-                lambda_k=lambda_k,
             ),
             where=V_k > 0,
         ),
         step(
             u_k,
             "Momentum in the collision, as a vector: the same direction, half the speed.",
-            law("Conservation of momentum", "m*u = 2*m*V", holds="they stick together", m=m, u=u_k, V=V_k),
+            law("Conservation of momentum", "m*u = 2*m*V", holds="they stick together", u=u_k, V=V_k),
             answers="k2",
             mistakes=[
                 mistake(
                     "That is the speed of the pair after the collision; A must have twice that before.",
-                    law("Conservation of momentum", "u = V", u=u_k, V=V_k),
+                    wrong("u = V", u=u_k, V=V_k),
                 ),
                 mistake(
                     "Kinetic energy is not kept when they stick together.",
-                    law("Conservation of momentum", "u = sqrt(2)*V", u=u_k, V=V_k),
+                    wrong("u = sqrt(2)*V", u=u_k, V=V_k),
                 ),
             ],
             check="Along the radius (α = 0) it is $2d\\sqrt{k/m}$, as in (e); across it, it is largest.",
@@ -625,15 +586,12 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Conservation of angular momentum",
                 "m*s = 2*m*lambda_s*r_1",
                 holds="the molecule pulls along the radius; v is the same on both sides",
-                m=m,
-                s=s,
                 r_1=b + d,
-                lambda_s=lambda_s,
             ),
             mistakes=[
                 mistake(
                     "You left out angular momentum: at the edge the pair still moves across the radius.",
-                    law("No angular momentum", "w = 0", w=lambda_s),
+                    wrong("w = 0", w=lambda_s),
                 ),
             ],
         ),
@@ -647,34 +605,23 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Energy of the pair",
                 "(m*v^2/2 + U_0)/2 = 2*U_0 + 2*m*(lambda_s*v)^2/2",
                 holds="the pull on both atoms is conservative",
-                m=m,
                 v=v_s,
-                U_0=U_0,
-                lambda_s=lambda_s,
             ),
             answers="k3",
             where=v_s > 0,
             mistakes=[
                 mistake(
                     "Kinetic energy is not kept when the atoms stick together: half of it is lost.",
-                    law(
-                        "Energy of the pair",
+                    wrong(
                         "m*v^2/2 + U_0 = 2*U_0 + 2*m*(lambda_s*v)^2/2",
-                        m=m,
                         v=v_s,
-                        U_0=U_0,
-                        lambda_s=lambda_s,
                     ),
                 ),
                 mistake(
                     "On its way into the well A gains the kinetic energy U₀.",
-                    law(
-                        "Energy of the pair",
+                    wrong(
                         "m*v^2/4 = 2*U_0 + 2*m*(lambda_s*v)^2/2",
-                        m=m,
                         v=v_s,
-                        U_0=U_0,
-                        lambda_s=lambda_s,
                     ),
                 ),
             ],
@@ -687,12 +634,8 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 "Conservation of mechanical energy",
                 "m*v^2/2 + U_0 = m*w^2/2 + m*(v*s/b)^2/2",
                 holds="across the radius it has v s/b, from angular momentum",
-                m=m,
                 v=v_s,
-                U_0=U_0,
                 w=w_b,
-                s=s,
-                b=b,
             ),
             where=w_b >= 0,
         ),
@@ -757,16 +700,16 @@ def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
                 mistake(
                     "That is where the pull suits a circle: the middle of the swing. The pair swings as far "
                     "again beyond it.",
-                    law("Circle", "x = m*v^2/(k*b)", x=x_l, m=m, v=v1, k=k, b=b),
+                    wrong("x = m*v^2/(k*b)", x=x_l, v=v1),
                 ),
                 mistake(
                     "The mass has doubled, but so has the force: the molecule pulls on both atoms.",
-                    law("One force", "x = 4*m*v^2/(k*b)", x=x_l, m=m, v=v1, k=k, b=b),
+                    wrong("x = 4*m*v^2/(k*b)", x=x_l, v=v1),
                 ),
                 mistake(
                     "The pair does not stop at the greatest distance: hardly any of its kinetic energy is "
                     "used up, for it still moves across the radius.",
-                    law("On a line", "x = v*sqrt(m/k)", x=x_l, v=v1, m=m, k=k),
+                    wrong("x = v*sqrt(m/k)", x=x_l, v=v1),
                 ),
             ],
             check="It goes with the square of the speed: half the speed, a quarter of the excess.",

@@ -31,13 +31,14 @@ from corollary.laws import (
     same,
     spring_at_rest,
     sticking,
+    wrong,
 )
 
 
 def derive(m, h0, r, k, v0, g):
     u_0, V, h_1, h_in, mu, T, x = unknowns("u_0 V h_1 h_in mu T x")
     t, x_a, a_p, eps = unknowns("t x_a a_p epsilon")
-    ell, thread = supposed("ell", "0.5 m", "the threads are at least so long, for the ball was lifted far")
+    _ell, thread = supposed("ell", "0.5 m", "the threads are at least so long, for the ball was lifted far")
     v, w = vector("v", "A B"), vector("w", "A B")
     f, s, e, n = vector("f", "A B C"), vector("s", "A B C"), vector("e", "A B C"), vector("n", "A B C")
     return derivation(
@@ -51,12 +52,12 @@ def derive(m, h0, r, k, v0, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h0, v=u_0),
+                    wrong("g*h = v^2", h=h0, v=u_0),
                 ),
                 mistake(
                     "Energy goes with the square of the speed: $2gh$ is $v^2$, so the speed is "
                     "$\\sqrt{2gh}$ and not $\\sqrt{gh/2}$.",
-                    law("Conservation of mechanical energy", "g*h = 2*v^2", g=g, h=h0, v=u_0),
+                    wrong("g*h = 2*v^2", h=h0, v=u_0),
                 ),
             ],
             check=(
@@ -93,11 +94,11 @@ def derive(m, h0, r, k, v0, g):
             mistakes=[
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_1, v=v[1]),
+                    wrong("g*h = v^2", h=h_1, v=v[1]),
                 ),
                 mistake(
                     "The energy of A is not shared between the balls: A stays behind at rest.",
-                    law("Conservation of mechanical energy", "g*h = v^2/4", g=g, h=h_1, v=v[1]),
+                    wrong("g*h = v^2/4", h=h_1, v=v[1]),
                 ),
             ],
             check="B rises as high as A was lifted: nothing is lost.",
@@ -109,7 +110,7 @@ def derive(m, h0, r, k, v0, g):
             mistakes=[
                 mistake(
                     "Kinetic energy is not kept when things stick together; momentum is.",
-                    law("Conservation of momentum", "V = u/sqrt(2)", V=V, u=u_0),
+                    wrong("V = u/sqrt(2)", u=u_0),
                 ),
             ],
         ),
@@ -122,11 +123,11 @@ def derive(m, h0, r, k, v0, g):
                 mistake(
                     "Half the speed is a quarter of the height, not half of it: the height goes with the "
                     "square of the speed.",
-                    law("Conservation of mechanical energy", "h = h_0*V/u", h=h_in, h_0=h0, V=V, u=u_0),
+                    wrong("h = h_0*V/u", h=h_in, h_0=h0, u=u_0),
                 ),
                 mistake(
                     "You left out the factor 1/2 of the kinetic energy.",
-                    law("Conservation of mechanical energy", "g*h = v^2", g=g, h=h_in, v=V),
+                    wrong("g*h = v^2", h=h_in, v=V),
                 ),
             ],
             check="Half of the kinetic energy is lost, and what is left lifts twice the mass.",
@@ -141,7 +142,7 @@ def derive(m, h0, r, k, v0, g):
                 mistake(
                     "The coefficient of restitution compares *relative* velocities, not the speeds of A "
                     "before and B after.",
-                    law("Coefficient of restitution", "v_B1 = r*v_A0", v_B1=w[1], v_A0=u_0, r=r),
+                    law("Coefficient of restitution", "v_B1 = r*v_A0", v_B1=w[1], v_A0=u_0),
                 ),
                 mistake(
                     "You let A run ahead of B: after the collision B must be the faster one.",
@@ -151,7 +152,6 @@ def derive(m, h0, r, k, v0, g):
                         v_A1=w[0],
                         v_B1=w[1],
                         v_A0=u_0,
-                        r=r,
                     ),
                 ),
             ],
@@ -235,11 +235,11 @@ def derive(m, h0, r, k, v0, g):
                 ),
                 mistake(
                     "That is a whole period; the balls part after half of one.",
-                    law("Half a period", "T = 2*pi*sqrt(m/k)", T=T, m=mu, k=k),
+                    wrong("T = 2*pi*sqrt(m/k)", m=mu),
                 ),
                 mistake(
                     "That is a quarter of a period, up to the largest overlap; they still have to part.",
-                    law("Half a period", "T = pi/2*sqrt(m/k)", T=T, m=mu, k=k),
+                    wrong("T = pi/2*sqrt(m/k)", m=mu),
                 ),
             ],
             check="It does not depend on the speed: for q = 1, fast and slow balls touch equally long.",
@@ -258,7 +258,7 @@ def derive(m, h0, r, k, v0, g):
                 ),
                 mistake(
                     "A force balance gives the place of no force, not of rest; use energy.",
-                    law("Force", "k*x = m*v/T", k=k, x=x, m=mu, v=v0, T=T),
+                    wrong("k*x = m*v/T", m=mu, v=v0),
                 ),
             ],
             check="Stiffer balls overlap less.",
@@ -305,10 +305,10 @@ def derive(m, h0, r, k, v0, g):
             "Three balls touch for less than 1.6 times T. The places of all three, which begin at 0, add up "
             "to $v_0t$ as long as their momentum is kept; on their threads they are pulled back "
             "in proportion to that, on the average with half of what it is in the end.",
-            law("Time", "t = 8*T/5", t=t, T=T),
-            law("Places together", "x = v_0*t", x=x_a, v_0=v0, t=t),
-            law("Pull of the threads", "a = g*x/ell/2", a=a_p, g=g, x=x_a, ell=ell),
-            law("Change of the velocities", "epsilon = a*t", epsilon=eps, a=a_p, t=t),
+            law("Time", "t = 8*T/5"),
+            law("Places together", "x = v_0*t", x=x_a, v_0=v0),
+            law("Pull of the threads", "a = g*x/ell/2", a=a_p, x=x_a),
+            law("Change of the velocities", "epsilon = a*t", epsilon=eps, a=a_p),
             also=[t, x_a, a_p],
             supposing=[thread],
         ),

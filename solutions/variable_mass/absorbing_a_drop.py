@@ -9,6 +9,7 @@ from corollary.laws import (
     law,
     sticking,
     thrust,
+    wrong,
 )
 
 
@@ -24,17 +25,15 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
             mistakes=[
                 mistake(
                     "The drop comes to meet the body: its velocity is negative, and so is its momentum.",
-                    law(
-                        "Conservation of momentum", "m*v - dm*u = (m + dm)*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1
-                    ),
+                    wrong("m*v - dm*u = (m + dm)*v_1"),
                 ),
                 mistake(
                     "The drop brings momentum of its own; you treated it as if it were at rest.",
-                    law("Conservation of momentum", "m*v = (m + dm)*v_1", m=m, v=v, dm=dm, v_1=v_1),
+                    wrong("m*v = (m + dm)*v_1"),
                 ),
                 mistake(
                     "Afterwards the mass is $m + \\Delta m$: the drop moves on with the body.",
-                    law("Conservation of momentum", "m*v + dm*u = m*v_1", m=m, v=v, dm=dm, u=u, v_1=v_1),
+                    wrong("m*v + dm*u = m*v_1"),
                 ),
             ],
             check=(
@@ -55,12 +54,6 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                     law(
                         "Change of momentum",
                         "dp = (m + dm)*(v + dv) - (m*v + dm*u)",
-                        dp=dp,
-                        m=m,
-                        dm=dm,
-                        v=v,
-                        u=u,
-                        dv=dv,
                     ),
                 )
             ],
@@ -72,14 +65,12 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                 ),
                 mistake(
                     "You left out the momentum the drop had before: use $(v - u)\\,\\Delta m$.",
-                    law("Absorbed mass", "dp = m*dv + v*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, dm=dm),
+                    wrong("dp = m*dv + v*dm + dm*dv"),
                 ),
                 mistake(
                     "The velocity of the drop relative to the body is $u - v$; the drop has to gain $v - "
                     "u$, so $u$ is subtracted.",
-                    law(
-                        "Absorbed mass", "dp = m*dv + (v + u)*dm + dm*dv", dp=dp, m=m, dv=dv, v=v, u=u, dm=dm
-                    ),
+                    wrong("dp = m*dv + (v + u)*dm + dm*dv"),
                 ),
             ],
             check="With $\\Delta m = 0$ it is $m\\,\\Delta v$, the familiar case.",
@@ -94,12 +85,12 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                 mistake(
                     "The velocity relative to the ground is not what counts; the exhaust is pushed off from "
                     "the rocket.",
-                    law("Thrust", "F = (v_rel + V)*R", F=F_t, v_rel=vrel, V=V, R=mdot),
+                    wrong("F = (v_rel + V)*R", F=F_t, v_rel=vrel, R=mdot),
                 ),
                 mistake(
                     "The rocket loses mass (dm/dt is negative) and the exhaust goes backwards (negative): "
                     "the product of both signs pushes forward.",
-                    law("Thrust", "F = -v_rel*R", F=F_t, v_rel=vrel, R=mdot),
+                    wrong("F = -v_rel*R", F=F_t, v_rel=vrel, R=mdot),
                 ),
             ],
             check=(
@@ -119,11 +110,11 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
             mistakes=[
                 mistake(
                     "The weight grows on the way: you used the weight of the drop at the start.",
-                    law("Impulse", "J = m*g*t", J=J, m=m, g=g, t=t),
+                    wrong("J = m*g*t"),
                 ),
                 mistake(
                     "The weight grows on the way: you used the weight of the drop at the end all the time.",
-                    law("Impulse", "J = M*g*t", J=J, M=M, g=g, t=t),
+                    wrong("J = M*g*t"),
                 ),
             ],
         ),
@@ -136,26 +127,23 @@ def derive(m, dm, V, v, u, vrel, mdot, t, R, g, dv):
                 "M*v_1 - m*v_0 = J",
                 source="(12.19), (12.127)",
                 holds="what is taken up was at rest",
-                M=M,
                 v_1=v_2,
-                m=m,
                 v_0=v,
-                J=J,
             ),
             answers="d",
             mistakes=[
                 mistake(
                     "That is free fall of a drop of constant mass. Vapour at rest has to be brought up to "
                     "speed.",
-                    law("Free fall", "v_1 = v_0 + g*t", v_1=v_2, v_0=v, g=g, t=t),
+                    wrong("v_1 = v_0 + g*t", v_1=v_2, v_0=v),
                 ),
                 mistake(
                     "You left out the momentum with which the drop starts.",
-                    law("Impulse", "M*v_1 = J", M=M, v_1=v_2, J=J),
+                    wrong("M*v_1 = J", v_1=v_2),
                 ),
                 mistake(
                     "The momentum after is that of the grown drop: its mass is $m + Rt$.",
-                    law("Impulse", "m*v_1 - m*v_0 = J", m=m, v_1=v_2, v_0=v, J=J),
+                    wrong("m*v_1 - m*v_0 = J", v_1=v_2, v_0=v),
                 ),
             ],
             check=(

@@ -1,7 +1,7 @@
 """A rocket burns its fuel: the last kilogram gives more speed than the first."""
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import burnt, law
+from corollary.laws import burnt, wrong
 
 
 def derive(m0, m1, vrel, v0, dv):
@@ -17,11 +17,9 @@ def derive(m0, m1, vrel, v0, dv):
                 mistake(
                     "That throws out all the fuel in one go, with this speed as seen from the ground. The "
                     "rocket burns it bit by bit, and every bit leaves a rocket that moves already.",
-                    law(
-                        "Conservation of momentum",
+                    wrong(
                         "m_1*(v - v_0) = (m_0 - m_1)*v_rel",
                         m_1=m1,
-                        v=v,
                         v_0=v0,
                         m_0=m0,
                         v_rel=vrel,
@@ -29,11 +27,9 @@ def derive(m0, m1, vrel, v0, dv):
                 ),
                 mistake(
                     "You kept the mass at its starting value; the same push gives a lighter rocket more.",
-                    law(
-                        "Constant mass",
+                    wrong(
                         "m_0*(v - v_0) = (m_0 - m_1)*v_rel",
                         m_1=m1,
-                        v=v,
                         v_0=v0,
                         m_0=m0,
                         v_rel=vrel,
@@ -45,8 +41,7 @@ def derive(m0, m1, vrel, v0, dv):
                 ),
                 mistake(
                     "You used the decimal logarithm; the integral of 1/m is the natural one.",
-                    law(
-                        "Rocket equation, integrated",
+                    wrong(
                         "v_1 = v_0 + v_rel*log10(m_0/m_1)",
                         v_1=v,
                         v_0=v0,
@@ -69,7 +64,7 @@ def derive(m0, m1, vrel, v0, dv):
             mistakes=[
                 mistake(
                     "That is the fuel it burns; asked is the mass that is left.",
-                    law("Fuel", "m_1 = m_0*(1 - exp(-dv/v_rel))", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel),
+                    wrong("m_1 = m_0*(1 - exp(-dv/v_rel))", m_1=m_2, m_0=m0, v_rel=vrel),
                 ),
                 mistake(
                     "The rocket gets lighter: the exponent must be negative.",
@@ -78,7 +73,7 @@ def derive(m0, m1, vrel, v0, dv):
                 mistake(
                     "That is $1 - \\Delta v/v_{rel}$, good only for gains much smaller than the speed of "
                     "the exhaust.",
-                    law("Small gain", "m_1 = m_0*(1 - dv/v_rel)", m_1=m_2, m_0=m0, dv=dv, v_rel=vrel),
+                    wrong("m_1 = m_0*(1 - dv/v_rel)", m_1=m_2, m_0=m0, v_rel=vrel),
                 ),
             ],
             check="Each gain of $v_{rel}$ costs a factor e = 2.72 in mass.",

@@ -3,7 +3,7 @@
 import sympy
 
 from corollary.author import derivation, mistake, proof, route, simulate, step, unknowns
-from corollary.laws import law, rocket_equation
+from corollary.laws import law, rocket_equation, wrong
 
 
 def derive(m, L, v0, y, g):
@@ -14,12 +14,12 @@ def derive(m, L, v0, y, g):
         step(
             mu,
             "The chain is the same all along: the part that hangs has its share of the mass.",
-            law("Even chain", "mu = m*y/L", mu=mu, m=m, y=y, L=L),
+            law("Even chain", "mu = m*y/L"),
         ),
         step(
             R,
             "It grows as fast as the end rises, $dy/dt = v_0$.",
-            law("Rate", "R = m/L*v_0", holds="R = dμ/dt and v₀ = dy/dt", R=R, m=m, L=L, v_0=v0),
+            law("Rate", "R = m/L*v_0", holds="R = dμ/dt and v₀ = dy/dt", v_0=v0),
         ),
         step(
             F,
@@ -30,27 +30,27 @@ def derive(m, L, v0, y, g):
             routes=[
                 route(
                     "Or at once, by what part (p) shows.",
-                    law("To show", "F = m/L*(v_0^2 + g*y)", F=F, m=m, L=L, v_0=v0, g=g, y=y),
+                    law("To show", "F = m/L*(v_0^2 + g*y)", v_0=v0),
                 )
             ],
             mistakes=[
                 mistake(
                     "That is the weight of what hangs. At constant speed too, links at rest have to be "
                     "brought up to speed all the time.",
-                    law("Equilibrium", "F = mu*g", F=F, mu=mu, g=g),
+                    wrong("F = mu*g"),
                 ),
                 mistake(
                     "You lift the links with the energy $\\mu v^2/2$ in mind; the factor 1/2 is wrong for "
                     "momentum, and half of the work is lost.",
-                    law("Energy", "F = mu*g + R*v_0/2", F=F, mu=mu, g=g, R=R, v_0=v0),
+                    wrong("F = mu*g + R*v_0/2", v_0=v0),
                 ),
                 mistake(
                     "That is the weight of the whole chain; the heap is carried by the table.",
-                    law("Rocket equation", "F = m*g + v_0*R", F=F, m=m, g=g, v_0=v0, R=R),
+                    wrong("F = m*g + v_0*R", v_0=v0),
                 ),
                 mistake(
                     "You left out the weight of what hangs already.",
-                    law("Rocket equation", "F = v_0*R", F=F, v_0=v0, R=R),
+                    wrong("F = v_0*R", v_0=v0),
                 ),
             ],
             check="At y = 0 the force is $(m/L)v_0^2$ already: it does not begin at nothing.",
@@ -63,15 +63,11 @@ def derive(m, L, v0, y, g):
                 "F - mu*g = v_0*R",
                 source="(12.127)",
                 holds="the hanging part does not accelerate",
-                F=F,
-                mu=mu,
-                g=g,
                 v_0=v0,
-                R=R,
             ),
-            law("Even chain", "mu = m*y/L", mu=mu, m=m, y=y, L=L),
-            law("Rate", "R = m/L*v_0", holds="R = dμ/dt", R=R, m=m, L=L, v_0=v0),
-            target=law("The force", "F = (m/L)*(v_0^2 + g*y)", F=F, m=m, L=L, v_0=v0, g=g, y=y),
+            law("Even chain", "mu = m*y/L"),
+            law("Rate", "R = m/L*v_0", holds="R = dμ/dt", v_0=v0),
+            target=law("The force", "F = (m/L)*(v_0^2 + g*y)", v_0=v0),
             lines=[
                 "F - mu*g = v0*R",
                 "R = (m/L)*v0",
@@ -83,11 +79,11 @@ def derive(m, L, v0, y, g):
             mistakes=[
                 mistake(
                     "A constant velocity needs no net force only when the mass stays the same.",
-                    law("Equilibrium", "F = mu*g", F=F, mu=mu, g=g),
+                    wrong("F = mu*g"),
                 ),
                 mistake(
                     "That is energy, with its factor 1/2; part of the work is lost in catching the links.",
-                    law("Energy", "F = mu*g + v_0*R/2", F=F, mu=mu, g=g, R=R, v_0=v0),
+                    wrong("F = mu*g + v_0*R/2", v_0=v0),
                 ),
             ],
         ),
@@ -98,23 +94,22 @@ def derive(m, L, v0, y, g):
                 "Work",
                 "W = S",
                 holds="the end moves along the force, from y = 0 to y = L; S is the integral",
-                W=W,
                 S=work,
             ),
             answers="b",
             mistakes=[
                 mistake(
                     "The force grows on the way; you used its value at the end for the whole way.",
-                    law("Work", "W = m/L*(v_0^2 + g*L)*L", W=W, m=m, L=L, v_0=v0, g=g),
+                    wrong("W = m/L*(v_0^2 + g*L)*L", v_0=v0),
                 ),
                 mistake(
                     "That is the energy the chain has in the end. The pull does more work: part of it is "
                     "lost.",
-                    law("Work", "W = m*v_0^2/2 + m*g*L/2", W=W, m=m, v_0=v0, g=g, L=L),
+                    wrong("W = m*v_0^2/2 + m*g*L/2", v_0=v0),
                 ),
                 mistake(
                     "You used the force at the height y of part (a); it is different at every height.",
-                    law("Work", "W = F*L", W=W, F=F, L=L),
+                    wrong("W = F*L"),
                 ),
             ],
             check="The chain's centre rises by L/2, which explains the second term.",
@@ -126,31 +121,27 @@ def derive(m, L, v0, y, g):
                 "Mechanical energy",
                 "E = m*v_0^2/2 + m*g*L/2",
                 source="(12.2), (12.25)",
-                E=E,
-                m=m,
                 v_0=v0,
-                g=g,
-                L=L,
             ),
         ),
         step(
             D,
             "What was put in and is not there as mechanical energy in the end is lost.",
-            law("Energy balance", "W = E + D", W=W, E=E, D=D),
+            law("Energy balance", "W = E + D"),
             answers="c",
             mistakes=[
                 mistake(
                     "Catching a link is a perfectly inelastic collision, as links at rest jump to the speed "
                     "of the others: energy is lost.",
-                    law("Energy balance", "D = 0*W", D=D, W=W),
+                    wrong("D = 0*W"),
                 ),
                 mistake(
                     "That counts all of $m v_0^2$ as lost; half of it is the kinetic energy of the chain.",
-                    law("Energy balance", "D = m*v_0^2", D=D, m=m, v_0=v0),
+                    wrong("D = m*v_0^2", v_0=v0),
                 ),
                 mistake(
                     "The centre of the hanging chain is at L/2, not at L.",
-                    law("Energy balance", "W = m*v_0^2/2 + m*g*L + D", W=W, m=m, v_0=v0, g=g, L=L, D=D),
+                    wrong("W = m*v_0^2/2 + m*g*L + D", v_0=v0),
                 ),
             ],
             check="As much is lost as is gained in kinetic energy, for any chain and any speed.",

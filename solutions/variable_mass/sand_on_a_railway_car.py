@@ -1,7 +1,7 @@
 """Sand on a railway car: a force is needed to keep a velocity, when there is ever more to move."""
 
 from corollary.author import derivation, mistake, simulate, step, unknowns
-from corollary.laws import law, rocket_equation
+from corollary.laws import law, rocket_equation, wrong
 
 
 def derive(v, R, ux, m0, t):
@@ -16,16 +16,16 @@ def derive(v, R, ux, m0, t):
                 mistake(
                     "A constant velocity needs no force only as long as the mass stays the same; the sand "
                     "has to be brought up to speed.",
-                    law("Newton's second law", "F = m*a", F=F, m=m0, a=0),
+                    wrong("F = m*a", m=m0, a=0),
                 ),
                 mistake(
                     "The mass of the car itself keeps its momentum; only the sand that arrives has to be "
                     "brought up to speed.",
-                    law("Mean force", "F = (m + R*t)*v/t", F=F, m=m0, R=R, v=v, t=t),
+                    wrong("F = (m + R*t)*v/t", m=m0),
                 ),
                 mistake(
                     "The factor 1/2 belongs to kinetic energy; momentum has none.",
-                    law("Rocket equation", "F = v*R/2", F=F, v=v, R=R),
+                    wrong("F = v*R/2"),
                 ),
             ],
             check="How much the car weighs, and how long one has waited, does not matter.",
@@ -33,16 +33,16 @@ def derive(v, R, ux, m0, t):
         step(
             P,
             "The power of a force along the motion is force times velocity.",
-            law("Power", "P = F*v", P=P, F=F, v=v),
+            law("Power", "P = F*v"),
             answers="b",
             mistakes=[
                 mistake(
                     "That is only how fast the kinetic energy grows; the pull delivers more.",
-                    law("Power", "P = F*v/2", P=P, F=F, v=v),
+                    wrong("P = F*v/2"),
                 ),
                 mistake(
                     "That is the work done in the whole time; the power is the work per second.",
-                    law("Work", "P = F*v*t", P=P, F=F, v=v, t=t),
+                    wrong("P = F*v*t"),
                 ),
             ],
             check="It grows with the square of the speed.",
@@ -68,22 +68,22 @@ def derive(v, R, ux, m0, t):
         step(
             K,
             "Each second the mass R comes to move with the car: so fast grows the kinetic energy.",
-            law("Kinetic energy", "K = R*v^2/2", source="(12.2)", K=K, R=R, v=v),
+            law("Kinetic energy", "K = R*v^2/2", source="(12.2)"),
         ),
         step(
             D,
             "What the pull delivers and what does not become kinetic energy is lost: sand and car rub until "
             "they move as one.",
-            law("Energy balance", "P = K + D", P=P, K=K, D=D),
+            law("Energy balance", "P = K + D"),
             answers="d",
             mistakes=[
                 mistake(
                     "Energy is not kept here: each grain is caught in a perfectly inelastic collision.",
-                    law("Energy balance", "D = 0*P", D=D, P=P),
+                    wrong("D = 0*P"),
                 ),
                 mistake(
                     "Part of what the pull delivers stays as kinetic energy of the sand.",
-                    law("Energy balance", "D = P", D=D, P=P),
+                    wrong("D = P"),
                 ),
             ],
             check="Half of the work is lost, however gently the sand is caught.",

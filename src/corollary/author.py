@@ -41,7 +41,7 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.grading.programs import member
-from corollary.laws.law import Law, as_expression
+from corollary.laws.law import Law, as_expression, known_by_name
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
@@ -54,17 +54,23 @@ def derivation(*entries: Entry) -> Derivation:
 
 def unknowns(names: str) -> tuple[sympy.Symbol, ...]:
     """Real unknowns, by their letters: `dp, J = unknowns("dp J")`."""
-    return tuple(sympy.Symbol(name, real=True) for name in names.split())
+    found = tuple(sympy.Symbol(name, real=True) for name in names.split())
+    for symbol in found:
+        known_by_name(symbol.name, symbol)
+    return found
 
 
 def unknown(name: str) -> sympy.Symbol:
     """One real unknown."""
-    return sympy.Symbol(name, real=True)
+    return unknowns(name)[0]
 
 
 def vector(name: str, components: str = "x y") -> tuple[sympy.Symbol, ...]:
     """The components of an unknown vector: `vector("J")` is (J_x, J_y)."""
-    return unknowns(" ".join(f"{name}_{component}" for component in components.split()))
+    found = unknowns(" ".join(f"{name}_{component}" for component in components.split()))
+    if set(components.split()) <= {"x", "y", "z"}:  # `vector("v", "A B")` are two bodies, no vector
+        known_by_name(name, found)
+    return found
 
 
 def step(
@@ -106,7 +112,9 @@ def route(because: str, *laws: Law) -> Route[Law]:
 
 def reject(reason: str, **roots: object) -> Rejected:
     """A root that is on record as refused: `reject("no collision took place", v_A=vA)`."""
-    return Rejected(reason, {unknown(name): as_expression(root) for name, root in roots.items()})
+    return Rejected(
+        reason, {sympy.Symbol(name, real=True): as_expression(root) for name, root in roots.items()}
+    )
 
 
 def optimum(
@@ -233,7 +241,9 @@ def neglected(
 
 def supposed(name: str, text: str, why: str) -> tuple[sympy.Symbol, Supposed]:
     """A positive value that is not given, for what is neglected: `tau, touch = supposed("tau", "1 ms", "hard things touch no longer")`."""
-    return sympy.Symbol(name, positive=True), Supposed(name, text, why)
+    symbol = sympy.Symbol(name, positive=True)
+    known_by_name(name, symbol)
+    return symbol, Supposed(name, text, why)
 
 
 def explain(part: str, *rubric: str, answer: str) -> Explain:

@@ -88,8 +88,12 @@ def load(bank: Bank, problem: Problem) -> Loaded:
             line,
             f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})",
         )
+    from corollary.laws.law import own_letters  # only here, as sympy above
+
+    symbols = {name: symbol_of(problem, name) for name in have}
     try:
-        derivation = derive(**{name: symbol_of(problem, name) for name in wanted})
+        with own_letters(symbols):
+            derivation = derive(**{name: symbols[name] for name in wanted})
     except (Exception, SystemExit) as error:
         raise NotDerivable(
             path, line_in(error, path) or line, f"derive fails: {type(error).__name__}: {error}"

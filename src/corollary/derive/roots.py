@@ -193,9 +193,13 @@ def exchanged(laws: tuple[Law, ...], mistake: Mistake[Exchange]) -> tuple[Law, .
     if not instead and len(laws) == 1:
         return wrong
     wanted = instead or wrong[0].name
-    if sum(stated.name == wanted for stated in laws) != 1:
+    places = [place for place, stated in enumerate(laws) if stated.name == wanted]
+    if not wanted:  # `wrong("K = m*v^2")` is about the law of K
+        left = wrong[0].textbook.left
+        places = [place for place, stated in enumerate(laws) if stated.textbook.left == left]
+    if len(places) != 1:
         names = ", ".join(stated.name for stated in laws)
         raise NoRoot(
             f"mistake {mistake.text!r}: say which law it takes the place of, instead= one of {names}"
         )
-    return tuple(new for stated in laws for new in (wrong if stated.name == wanted else (stated,)))
+    return (*laws[: places[0]], *wrong, *laws[places[0] + 1 :])

@@ -15,7 +15,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from corollary.laws.law import Law, law
+from corollary.laws.law import Law, law, wrong
 from corollary.plug_ins import load, plug_ins
 
 GROUP = "corollary.laws"
@@ -37,7 +37,7 @@ def _topics() -> list[ModuleType]:
 
 _OWN = {name: value for topic in _topics() for name, value in laws_in(topic).items()}
 globals().update(_OWN)
-__all__ = ["Law", "law"]
+__all__ = ["Law", "law", "wrong"]
 __all__ += sorted(_OWN)  # pyright: ignore[reportUnsupportedDunderAll]
 
 

@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, cast
@@ -43,21 +45,57 @@ class Law:
         return frozenset(letter for letter, meaning in self.letters.items() if isinstance(meaning, tuple))
 
 
-def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters: object) -> Law:
-    """A law from its textbook formula, such as "J = dp", and the meaning of every letter in it.
+_OWN_LETTERS: ContextVar[dict[str, Meaning] | None] = ContextVar("_OWN_LETTERS", default=None)
 
-    Raises ValueError when a letter has no meaning, a meaning has no letter, or components do not match.
+
+@contextmanager
+def own_letters(givens: Mapping[str, sympy.Symbol]) -> Iterator[None]:
+    """While a derivation is stated: its givens, and each unknown from where it is named, are known by their letters."""
+    before = _OWN_LETTERS.set(dict(givens))
+    try:
+        yield
+    finally:
+        _OWN_LETTERS.reset(before)
+
+
+def known_by_name(letter: str, meaning: Meaning) -> None:
+    """A letter that laws may use from here on in the derivation that is being stated (anywhere else, none)."""
+    own = _OWN_LETTERS.get()
+    if own is not None:
+        own[letter] = meaning
+
+
+def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters: object) -> Law:
+    """A law from its textbook formula, such as "J = dp"; `letters` say what those mean that are not the problem's own.
+
+    A letter that is a given or an unknown of the problem means just that. Raises ValueError when a letter is neither and has
+    no meaning, a meaning has no letter, or components do not match.
     """
     relation = _relation(formula)
     here = {letter: _meaning(value) for letter, value in letters.items()}
+    title, name = name, name or "wrong"
     used = names(relation) - {"pi"}
+    own = _OWN_LETTERS.get() or {}
+    here |= {letter: own[letter] for letter in sorted(used - here.keys()) if letter in own}
     if missing := used - here.keys():
-        raise ValueError(f"{name}: what does {', '.join(sorted(missing))} mean in {formula!r}?")
+        raise ValueError(
+            f"{name}: what does {', '.join(sorted(missing))} mean in {formula!r}? "
+            f"It is neither a given nor an unknown ({', '.join(sorted(own)) or 'there are none yet'}); "
+            f"say {sorted(missing)[0]}=…"
+        )
     if extra := here.keys() - used:
         raise ValueError(f"{name}: {', '.join(sorted(extra))} does not occur in {formula!r}")
     if len({len(meaning) for meaning in here.values() if isinstance(meaning, tuple)}) > 1:
         raise ValueError(f"{name}: the vectors in {formula!r} have different numbers of components")
-    return Law(name, relation, here, source, holds)
+    return Law(title, relation, here, source, holds)
+
+
+def wrong(formula: str, **letters: object) -> Law:
+    """What a misconception makes of a law: `wrong("K = m*v^2")`. It has the name of the law whose place it takes.
+
+    Raises what `law` raises.
+    """
+    return law("", formula, source="", holds="", **letters)
 
 
 def sides(stated: Law) -> list[tuple[sympy.Expr, sympy.Expr]]:
