@@ -9,6 +9,7 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.question import Question
 from corollary.answers.questions import checked, question_of
 from corollary.answers.registry import answer_type
+from corollary.problem.figure import drawn
 from corollary.problem.part import Option, Part
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
@@ -85,8 +86,8 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
         )
         for part in problem.parts
     )
-    figure, alt = filled(problem.figure, variant), filled(problem.figure_alt, variant)
-    return Exercise(variant, filled(problem.statement, variant), figure, alt, prompts)
+    figure = drawn(variant)
+    return Exercise(variant, filled(problem.statement, variant), figure.svg, figure.alt, prompts)
 
 
 def _text(problem: Problem, part: Part, variant: Variant) -> str:

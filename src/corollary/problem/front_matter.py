@@ -17,8 +17,11 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 
 @dataclass(frozen=True, slots=True)
 class TextNode:
+    """`block` is 1 where the text begins on the next line, behind `|` or `>`."""
+
     text: str
     line: int
+    block: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +108,7 @@ def _node(path: Path, node: yaml.Node, complaints: list[Diagnostic], depth: int)
             )
             return TextNode("", line)
         case yaml.ScalarNode():
-            return TextNode(node.value, line)
+            return TextNode(node.value, line, int(node.style in ("|", ">")))
         case yaml.SequenceNode():
             return ListNode(tuple(_node(path, item, complaints, depth + 1) for item in node.value), line)
         case yaml.MappingNode():
@@ -142,7 +145,7 @@ class Reader:
         match self.table.entries.get(name):
             case TextNode(text, line) if text.strip() or default == "":
                 return text, line
-            case TextNode(_, line):
+            case TextNode(line=line):
                 self.complain(
                     line, f"`{name}` of {self.what} is empty; say what it is, or leave the line out"
                 )
@@ -173,7 +176,7 @@ class Reader:
                 return table
             case None:
                 return TableNode({}, self.table.line)
-            case TextNode(_, line) | ListNode(_, line):
+            case TextNode(line=line) | ListNode(_, line):
                 self.complain(line, f"`{name}` of {self.what} must hold `name: value` lines")
                 return TableNode({}, line)
 

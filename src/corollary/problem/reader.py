@@ -10,6 +10,8 @@ from pathlib import Path
 from corollary.formula.functions import SPELLINGS
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.figure import is_svg
+from corollary.problem.figure_lines import read_lines
 from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.parts_markdown import read_parts
@@ -55,12 +57,19 @@ def read_problem(path: Path) -> Problem:
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     front.finish()
-    if figure and not alt:
-        front.complain(
-            figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it"
-        )
+    node = table.entries.get("figure")
+    first_line = figure_line + (node.block if isinstance(node, TextNode) else 0)
+    if is_svg(figure):
+        if figure and not alt:
+            front.complain(
+                figure_line, "the figure has no `alt`; describe it in a sentence for those who cannot see it"
+            )
+    else:
+        letters = tuple((given.symbol, given.unit.dimension) for given in givens)
+        for at, sentence in read_lines(figure, letters)[1] if len(letters) == len(known) else ():
+            front.complain(first_line + at, sentence)
     statement, parts = read_parts(path, body, line, complaints)
-    for text, first in ((body, line), (figure, figure_line + ("\n" in figure)), (alt, alt_line)):
+    for text, first in ((body, line), (figure, first_line), (alt, alt_line)):
         _check_holes(path, text, first, known, complaints)
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
         if holes(text):

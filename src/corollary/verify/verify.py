@@ -12,9 +12,9 @@ from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
 from corollary.problem.bank import Bank
 from corollary.problem.count import variants
+from corollary.problem.figure import BadFigure, drawn
 from corollary.problem.problem import Problem
-from corollary.problem.statement import filled
-from corollary.problem.variant import chapter
+from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.laws import check_dimensions, check_laws
@@ -94,11 +94,14 @@ class Verification:
 
 
 def check_figure(problem: Problem, tally: Tally) -> None:
-    """Whether the chapter's own figure can be shown."""
+    """Whether the figure can be drawn and shown, with the chapter's numbers and at the corners of the grid."""
     if not problem.figure:
         return
+    corners = (0, size(problem) - 1)
     try:
-        safe_svg(filled(problem.figure, chapter(problem)))
-    except NotADrawing as error:
-        tally.complain(f"{problem.path.name}:{problem.figure_line}: the figure cannot be shown: {error}")
+        for variant in (chapter(problem), *(at(problem, index) for index in corners)):
+            safe_svg(drawn(variant).svg)
+    except (NotADrawing, BadFigure) as error:
+        line = problem.figure_line + (error.line + 1 if isinstance(error, BadFigure) else 0)
+        tally.complain(f"{problem.path.name}:{line}: the figure cannot be shown: {error}")
     tally.count("figures")

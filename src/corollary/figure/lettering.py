@@ -1,0 +1,67 @@
+"""Words in a drawing: letters of quantities slanted, indices below the line, and the room that a text needs."""
+
+from __future__ import annotations
+
+import html
+import re
+from functools import lru_cache
+from typing import Final
+
+SIZE: Final = 15
+SMALL: Final = 12
+GREEK_NAMES: Final = """
+    alpha α  beta β  gamma γ  delta δ  epsilon ε  eta η  theta θ  kappa κ  lambda λ  mu μ  nu ν  rho ρ
+    sigma σ  tau τ  phi φ  chi χ  psi ψ  omega ω  Delta Δ
+"""
+GREEK: Final[dict[str, str]] = dict(zip(GREEK_NAMES.split()[::2], GREEK_NAMES.split()[1::2], strict=True))
+NAMED = re.compile(rf"(?<![\w.])({'|'.join(GREEK)})(?=$|[^\w]|_|\d)")
+CHANGE = re.compile(r"Δ +(?=[A-Za-z])")
+SYMBOL = re.compile(
+    r"(?<![\w.])(?P<change>Δ?)(?P<letter>[A-Za-zα-ω])(?:_(?P<long>\w+)|(?P<digits>\d+))?(?![\w'’])"
+)
+UNIT_AHEAD: Final = "\N{NO-BREAK SPACE}"
+"""Stands between a number and its unit, and nowhere else: a text with one is more than a formula."""
+NARROW, WIDE = frozenset("ijlI.,:;'|!()[] ft"), frozenset("mwMW@%—Δ")
+
+
+@lru_cache(maxsize=4096)
+def plain(text: str) -> str:
+    """The text as it is read aloud: Greek letters as letters, indices behind an underscore."""
+    return CHANGE.sub("Δ", NAMED.sub(lambda found: GREEK[found[1]], text)).replace("-", "−")
+
+
+@lru_cache(maxsize=4096)
+def lettered(text: str, size: int = SIZE) -> tuple[str, float]:
+    """The text as what stands inside of an SVG `text`, and its width in the drawing's units, rather too large than too small."""
+    text = plain(text)
+    formula = UNIT_AHEAD not in text and not re.search(r"(?<!_)\b[A-Za-z]{2,}|\([a-z]\)", text)
+    out, width, at, lowered = "", 0.0, 0, False
+    for found in SYMBOL.finditer(text):
+        index = found["long"] or found["digits"] or ""
+        letter = found["letter"]
+        named = index or letter > "z" or re.match(r"\s*[=<>≈]", text[found.end() :])
+        named = named or text[: found.start()].rstrip().endswith(("<", ">", "≈"))
+        if not (named or formula) or text[: found.start()].endswith(UNIT_AHEAD):
+            continue
+        before = text[at : found.start()] + found["change"]
+        slanted = f'<tspan font-style="italic">{letter}</tspan>'
+        out += _back(before, lowered) + (
+            f'<tspan dy="-4">{slanted}</tspan>' if lowered and not before else slanted
+        )
+        lowered = bool(index)
+        if index:
+            out += f'<tspan dy="4" font-size="{round(size * 0.74)}">{html.escape(index)}</tspan>'
+        width += _width(before + letter, size) + _width(index, size * 0.74)
+        at = found.end()
+    return out + _back(text[at:], lowered), width + _width(text[at:], size)
+
+
+def _back(text: str, lowered: bool) -> str:
+    """The text on the line again, after an index."""
+    words = html.escape(text, quote=False)
+    return f'<tspan dy="-4">{words}</tspan>' if lowered and words else words
+
+
+def _width(text: str, size: float) -> float:
+    """By the widths of DejaVu Sans, the widest of the usual sans-serif fonts."""
+    return size * sum(0.36 if each in NARROW else 0.96 if each in WIDE else 0.66 for each in text)

@@ -1,0 +1,5 @@
+"""What figures are made of, one file a topic."""
+
+from corollary.figure.shapes import bodies, circuits, lines, optics, pictograms, surfaces
+
+__all__ = ["bodies", "circuits", "lines", "optics", "pictograms", "surfaces"]
