@@ -9,9 +9,9 @@ from xml.etree.ElementTree import Element, fromstring
 import pytest
 
 from corollary.figure.canvas import COLOURS
-from corollary.figure.drawing import WIDTH, Panel, describe, draw, unmentioned
-from corollary.figure.item import Item, NotDrawable
-from corollary.figure.lettering import lettered, plain
+from corollary.figure.drawing import WIDTH, FigurePanel, describe, draw, unmentioned
+from corollary.figure.item import FigureItem, NotDrawable
+from corollary.figure.lettering import lettered, spoken
 from corollary.figure.primitive import PRIMITIVES
 from corollary.figure.svg import safe_svg
 
@@ -19,12 +19,12 @@ NB = "\N{NO-BREAK SPACE}"
 SPACE = "{http://www.w3.org/2000/svg}"
 
 
-def drawn(*items: Item) -> Element:
-    return fromstring(draw([Panel("", items)]))
+def drawn(*items: FigureItem) -> Element:
+    return fromstring(draw([FigurePanel("", items)]))
 
 
-def ball(name: str, x: float, y: float, *texts: str, radius: float | None = None) -> Item:
-    return Item("ball", name, texts, {"at": ((x, y),)}, {} if radius is None else {"radius": (radius,)})
+def ball(name: str, x: float, y: float, *texts: str, radius: float | None = None) -> FigureItem:
+    return FigureItem("ball", name, texts, {"at": ((x, y),)}, {} if radius is None else {"radius": (radius,)})
 
 
 def circles(svg: Element) -> list[tuple[float, float, float]]:
@@ -61,10 +61,10 @@ def test_the_figure_fills_its_own_extents_in_any_unit(unit):
 
 def test_arrows_that_measure_the_same_are_as_long_as_their_numbers():
     arrows = [
-        Item("arrow", name, (), {}, {"by": (speed, 0.0)}, group="m/s")
+        FigureItem("arrow", name, (), {}, {"by": (speed, 0.0)}, group="m/s")
         for name, speed in (("A", 6.0), ("B", 3.0), ("C", -6.0))
     ]
-    force = Item("arrow", "A", (), {}, {"by": (0.0, 1e6)}, group="N")
+    force = FigureItem("arrow", "A", (), {}, {"by": (0.0, 1e6)}, group="N")
     bodies = [ball(name, 20.0 * k, 0, radius=1) for k, name in enumerate("ABC")]
     svg = drawn(*bodies, *arrows, force)
     radius = circles(svg)[0][2]
@@ -79,7 +79,7 @@ def test_arrows_that_measure_the_same_are_as_long_as_their_numbers():
 
 
 def test_what_is_at_rest_has_its_words_and_no_arrow():
-    svg = drawn(ball("A", 0, 0), Item("arrow", "A", ("0 m/s",), {}, {"by": (0.0, 0.0)}))
+    svg = drawn(ball("A", 0, 0), FigureItem("arrow", "A", ("0 m/s",), {}, {"by": (0.0, 0.0)}))
     assert not tips(svg)
     assert "0 m/s" in texts(svg)
 
@@ -87,12 +87,12 @@ def test_what_is_at_rest_has_its_words_and_no_arrow():
 @pytest.mark.parametrize("kind", sorted(PRIMITIVES))
 def test_a_figure_is_safe_as_it_is(kind):
     """No ids that two figures of a page could share, nothing that runs or is fetched: the sanitizer finds nothing to take out."""
-    item = Item(
+    item = FigureItem(
         kind, "A", ("m < 5 & more",),
         {"at": ((0.0, 0.0),), "from": ((0.0, 0.0),), "to": ((9.0, 1.0),), "through": ((0.0, 0.0), (5.0, 1.0), (9.0, 0.0))},
         {"between": (0.0, 1.0), "angle": (0.5,)},
     )  # fmt: skip
-    svg = draw([Panel("a & b", (ball("A", 0, 0), item))])
+    svg = draw([FigurePanel("a & b", (ball("A", 0, 0), item))])
     assert not re.search(r"\bid=|href|url\(|<style|<script", svg)
     before, after = fromstring(svg), fromstring(safe_svg(svg))
     assert [each.tag.removeprefix(SPACE) for each in before.iter()] == [each.tag for each in after.iter()]
@@ -101,7 +101,9 @@ def test_a_figure_is_safe_as_it_is(kind):
 
 
 def test_lines_survive_printing_and_letters_have_one_size():
-    svg = draw([Panel("", (ball("A", 0, 0, "m"), Item("floor"), Item("axes", texts=("x", "y"))))])
+    svg = draw(
+        [FigurePanel("", (ball("A", 0, 0, "m"), FigureItem("floor"), FigureItem("axes", texts=("x", "y"))))]
+    )
     assert min(map(float, re.findall(r'stroke-width="([\d.]+)"', svg))) >= 1
     assert set(re.findall(r'<svg[^>]*font-size="(\d+)"', svg)) == {"15"}
     assert fromstring(svg).get("viewBox", "").split()[2] == f"{WIDTH:g}"
@@ -138,26 +140,26 @@ def test_quantities_are_slanted_and_indices_lowered(text, slanted, lowered):
 
 
 def test_a_figure_is_told_in_words():
-    panel = Panel(
+    panel = FigurePanel(
         "before",
-        (ball("A", 0, 0, f"m_A = 2{NB}kg"), Item("arrow", "A", (f"v_A = 3{NB}m/s",), {}, {"by": (-1.0, 0.0)}), Item("floor")),
+        (ball("A", 0, 0, f"m_A = 2{NB}kg"), FigureItem("arrow", "A", (f"v_A = 3{NB}m/s",), {}, {"by": (-1.0, 0.0)}), FigureItem("floor")),
     )  # fmt: skip
     told = f"before: a ball A: m_A = 2{NB}kg; an arrow at A to the left: v_A = 3{NB}m/s; a floor."
     assert describe([panel]) == told
     assert unmentioned([panel], f"A ball of 2{NB}kg.") == f"Written in the figure: v_A = 3{NB}m/s."
     assert unmentioned([panel], f"2{NB}kg and 3{NB}m/s") == ""
-    assert plain("-Delta x, alpha = 3") == "−Δx, α = 3"
+    assert spoken("-Delta x, alpha = 3") == "−Δx, α = 3"
 
 
 @pytest.mark.parametrize(
     ("item", "sentence"),
     [
-        (Item("ball", "A"), "ball needs at="),
-        (Item("arrow", "Q", (), {}, {"by": (1.0, 0.0)}), "nothing here is called Q"),
-        (Item("arrow", "", (), {}, {"by": (1.0, 0.0)}), "arrow needs the thing it begins at"),
-        (Item("line", "", (), {"through": ((0.0, 0.0),)}), "two points or more"),
-        (Item("block", "A", (), {"on": ("I",)}), "no incline of this name"),
-        (Item("resistor", "", (), {"from": ((0.0, 0.0),), "to": ((0.0, 0.0),)}), "too close together"),
+        (FigureItem("ball", "A"), "ball needs at="),
+        (FigureItem("arrow", "Q", (), {}, {"by": (1.0, 0.0)}), "nothing here is called Q"),
+        (FigureItem("arrow", "", (), {}, {"by": (1.0, 0.0)}), "arrow needs the thing it begins at"),
+        (FigureItem("line", "", (), {"through": ((0.0, 0.0),)}), "two points or more"),
+        (FigureItem("block", "A", (), {"on": ("I",)}), "no incline of this name"),
+        (FigureItem("resistor", "", (), {"from": ((0.0, 0.0),), "to": ((0.0, 0.0),)}), "too close together"),
     ],
 )
 def test_what_cannot_be_drawn_is_said(item, sentence):
@@ -167,12 +169,16 @@ def test_what_cannot_be_drawn_is_said(item, sentence):
 
 
 def test_a_body_stands_on_an_incline():
-    slope = Item("incline", "I", (), {"at": ((0.0, 0.0),)}, {"angle": (math.pi / 4,), "length": (10.0,)})
-    svg = drawn(slope, Item("ball", "A", (), {"on": ("I",)}, {"along": (0.5,), "radius": (1.0,)}))
+    slope = FigureItem(
+        "incline", "I", (), {"at": ((0.0, 0.0),)}, {"angle": (math.pi / 4,), "length": (10.0,)}
+    )
+    svg = drawn(slope, FigureItem("ball", "A", (), {"on": ("I",)}, {"along": (0.5,), "radius": (1.0,)}))
     (x, y, radius) = circles(svg)[0]
     assert (-y - x) / math.sqrt(2) == pytest.approx(radius, rel=0.02)
 
 
-def test_every_colour_has_a_name_and_survives_the_sheet():
-    for colour in COLOURS:
-        assert COLOURS[colour] in draw([Panel("", (ball("", 0, 0), Item("arrow", "", (), {"from": ((0.0, 0.0),)}, {"by": (1.0, 0.0)}, frozenset({colour}))))])  # fmt: skip
+def test_every_colour_has_a_name_and_is_drawn():
+    for name, colour in COLOURS.items():
+        flags = frozenset({name})
+        arrow = FigureItem("arrow", "", (), {"from": ((0.0, 0.0),)}, {"by": (1.0, 0.0)}, flags)
+        assert colour in draw([FigurePanel("", (arrow,))])

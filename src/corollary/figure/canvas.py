@@ -10,8 +10,9 @@ from itertools import pairwise
 from typing import Final
 
 from corollary.figure.colour import BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILLION
-from corollary.figure.item import Item, NotDrawable, Place, Point
+from corollary.figure.item import FigureItem, NotDrawable, Place, Point
 from corollary.figure.lettering import SIZE, lettered
+from corollary.figure.room import Box, TextSpot, WaitingText, box_of, lies, shared
 
 INK: Final = "#222"
 COLOURS: Final = {
@@ -34,8 +35,6 @@ TINTS: Final = {
 }
 IN_TURN: Final = (BLUE, VERMILLION, GREEN, PURPLE)
 HEAD: Final = 11
-ROOM: Final = 4
-"""Between a thing and what is written beside it."""
 SIDES: Final = {"right": (1, 0), "left": (-1, 0), "top": (0, 1), "bottom": (0, -1)}
 BEHIND, MIDDLE, FRONT = range(3)
 APART: Final = 3
@@ -43,11 +42,9 @@ APART: Final = 3
 FREE: Final = 0.5
 """Square units that a text may share with something without anybody noticing."""
 
-Box = tuple[float, float, float, float]
-
 
 @dataclass(frozen=True, slots=True)
-class Body:
+class Attachment:
     """What other things can be attached to: the middle and half the size, in the drawing's units, y upwards."""
 
     x: float
@@ -66,28 +63,6 @@ class Body:
         return self.x + reach * math.cos(angle), self.y + reach * math.sin(angle)
 
 
-@dataclass(frozen=True, slots=True)
-class Words:
-    """A text that waits for everything to be drawn; the first `wanted` of the spots are where the author wants it."""
-
-    text: str
-    spots: Sequence[Spot]
-    wanted: int
-    size: int
-    fill: str
-    upright: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Spot:
-    """A place for a text: `across` and `up` say which point of the text stands there (-1: its left or lower end; 0: its middle)."""
-
-    x: float
-    y: float
-    across: float
-    up: float
-
-
 def fixed(number: float) -> str:
     """A coordinate with one decimal at most, and without a minus before zero."""
     text = f"{number:.1f}".removesuffix(".0")
@@ -95,17 +70,17 @@ def fixed(number: float) -> str:
 
 
 class Canvas:
-    """Collects shapes; places are taken in the author's lengths, everything else in the drawing's units, y upwards."""
+    """Collects shapes; places are occupied in the author's lengths, everything else in the drawing's units, y upwards."""
 
     def __init__(self, scale: float, arrow_scale: Mapping[str, float]) -> None:
         self.scale = scale
-        self.bodies: dict[str, Body] = {}
+        self.bodies: dict[str, Attachment] = {}
         self.slopes: dict[str, tuple[Point, float, float]] = {}
         self.shapes: list[tuple[int, str]] = []
         self.areas: list[Box] = []
-        self.taken: list[Box] = []
+        self.occupied: list[Box] = []
         self.words: list[Box] = []
-        self.waiting: list[Words] = []
+        self.waiting: list[WaitingText] = []
         self.arrow_scale = arrow_scale
         self._turns = 0
 
@@ -130,11 +105,11 @@ class Canvas:
         x, y = self.at(towards)
         return body.edge(math.atan2(y - body.y, x - body.x))
 
-    def colour(self, item: Item, other: str = INK) -> str:
+    def colour(self, item: FigureItem, other: str = INK) -> str:
         """The colour the author names, or the usual one."""
         return next((COLOURS[flag] for flag in item.flags if flag in COLOURS), other)
 
-    def next_colour(self, item: Item) -> str:
+    def next_colour(self, item: FigureItem) -> str:
         """A body's: those with a name on them take colours in turn, so that their arrows can be told apart."""
         if not item.marked:
             return self.colour(item)
@@ -145,10 +120,10 @@ class Canvas:
 
     def path(
         self, points: Sequence[Point], *, stroke: str = INK, width: float = 2, fill: str = "none", dashed: bool = False,
-        closed: bool = False, layer: int = MIDDLE, solid: bool = True,
+        polygon: bool = False, layer: int = MIDDLE, solid: bool = True,
     ) -> None:  # fmt: skip
         """Straight lines through points; what is `solid` keeps texts away."""
-        drawn = "M" + "L".join(f"{fixed(x)} {fixed(-y)}" for x, y in points) + ("Z" if closed else "")
+        drawn = "M" + "L".join(f"{fixed(x)} {fixed(-y)}" for x, y in points) + ("Z" if polygon else "")
         dashes = ' stroke-dasharray="5 4"' if dashed else ""
         ends = ' stroke-linejoin="round"' if len(points) > 2 else ""
         line = f' stroke="{stroke}" stroke-width="{width:g}"' if width else ""
@@ -168,7 +143,7 @@ class Canvas:
         if radius > 30:
             for k in range(24):
                 a, b = x + radius * math.cos(k * math.pi / 12), y + radius * math.sin(k * math.pi / 12)
-                self.taken.append((a - 3, b - 3, a + 3, b + 3))
+                self.occupied.append((a - 3, b - 3, a + 3, b + 3))
 
     def take(self, box: Box) -> None:
         """Keeps texts out of a box, but for those that the author wants on that side."""
@@ -182,7 +157,7 @@ class Canvas:
         dx, dy = (to_x - x) / parts, (to_y - y) / parts
         for k in range(parts):
             a, b, c, d = x + k * dx, y + k * dy, x + (k + 1) * dx, y + (k + 1) * dy
-            self.taken.append((min(a, c) - half, min(b, d) - half, max(a, c) + half, max(b, d) + half))
+            self.occupied.append((min(a, c) - half, min(b, d) - half, max(a, c) + half, max(b, d) + half))
 
     def head(self, tip: Point, angle: float, colour: str, size: float = HEAD) -> None:
         """The head of an arrow."""
@@ -194,7 +169,7 @@ class Canvas:
             (x - back * c - side * s, y - back * s + side * c),
             (x - back * c + side * s, y - back * s - side * c),
         ]
-        self.path(corners, fill=colour, width=0, closed=True, layer=FRONT)
+        self.path(corners, fill=colour, width=0, polygon=True, layer=FRONT)
 
     def arrow(
         self,
@@ -221,19 +196,19 @@ class Canvas:
     # texts
 
     def write(
-        self, text: str, spots: Sequence[Spot], *, size: int = SIZE, fill: str = INK, flags: Iterable[str] = (),
+        self, text: str, spots: Sequence[TextSpot], *, size: int = SIZE, fill: str = INK, flags: Iterable[str] = (),
         upright: bool = False,
     ) -> None:  # fmt: skip
         """Puts a text at the first of the spots where it covers nothing; once everything is drawn."""
         if text:
-            wanted = [spot for flag in flags for spot in spots if _lies(spot, flag)]
-            self.waiting.append(Words(text, [*wanted, *spots], len(wanted), size, fill, upright))
+            wanted = [spot for flag in flags for spot in spots if lies(spot, flag)]
+            self.waiting.append(WaitingText(text, [*wanted, *spots], len(wanted), size, fill, upright))
 
     def mark(self, text: str, x: float, y: float) -> None:
         """A name in the middle of a body."""
         self.shapes.append((FRONT, _text(html.escape(text), x, y - SIZE * 0.36, "middle", SIZE, INK)))
         half = lettered(text)[1] / 2
-        self.taken.append((x - half, y - SIZE / 2, x + half, y + SIZE / 2))
+        self.occupied.append((x - half, y - SIZE / 2, x + half, y + SIZE / 2))
 
     def finish(self) -> None:
         """Writes what waits, each text where nothing is covered or the least."""
@@ -242,13 +217,13 @@ class Canvas:
             inside, width = lettered(each.text, size)
             best, cost = each.spots[0], math.inf
             for place, spot in enumerate(each.spots):
-                box = _box(spot, width, size)
-                found = self.covered(box) - (_shared(box, self.areas) if place < each.wanted else 0)
+                box = box_of(spot, width, size)
+                found = self.covered(box) - (shared(box, self.areas) if place < each.wanted else 0)
                 if found < cost:
                     best, cost = spot, found
                 if cost <= FREE:
                     break
-            box = _box(best, width, size)
+            box = box_of(best, width, size)
             self.words.append((box[0] - APART, box[1], box[2] + APART, box[3]))
             # Narrow fonts leave room to the end: what stands left of a thing is set from its right.
             side = round(best.across) + 1
@@ -259,51 +234,14 @@ class Canvas:
         self.waiting.clear()
 
     def covered(self, box: Box) -> float:
-        """How much of a box is taken already; texts weigh more."""
-        return _shared(box, self.areas) + 2 * _shared(box, self.taken) + 4 * _shared(box, self.words)
+        """How much of a box is occupied already; texts weigh more."""
+        return shared(box, self.areas) + 2 * shared(box, self.occupied) + 4 * shared(box, self.words)
 
     def extent(self) -> Box:
         """The box around everything."""
-        boxes = [*self.areas, *self.taken, *self.words] or [(0.0, 0.0, 1.0, 1.0)]
+        boxes = [*self.areas, *self.occupied, *self.words] or [(0.0, 0.0, 1.0, 1.0)]
         left, bottom, right, top = zip(*boxes, strict=True)
         return min(left), min(bottom), max(right), max(top)
-
-
-def _shared(box: Box, others: Sequence[Box]) -> float:
-    """The area that a box shares with others; a loop, for a figure asks this some thousand times."""
-    left, bottom, right, top = box
-    area = 0.0
-    for a, b, c, d in others:
-        if a < right and c > left and b < top and d > bottom:
-            area += (min(right, c) - max(left, a)) * (min(top, d) - max(bottom, b))
-    return area
-
-
-def around(box: Box) -> list[Spot]:
-    """Spots about a box, the nearest first: above, below, beside, and further off."""
-    left, bottom, right, top = box
-    x, y = (left + right) / 2, (bottom + top) / 2
-    spots: list[Spot] = []
-    for gap in (ROOM, 24, 44, 64):
-        spots += [Spot(x, top + gap, 0, -1), Spot(x, bottom - gap, 0, 1)]
-        spots += [Spot(right + gap + 2, y, -1, 0), Spot(left - gap - 2, y, 1, 0)]
-    return spots
-
-
-def _lies(spot: Spot, flag: str) -> bool:
-    return {
-        "above": spot.up < 0,
-        "below": spot.up > 0,
-        "right": spot.across < 0,
-        "left": spot.across > 0,
-    }.get(flag, False)
-
-
-def _box(spot: Spot, width: float, size: float) -> Box:
-    high = size * 1.25
-    x = spot.x - width / 2 - spot.across * width / 2
-    y = spot.y - high / 2 - spot.up * high / 2
-    return x, y, x + width, y + high
 
 
 def _text(inside: str, x: float, y: float, anchor: str, size: int, fill: str) -> str:

@@ -7,14 +7,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.canvas import Box, Canvas, fixed
-from corollary.figure.item import Item, NotDrawable, Point
-from corollary.figure.lettering import lettered, plain
+from corollary.figure.canvas import Canvas, fixed
+from corollary.figure.item import FigureItem, NotDrawable, Point
+from corollary.figure.lettering import lettered, spoken
 from corollary.figure.primitive import LAID, PRIMITIVES
+from corollary.figure.room import Box
 from corollary.figure.shapes.lines import LONGEST
 from corollary.messages import N_, catalogue
 
-__all__ = ["PRIMITIVES", "Panel", "describe", "draw", "unmentioned"]
+__all__ = ["PRIMITIVES", "FigurePanel", "describe", "draw", "unmentioned"]
 
 _ = catalogue(__name__)
 
@@ -35,17 +36,17 @@ DIRECTIONS: Final = (
 
 
 @dataclass(frozen=True, slots=True)
-class Panel:
+class FigurePanel:
     """Part of a figure with a scale of its own; `below` begins a new row."""
 
     title: str
-    items: tuple[Item, ...]
+    items: tuple[FigureItem, ...]
     below: bool = False
 
 
-def draw(panels: Sequence[Panel]) -> str:
+def draw(panels: Sequence[FigurePanel]) -> str:
     """The figure as SVG text, without ids, scripts or references. Raises NotDrawable, with the `item` that cannot."""
-    rows: list[list[Panel]] = []
+    rows: list[list[FigurePanel]] = []
     for panel in panels:
         if panel.below or not rows:
             rows.append([])
@@ -61,7 +62,7 @@ def draw(panels: Sequence[Panel]) -> str:
     )
 
 
-def _arrow_scales(panels: Iterable[Panel]) -> dict[str, float]:
+def _arrow_scales(panels: Iterable[FigurePanel]) -> dict[str, float]:
     """The longest arrow of each group has the same length on paper, in all panels."""
     longest: dict[str, float] = {}
     for panel in panels:
@@ -71,7 +72,9 @@ def _arrow_scales(panels: Iterable[Panel]) -> dict[str, float]:
     return {group: LONGEST / size for group, size in longest.items() if size}
 
 
-def _row(row: Sequence[Panel], top: float, arrows: Mapping[str, float]) -> tuple[list[str], float, float]:
+def _row(
+    row: Sequence[FigurePanel], top: float, arrows: Mapping[str, float]
+) -> tuple[list[str], float, float]:
     """Panels beside each other, from `top` downwards; where they end, and by how much they are too wide."""
     drawn = _fitted(row, arrows)
     boxes = [canvas.extent() for canvas in drawn]
@@ -97,7 +100,7 @@ def _row(row: Sequence[Panel], top: float, arrows: Mapping[str, float]) -> tuple
     return shapes, end, max(0.0, all_wide + 2 * MARGIN - WIDTH)
 
 
-def _fitted(row: Sequence[Panel], arrows: Mapping[str, float]) -> list[Canvas]:
+def _fitted(row: Sequence[FigurePanel], arrows: Mapping[str, float]) -> list[Canvas]:
     """Each panel at the largest scale at which all fit beside each other; one with a single place takes what it needs."""
     spans: list[tuple[float, float]] = []
     for panel in row:
@@ -117,7 +120,9 @@ def _fitted(row: Sequence[Panel], arrows: Mapping[str, float]) -> list[Canvas]:
     return [drawn[place] for place in range(len(row))]
 
 
-def _at_scale(panel: Panel, room: float, wide: float, high: float, arrows: Mapping[str, float]) -> Canvas:
+def _at_scale(
+    panel: FigurePanel, room: float, wide: float, high: float, arrows: Mapping[str, float]
+) -> Canvas:
     """The panel, made smaller until it is no wider than its room, or smaller does not help: words keep their size."""
     for_places, best = room - ABOUT, None
     for _attempt in range(TRIES):
@@ -138,7 +143,7 @@ def _width(canvas: Canvas) -> float:
     return right - left
 
 
-def _laid(items: Sequence[Item], scale: float, arrows: Mapping[str, float]) -> Canvas:
+def _laid(items: Sequence[FigureItem], scale: float, arrows: Mapping[str, float]) -> Canvas:
     canvas = Canvas(scale, arrows)
     for phase in LAID:
         if phase == LAID[-1]:
@@ -155,7 +160,7 @@ def _laid(items: Sequence[Item], scale: float, arrows: Mapping[str, float]) -> C
     return canvas
 
 
-def _extent(items: Iterable[Item]) -> Box:
+def _extent(items: Iterable[FigureItem]) -> Box:
     """The box around all places that are told by numbers, and the sizes about them."""
     points: list[Point] = []
     for item in items:
@@ -178,40 +183,42 @@ def _extent(items: Iterable[Item]) -> Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def describe(panels: Sequence[Panel]) -> str:
+def describe(panels: Sequence[FigurePanel]) -> str:
     """What the figure shows, for those who cannot see it: each thing, and what is written on it."""
     sentences: list[str] = []
     for panel in panels:
-        told = "; ".join(filter(None, map(_told, panel.items)))
-        if told:
-            sentence = f"{plain(panel.title)}: {told}" if panel.title else told[0].upper() + told[1:]
+        phrases = "; ".join(filter(None, map(_phrase, panel.items)))
+        if phrases:
+            sentence = (
+                f"{spoken(panel.title)}: {phrases}" if panel.title else phrases[0].upper() + phrases[1:]
+            )
             sentences.append(sentence + ".")
     return " ".join(sentences)
 
 
-def unmentioned(panels: Sequence[Panel], words: str) -> str:
+def unmentioned(panels: Sequence[FigurePanel], words: str) -> str:
     """What is written in the figure with a number, and not in an author's description of it."""
-    have = plain(words)
+    have = spoken(words)
     missing = dict.fromkeys(
-        plain(text)
+        spoken(text)
         for panel in panels
         for item in panel.items
         for text in item.texts
-        if any(each.isdigit() for each in text) and not _said(plain(text), have)
+        if any(each.isdigit() for each in text) and not _mentioned(spoken(text), have)
     )
     return _("Written in the figure: {texts}.", texts="; ".join(missing)) if missing else ""
 
 
-def _said(text: str, words: str) -> bool:
+def _mentioned(text: str, words: str) -> bool:
     value = text.rpartition("= ")[2]
     return text in words or value in words
 
 
-def _told(item: Item) -> str:
+def _phrase(item: FigureItem) -> str:
     if item.kind == "note":
-        return plain(item.label)
+        return spoken(item.label)
     if item.kind == "text":
-        return plain(item.label)
+        return spoken(item.label)
     if PRIMITIVES[item.kind].noun == N_("a line") and not item.texts:
         return ""
     thing = _(PRIMITIVES[item.kind].noun)
@@ -220,11 +227,11 @@ def _told(item: Item) -> str:
     elif item.marked:
         thing += f" {item.name}"
     return (
-        _("{thing}: {texts}", thing=thing, texts=", ".join(map(plain, item.texts))) if item.texts else thing
+        _("{thing}: {texts}", thing=thing, texts=", ".join(map(spoken, item.texts))) if item.texts else thing
     )
 
 
-def _where(item: Item) -> str:
+def _where(item: FigureItem) -> str:
     if "by" not in item.numbers:
         ends = [str(item.places[word][0]) for word in ("from", "to") if word in item.places]
         named = [end for end in ends if end[:1].isupper()]

@@ -11,7 +11,7 @@ Place = Point | str
 
 
 @dataclass(frozen=True, slots=True)
-class Item:
+class FigureItem:
     """Lengths are in one unit, whichever; angles in radians; `vectors` are grouped by what they measure, so that arrows of one
     group are drawn to one scale."""
 
@@ -45,4 +45,4 @@ class Item:
 class NotDrawable(ValueError):
     """Something in a figure cannot be drawn; one sentence says what and what to do. `item` is the thing, where it is known."""
 
-    item: Item | None = None
+    item: FigureItem | None = None

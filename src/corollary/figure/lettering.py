@@ -1,4 +1,4 @@
-"""Words in a drawing: letters of quantities slanted, indices below the line, and the room that a text needs."""
+"""WaitingText in a drawing: letters of quantities slanted, indices below the line, and the room that a text needs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NARROW, WIDE = frozenset("ijlI.,:;'|!()[] ft"), frozenset("mwMW@%—Δ")
 
 
 @lru_cache(maxsize=4096)
-def plain(text: str) -> str:
+def spoken(text: str) -> str:
     """The text as it is read aloud: Greek letters as letters, indices behind an underscore."""
     return CHANGE.sub("Δ", NAMED.sub(lambda found: GREEK[found[1]], text)).replace("-", "−")
 
@@ -33,7 +33,7 @@ def plain(text: str) -> str:
 @lru_cache(maxsize=4096)
 def lettered(text: str, size: int = SIZE) -> tuple[str, float]:
     """The text as what stands inside of an SVG `text`, and its width in the drawing's units, rather too large than too small."""
-    text = plain(text)
+    text = spoken(text)
     formula = UNIT_AHEAD not in text and not re.search(r"(?<!_)\b[A-Za-z]{2,}|\([a-z]\)", text)
     out, width, at, lowered = "", 0.0, 0, False
     for found in SYMBOL.finditer(text):

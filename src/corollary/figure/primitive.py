@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from corollary.figure.canvas import COLOURS, Canvas
-from corollary.figure.item import Item
+from corollary.figure.item import FigureItem
 
 Takes = Literal["place", "places", "vector", "lengths", "angles", "number"]
 WORDS: Final[dict[str, Takes]] = {
@@ -38,7 +38,7 @@ class Primitive:
 
     kind: str
     noun: str
-    draw: Callable[[Canvas, Item], None]
+    draw: Callable[[Canvas, FigureItem], None]
     words: frozenset[str]
     flags: frozenset[str]
     laid: int
@@ -50,10 +50,10 @@ PRIMITIVES: Final[dict[str, Primitive]] = {}
 
 def primitive(
     kind: str, noun: str, words: str = "", flags: str = "", *, laid: int = 1, texts: int = 1
-) -> Callable[[Callable[[Canvas, Item], None]], Callable[[Canvas, Item], None]]:
+) -> Callable[[Callable[[Canvas, FigureItem], None]], Callable[[Canvas, FigureItem], None]]:
     """Registers a function as what draws things of a kind; colours and the sides of a text are known to all."""
 
-    def register(draw: Callable[[Canvas, Item], None]) -> Callable[[Canvas, Item], None]:
+    def register(draw: Callable[[Canvas, FigureItem], None]) -> Callable[[Canvas, FigureItem], None]:
         every = frozenset(flags.split()) | COLOURS.keys() | SIDES
         PRIMITIVES[kind] = Primitive(kind, noun, draw, frozenset(words.split()), every, laid, texts)
         return draw

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.drawing import Panel, describe, draw, unmentioned
-from corollary.figure.item import Item, NotDrawable, Place
+from corollary.figure.drawing import FigurePanel, describe, draw, unmentioned
+from corollary.figure.item import FigureItem, NotDrawable, Place
 from corollary.problem.figure_lines import PANEL, FigureLine, Located, read_lines
 from corollary.problem.statement import filled
 from corollary.problem.variant import Variant
@@ -26,14 +26,14 @@ class BadFigure(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class VariantFigure:
     """A figure with one student's numbers: SVG text, and the same in words."""
 
     svg: str
     alt: str
 
 
-def drawn(variant: Variant) -> Drawn:
+def drawn(variant: Variant) -> VariantFigure:
     """The figure of a variant; without one, empty. Raises BadFigure.
 
     A figure that begins with `<` is a drawing of the author's own.
@@ -41,17 +41,17 @@ def drawn(variant: Variant) -> Drawn:
     problem = variant.problem
     words = filled(problem.figure_alt, variant)
     if is_svg(problem.figure):
-        return Drawn(filled(problem.figure, variant), words)
+        return VariantFigure(filled(problem.figure, variant), words)
     lines, complaints = read_lines(
         problem.figure, tuple((given.symbol, given.unit.dimension) for given in problem.givens)
     )
     if complaints:
         raise BadFigure(*complaints[0])
-    values = {
-        given.symbol: float(variant.values[given.symbol] * given.unit.factor) * math.pi**given.unit.pi
-        for given in problem.givens
-    }
-    titles, items = [("", False)], [list[tuple[int, Item]]()]
+    values: dict[str, float] = {}
+    for given in problem.givens:
+        ratio, pi = given.unit.to_si(variant.values[given.symbol])
+        values[given.symbol] = float(ratio) * math.pi**pi
+    titles, items = [("", False)], [list[tuple[int, FigureItem]]()]
     for line in lines:
         texts = tuple(filled(text, variant) if "{{" in text else text for text in line.texts)
         if line.kind == PANEL:
@@ -60,7 +60,7 @@ def drawn(variant: Variant) -> Drawn:
         else:
             items[-1].append((line.line, _item(line, texts, values)))
     panels = [
-        Panel(title, tuple(item for _, item in own), below)
+        FigurePanel(title, tuple(item for _, item in own), below)
         for (title, below), own in zip(titles, items, strict=True)
         if own
     ]
@@ -70,7 +70,7 @@ def drawn(variant: Variant) -> Drawn:
         line = next((line for own in items for line, item in own if item is error.item), 0)
         raise BadFigure(line, str(error)) from None
     more = unmentioned(panels, words) if words else describe(panels)
-    return Drawn(svg, " ".join(filter(None, (words, more))))
+    return VariantFigure(svg, " ".join(filter(None, (words, more))))
 
 
 def is_svg(figure: str) -> bool:
@@ -78,7 +78,7 @@ def is_svg(figure: str) -> bool:
     return not figure or figure.lstrip().startswith("<")
 
 
-def _item(line: FigureLine, texts: tuple[str, ...], values: Mapping[str, float]) -> Item:
+def _item(line: FigureLine, texts: tuple[str, ...], values: Mapping[str, float]) -> FigureItem:
     try:
         if line.over is None:
             places = {word: tuple(_at(each, values) for each in own) for word, own in line.places.items()}
@@ -94,7 +94,7 @@ def _item(line: FigureLine, texts: tuple[str, ...], values: Mapping[str, float])
     found += [n for own in places.values() for place in own if not isinstance(place, str) for n in place]
     if not all(map(math.isfinite, found)):
         raise BadFigure(line.line, f"{line.kind}: a formula has no finite value with these numbers")
-    return Item(line.kind, line.name, texts, places, numbers, line.flags, line.group)
+    return FigureItem(line.kind, line.name, texts, places, numbers, line.flags, line.group)
 
 
 def _at(place: Located, values: Mapping[str, float]) -> Place:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from corollary.figure.canvas import INK, TINTS, Canvas, around
-from corollary.figure.item import Item, NotDrawable, Point
+from corollary.figure.canvas import INK, TINTS, Canvas
+from corollary.figure.item import FigureItem, NotDrawable, Point
 from corollary.figure.primitive import primitive
+from corollary.figure.room import around
 from corollary.figure.shapes.lines import ends
 from corollary.messages import N_
 
@@ -16,11 +17,11 @@ HIGH = 9.0
 
 def part(
     canvas: Canvas,
-    item: Item,
+    item: FigureItem,
     half: float,
     lines: Sequence[tuple[Sequence[Point], float]],
     *,
-    closed: bool = False,
+    polygon: bool = False,
 ) -> None:
     """Wires to both ends of a symbol in the middle; its lines are in (along, across), each with its width."""
     (x, y), (to_x, to_y) = ends(canvas, item)
@@ -33,7 +34,7 @@ def part(
         canvas.path([one, (middle[0] + end * c, middle[1] + end * s)])
     for points, width in lines:
         turned = [(middle[0] + a * c - b * s, middle[1] + a * s + b * c) for a, b in points]
-        canvas.path(turned, stroke=canvas.colour(item), width=width, closed=closed, fill=TINTS[INK] if closed else "none", solid=False)  # fmt: skip
+        canvas.path(turned, stroke=canvas.colour(item), width=width, polygon=polygon, fill=TINTS[INK] if polygon else "none", solid=False)  # fmt: skip
     wide, high = half * abs(c) + 14 * abs(s), half * abs(s) + 14 * abs(c)
     box = (middle[0] - wide, middle[1] - high, middle[0] + wide, middle[1] + high)
     canvas.take(box)
@@ -42,30 +43,30 @@ def part(
 
 
 @primitive("wire", N_("a wire"), "from to through")
-def wire(canvas: Canvas, item: Item) -> None:
+def wire(canvas: Canvas, item: FigureItem) -> None:
     places = item.places.get("through") or (item.place("from"), item.place("to"))
     canvas.path([canvas.at(each) for each in places])
 
 
 @primitive("resistor", N_("a resistor"), "from to")
-def resistor(canvas: Canvas, item: Item) -> None:
-    part(canvas, item, 24, [([(-24, -HIGH), (24, -HIGH), (24, HIGH), (-24, HIGH)], 2)], closed=True)
+def resistor(canvas: Canvas, item: FigureItem) -> None:
+    part(canvas, item, 24, [([(-24, -HIGH), (24, -HIGH), (24, HIGH), (-24, HIGH)], 2)], polygon=True)
 
 
 @primitive("battery", N_("a battery"), "from to")
-def battery(canvas: Canvas, item: Item) -> None:
+def battery(canvas: Canvas, item: FigureItem) -> None:
     part(canvas, item, 4, [([(-4, -9), (-4, 9)], 4), ([(4, -18), (4, 18)], 2)])
 
 
 @primitive("capacitor", N_("a capacitor"), "from to")
-def capacitor(canvas: Canvas, item: Item) -> None:
+def capacitor(canvas: Canvas, item: FigureItem) -> None:
     part(canvas, item, 5, [([(-5, -16), (-5, 16)], 2.5), ([(5, -16), (5, 16)], 2.5)])
 
 
 @primitive("meter", N_("a meter"), "from to")
-def meter(canvas: Canvas, item: Item) -> None:
+def meter(canvas: Canvas, item: FigureItem) -> None:
     """An ammeter or a voltmeter: its name is the letter in the circle."""
     circle = [(15 * math.cos(k * math.pi / 12), 15 * math.sin(k * math.pi / 12)) for k in range(24)]
-    part(canvas, item, 15, [(circle, 2)], closed=True)
+    part(canvas, item, 15, [(circle, 2)], polygon=True)
     (x, y), (to_x, to_y) = ends(canvas, item)
     canvas.mark(item.name, (x + to_x) / 2, (y + to_y) / 2)

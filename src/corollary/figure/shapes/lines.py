@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.canvas import BEHIND, INK, MIDDLE, Canvas, Spot, around
+from corollary.figure.canvas import BEHIND, INK, MIDDLE, Canvas
 from corollary.figure.colour import BLUE
-from corollary.figure.item import Item, NotDrawable, Point
+from corollary.figure.item import FigureItem, NotDrawable, Point
 from corollary.figure.primitive import primitive
+from corollary.figure.room import TextSpot, around
 from corollary.figure.shapes.surfaces import arc
 from corollary.messages import N_
 
@@ -15,37 +16,37 @@ LONGEST, SHORTEST, GAP = 84.0, 26.0, 4.0
 THIN = 1.5
 
 
-def beside(one: Point, other: Point) -> list[Spot]:
+def beside(one: Point, other: Point) -> list[TextSpot]:
     """Spots along a line: at its middle on either side, then at its end, then further off."""
     (x, y), (to_x, to_y) = one, other
     angle = math.atan2(to_y - y, to_x - x)
     c, s = math.cos(angle), math.sin(angle)
     up = 1 if c > 1e-9 or (abs(c) <= 1e-9 and s < 0) else -1
-    spots: list[Spot] = []
+    spots: list[TextSpot] = []
     for gap in (7.0, 22.0, 40.0):
         for side in (up, -up):
             across, along = -side * s, side * c
             for share in (0.5, 0.75, 0.25):
                 spots.append(
-                    Spot(
+                    TextSpot(
                         x + share * (to_x - x) + gap * across,
                         y + share * (to_y - y) + gap * along,
                         -across,
                         -along,
                     )
                 )
-        spots.append(Spot(to_x + (gap + 2) * c, to_y + (gap + 2) * s, -c, -s))
+        spots.append(TextSpot(to_x + (gap + 2) * c, to_y + (gap + 2) * s, -c, -s))
     return spots
 
 
-def ends(canvas: Canvas, item: Item) -> tuple[Point, Point]:
+def ends(canvas: Canvas, item: FigureItem) -> tuple[Point, Point]:
     """From where to where: from edge to edge of bodies. Raises NotDrawable."""
     start, end = item.place("from"), item.place("to")
     return canvas.at(start, end), canvas.at(end, start)
 
 
 @primitive("arrow", N_("an arrow"), "from to by at", "into dashed", laid=1)
-def arrow(canvas: Canvas, item: Item) -> None:
+def arrow(canvas: Canvas, item: FigureItem) -> None:
     body = canvas.bodies.get(item.name) if item.name else None
     if item.name and body is None:
         canvas.at(item.name)
@@ -88,14 +89,14 @@ def arrow(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("length", N_("a length"), "from to", laid=1)
-def length(canvas: Canvas, item: Item) -> None:
+def length(canvas: Canvas, item: FigureItem) -> None:
     tail, tip = (canvas.at(item.place(word)) for word in ("from", "to"))
     canvas.arrow(tail, tip, canvas.colour(item), THIN, both=True, size=9)
     canvas.write(item.label, beside(tail, tip), flags=item.flags)
 
 
 @primitive("line", N_("a line"), "from to through", "dashed")
-def line(canvas: Canvas, item: Item) -> None:
+def line(canvas: Canvas, item: FigureItem) -> None:
     points = (
         list(ends(canvas, item)) if "from" in item.places else [canvas.at(each) for each in _through(item)]
     )
@@ -106,7 +107,7 @@ def line(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("curve", N_("a curve"), "through over", "dashed")
-def curve(canvas: Canvas, item: Item) -> None:
+def curve(canvas: Canvas, item: FigureItem) -> None:
     points = [canvas.at(each) for each in _through(item)]
     colour = canvas.colour(item, BLUE)
     canvas.path(points, stroke=colour, width=2.5, dashed="dashed" in item.flags)
@@ -115,14 +116,14 @@ def curve(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("string", N_("a string"), "from to", "dashed")
-def string(canvas: Canvas, item: Item) -> None:
+def string(canvas: Canvas, item: FigureItem) -> None:
     tail, tip = ends(canvas, item)
     canvas.path([tail, tip], stroke=canvas.colour(item, "#666"), dashed="dashed" in item.flags)
     canvas.write(item.label, beside(tail, tip), flags=item.flags)
 
 
 @primitive("chain", N_("a chain"), "through")
-def chain(canvas: Canvas, item: Item) -> None:
+def chain(canvas: Canvas, item: FigureItem) -> None:
     points = [canvas.at(each) for each in _through(item)]
     drawn = "M" + "L".join(f"{x:.1f} {-y:.1f}" for x, y in points)
     canvas.shapes.append(
@@ -133,7 +134,7 @@ def chain(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("spring", N_("a spring"), "from to")
-def spring(canvas: Canvas, item: Item) -> None:
+def spring(canvas: Canvas, item: FigureItem) -> None:
     tail, tip = ends(canvas, item)
     (x, y), (to_x, to_y) = tail, tip
     far = math.hypot(to_x - x, to_y - y) or 1.0
@@ -158,21 +159,21 @@ def spring(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("angle", N_("an angle"), "at between", "wide")
-def angle(canvas: Canvas, item: Item) -> None:
+def angle(canvas: Canvas, item: FigureItem) -> None:
     start, end = item.numbers.get("between", (0.0, 0.0))
     radius = 62.0 if "wide" in item.flags else 40.0
     arc(canvas, canvas.at(item.place("at")), start, end, radius, item.label, canvas.colour(item))
 
 
 @primitive("axis", N_("an axis"), "from to", laid=1)
-def axis(canvas: Canvas, item: Item) -> None:
+def axis(canvas: Canvas, item: FigureItem) -> None:
     tail, tip = (canvas.at(item.place(word)) for word in ("from", "to"))
     canvas.arrow(tail, tip, canvas.colour(item), 2)
     canvas.write(item.label, beside(tail, tip)[6::7] + beside(tail, tip), flags=item.flags)
 
 
 @primitive("axes", N_("axes"), "", "", laid=3, texts=2)
-def axes(canvas: Canvas, item: Item) -> None:
+def axes(canvas: Canvas, item: FigureItem) -> None:
     """The directions of x and y, small, in the corner where there is most room."""
     left, bottom, right, top = canvas.extent()
     tall = len(item.texts) > 1
@@ -190,27 +191,27 @@ def axes(canvas: Canvas, item: Item) -> None:
     x += 6
     if not upright:
         canvas.arrow((x, y), (x + 44, y), INK, 2, size=9)
-        canvas.write(item.label, [Spot(x + 48, y, -1, 0)])
+        canvas.write(item.label, [TextSpot(x + 48, y, -1, 0)])
     if tall or upright:
         canvas.arrow((x, y), (x, y + 36), INK, 2, size=9)
-        canvas.write(item.texts[-1], [Spot(x, y + 40, 0, -1)])
+        canvas.write(item.texts[-1], [TextSpot(x, y + 40, 0, -1)])
 
 
 @primitive("text", N_("words"), "at", "small")
-def text(canvas: Canvas, item: Item) -> None:
+def text(canvas: Canvas, item: FigureItem) -> None:
     x, y = canvas.at(item.place("at"))
     size = 13 if "small" in item.flags else 15
     across = 1 if "left" in item.flags else -1 if "right" in item.flags else 0
-    canvas.write(item.label, [Spot(x, y, across, 0)], size=size, fill=canvas.colour(item))
+    canvas.write(item.label, [TextSpot(x, y, across, 0)], size=size, fill=canvas.colour(item))
 
 
 @primitive("note", N_("a note"), "", laid=3)
-def note(canvas: Canvas, item: Item) -> None:
+def note(canvas: Canvas, item: FigureItem) -> None:
     left, bottom, right, _ = canvas.extent()
-    canvas.write(item.label, [Spot((left + right) / 2, bottom - 5, 0, 1)], size=13)
+    canvas.write(item.label, [TextSpot((left + right) / 2, bottom - 5, 0, 1)], size=13)
 
 
-def _through(item: Item) -> tuple[Point | str, ...]:
+def _through(item: FigureItem) -> tuple[Point | str, ...]:
     points = item.places.get("through", ())
     if len(points) < 2:
         raise NotDrawable(f"{item.kind} needs two points or more: through=(0,0),(1,2),(2,0)")

@@ -5,17 +5,18 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from corollary.figure.canvas import INK, TINTS, Canvas, around
+from corollary.figure.canvas import INK, TINTS, Canvas
 from corollary.figure.colour import BLUE, VERMILLION
-from corollary.figure.item import Item, NotDrawable
+from corollary.figure.item import FigureItem, NotDrawable
 from corollary.figure.primitive import primitive
+from corollary.figure.room import around
 from corollary.figure.shapes.bodies import measured
 from corollary.figure.shapes.lines import beside
 from corollary.messages import N_
 
 
 @primitive("ray", N_("a ray of light"), "from to through", "dashed")
-def ray(canvas: Canvas, item: Item) -> None:
+def ray(canvas: Canvas, item: FigureItem) -> None:
     places = item.places.get("through") or (item.place("from"), item.place("to"))
     if len(places) < 2:
         raise NotDrawable("ray needs two points or more: through=(0,0),(1,2),(2,0)")
@@ -32,7 +33,7 @@ def ray(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("lens", N_("a lens"), "at length", "diverging", texts=2)
-def lens(canvas: Canvas, item: Item) -> None:
+def lens(canvas: Canvas, item: FigureItem) -> None:
     x, y = canvas.at(item.place("at"))
     half = measured(canvas, item, "length", 120.0) / 2
     bulge = 9.0
@@ -40,7 +41,7 @@ def lens(canvas: Canvas, item: Item) -> None:
     thin, thick = (3.0, 3.0 + bulge) if "diverging" in item.flags else (1.0 + bulge, 1.0)
     right = [(x + thin + (thick - thin) * t * t, y + half * t) for t in turns]
     left = [(2 * x - a, b) for a, b in reversed(right)]
-    canvas.path([*right, *left], fill=TINTS[BLUE], stroke=INK, width=1.5, closed=True, solid=False)
+    canvas.path([*right, *left], fill=TINTS[BLUE], stroke=INK, width=1.5, polygon=True, solid=False)
     box = (x - bulge - 3, y - half, x + bulge + 3, y + half)
     canvas.take(box)
     for each in item.texts:

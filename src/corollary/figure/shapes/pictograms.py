@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.canvas import TINTS, Body, Canvas
-from corollary.figure.item import Item, Point
+from corollary.figure.canvas import TINTS, Attachment, Canvas
+from corollary.figure.item import FigureItem, Point
 from corollary.figure.primitive import primitive
 from corollary.figure.shapes.bodies import known, put
 from corollary.messages import N_
@@ -80,8 +80,8 @@ PICTOGRAMS: Final = {
 """A row for each; the middle, where arrows begin, is as high as `middle` says."""
 
 
-def _drawn(it: Pictogram) -> Callable[[Canvas, Item], None]:
-    def draw(canvas: Canvas, item: Item) -> None:
+def _drawn(it: Pictogram) -> Callable[[Canvas, FigureItem], None]:
+    def draw(canvas: Canvas, item: FigureItem) -> None:
         x, y, _ = put(canvas, item, it.half, it.middle * it.half)
         colour = canvas.next_colour(item)
         face = -1 if "backwards" in item.flags else 1
@@ -90,7 +90,7 @@ def _drawn(it: Pictogram) -> Callable[[Canvas, Item], None]:
             return [(x + face * a * it.half, y + (b - it.middle) * it.half) for a, b in outline]
 
         for outline in it.filled:
-            canvas.path(shifted(outline), fill=TINTS[colour], closed=True, solid=False)
+            canvas.path(shifted(outline), fill=TINTS[colour], polygon=True, solid=False)
         for outline in it.strokes:
             canvas.path(shifted(outline), solid=False)
         for a, b, radius in it.wheels:
@@ -100,7 +100,7 @@ def _drawn(it: Pictogram) -> Callable[[Canvas, Item], None]:
             )  # fmt: skip
         up, down = (it.high - it.middle) * it.half, it.middle * it.half
         room = (x - it.half, y - down, x + it.half, y + up)
-        known(canvas, item, Body(x, y, it.half, min(up, down), colour), room)
+        known(canvas, item, Attachment(x, y, it.half, min(up, down), colour), room)
 
     return draw
 

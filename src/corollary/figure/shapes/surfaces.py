@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.canvas import BEHIND, INK, Canvas, Spot, around, fixed
-from corollary.figure.item import Item, Point
+from corollary.figure.canvas import BEHIND, INK, Canvas, fixed
+from corollary.figure.item import FigureItem, Point
 from corollary.figure.primitive import primitive
+from corollary.figure.room import TextSpot, around
 from corollary.figure.shapes.bodies import measured
 from corollary.messages import N_
 
@@ -30,7 +31,7 @@ def hatched(canvas: Canvas, start: Point, end: Point, side: int, colour: str = I
     )
 
 
-def _level(canvas: Canvas, item: Item, side: int) -> None:
+def _level(canvas: Canvas, item: FigureItem, side: int) -> None:
     """A floor or a ceiling: where it is said, or along everything that is drawn so far."""
     left, bottom, right, top = canvas.extent()
     ends = (left - 24, right + 24)
@@ -45,7 +46,7 @@ def _level(canvas: Canvas, item: Item, side: int) -> None:
     canvas.write(
         item.label,
         [
-            Spot((ends[0] + ends[1]) / 2 + shift * (ends[1] - ends[0]) / 2, below, shift, -side)
+            TextSpot((ends[0] + ends[1]) / 2 + shift * (ends[1] - ends[0]) / 2, below, shift, -side)
             for shift in (-1, 0, 1)
         ],
         size=13,
@@ -54,17 +55,17 @@ def _level(canvas: Canvas, item: Item, side: int) -> None:
 
 
 @primitive("floor", N_("a floor"), "at length", laid=2)
-def floor(canvas: Canvas, item: Item) -> None:
+def floor(canvas: Canvas, item: FigureItem) -> None:
     _level(canvas, item, -1)
 
 
 @primitive("ceiling", N_("a ceiling"), "at length", laid=2)
-def ceiling(canvas: Canvas, item: Item) -> None:
+def ceiling(canvas: Canvas, item: FigureItem) -> None:
     _level(canvas, item, 1)
 
 
 @primitive("wall", N_("a wall"), "at length", "facing_right")
-def wall(canvas: Canvas, item: Item) -> None:
+def wall(canvas: Canvas, item: FigureItem) -> None:
     x, y = canvas.at(item.place("at"))
     length = measured(canvas, item, "length", 110.0)
     foot, head = (x, y - length / 2), (x, y + length / 2)
@@ -73,11 +74,11 @@ def wall(canvas: Canvas, item: Item) -> None:
 
 
 @primitive("incline", N_("an incline"), "at length angle", laid=0)
-def incline(canvas: Canvas, item: Item) -> None:
+def incline(canvas: Canvas, item: FigureItem) -> None:
     x, y = canvas.at(item.place("at"))
     length, angle = measured(canvas, item, "length", 260.0), item.numbers.get("angle", (math.pi / 6,))[0]
     end = (x + length * math.cos(angle), y + length * math.sin(angle))
-    canvas.path([(x, y), (end[0], y), end], fill="#f4f4f4", closed=True)
+    canvas.path([(x, y), (end[0], y), end], fill="#f4f4f4", polygon=True)
     canvas.slopes[item.name] = ((x, y), length, angle)
     arc(canvas, (x, y), 0.0, angle, 46.0, item.label)
 
@@ -94,7 +95,7 @@ def arc(
     )
     half = (start + end) / 2
     spots = [
-        Spot(x + far * math.cos(turn), y + far * math.sin(turn), -math.cos(turn), -0.7 * math.sin(turn))
+        TextSpot(x + far * math.cos(turn), y + far * math.sin(turn), -math.cos(turn), -0.7 * math.sin(turn))
         for far in (radius + 5, radius + 20, radius * 0.45, radius + 36)
         for turn in (half, half - (end - start) / 4, half + (end - start) / 4)
     ]
