@@ -118,6 +118,8 @@ def test_a_formula_is_read_as_it_is_meant(written, meant):
         ("sin x/2", ("sin(x/…)", "sin(x)/…")),
         ("sin x^2", ("sin(x^…)", "sin(x)^…")),
         ("√2gh", ("sqrt(2*…)", "sqrt(2)*…")),
+        ("cbrt 8m", ("cbrt(8*…)", "cbrt(8)*…")),
+        ("log2 8m", ("log2(8*…)", "log2(8)*…")),
         ("sin^-1 x", ("arcsin(…)", "1/sin(…)")),
         ("sin⁻¹(x)", ("arcsin(…)", "1/sin(…)")),
         ("m v 2", ("v^2", "v*2")),

@@ -19,7 +19,10 @@ from corollary.problem.bank import chapter_bank, find
 from corollary.problem.problem_set import read_set
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
+from corollary.sandbox.file import Unreadable
+from corollary.sandbox.isolation import UNKNOWN
 from corollary.sandbox.notebook import Notebook, notebook_of
+from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner
 
 CODES = ("X12.5", "S12.2", "X12.12", "E12.3.1s", "X12.11")
@@ -145,3 +148,30 @@ def test_dictionaries_arrays_texts_and_words(marks: Marks, whole: NotebookNode):
 def test_half_a_surrogate_costs_nothing(marks: Marks, whole: NotebookNode):
     set_answer(whole, "X12_5_a", "X12_5_a = '8.6 \\ud800'")
     assert all_right(dict(marks(whole)))
+
+
+class NoRoom:
+    """Stands for a runner whose machine fails while it runs a notebook, or never."""
+
+    def __init__(self, trouble: str):
+        self._trouble = trouble
+
+    def execute(self, job: object) -> ExecutionResult:
+        return ExecutionResult((), {}, {}, (), UNKNOWN, self._trouble, machine_failed=True)
+
+
+@pytest.mark.parametrize("late", [0.0, 60.0])
+def test_where_our_machine_fails_nothing_is_held_against_the_student(sheet: Worksheet, whole, late: float):
+    """Whether it fails before the notebook is opened or while it runs: no points yet, every part for a person, the reason said."""
+    solutions = Solutions(chapter_bank())
+    keys = {each.problem.code: solutions.key(each.variant) for each in sheet.exercises}
+    book = notebook_of(nbformat.writes(whole).encode())
+    why = "There is no room left on the disk."
+    for received in (book, Unreadable(why, machine_failed=True)):
+        marked = mark(sheet, keys, received, NoRoom(why), b"secret", late)
+        assert marked.machine_failed
+        assert (marked.trouble, marked.late) == (why, late)
+        parts = [part for grade in marked.grades for part in grade.parts]
+        assert len(parts) > 15
+        assert all(isinstance(part.verdict, Unmarked) and part.points == 0.0 for part in parts)
+    assert not mark(sheet, keys, Unreadable("It is a picture."), NoRoom(why), b"secret", late).machine_failed
