@@ -87,7 +87,8 @@ def answer(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) ->
         wanted = -(np.array(biases) + (across * inverse) @ extra)
         try:
             solved = np.linalg.solve(matrix, wanted)
-            if not np.allclose(matrix @ solved, wanted, rtol=1e-6, atol=1e-9 * np.abs(wanted).max()):
+            size = np.abs(wanted)
+            if not (np.abs(matrix @ solved - wanted) <= 1e-6 * size + 1e-9 * size.max()).all():
                 raise np.linalg.LinAlgError
         except np.linalg.LinAlgError:
             solved = np.linalg.lstsq(matrix, wanted, rcond=1e-12)[0]

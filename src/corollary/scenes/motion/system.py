@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.motion.complementarity import Answer, Item, Status, answer
-from corollary.scenes.scene import ContactForce, Event, Scene, opposite
+from corollary.scenes.scene import ContactForce, Event, Force, Scene, opposite
 
 Array = NDArray[np.float64]
 Slope = Callable[[float, Array], list[float]]
@@ -41,11 +41,19 @@ class System:
     changing: list[tuple[int, float]] = field(init=False)
     steady: list[float] = field(init=False)
     fixed: Array | None = field(init=False, default=None)
+    count: int = field(init=False)
+    """How many places there are; as many velocities."""
+    always: list[Force] = field(init=False)
+    """The forces that need no touch."""
+    heavy: list[float] = field(init=False)
+    """The masses (kg) at the start."""
     evaluations: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
         scene = self.scene
+        self.count, self.heavy = scene.axes * len(scene.bodies), [body.mass for body in scene.bodies]
         self.constraints, self.rubs, self.pressed, self.rub_contacts = [], [], [], []
+        self.always = [force for force in scene.forces if not isinstance(force, ContactForce)]
         self.contacts = [(force, a, b) for force in scene.contacts for a, b in force.serves(scene)]
         for force in scene.forces:
             held = list(force.constraints(scene))
@@ -63,18 +71,15 @@ class System:
         self.changing = [each for force in scene.forces for each in force.mass_rates]
         self.steady = self.inverse(0.0).tolist()
 
-    @property
-    def count(self) -> int:
-        """How many places there are; as many velocities."""
-        return self.scene.axes * len(self.scene.bodies)
-
     def velocity(self, y: State) -> State:
         """The generalized velocity in a state: velocities, then spins."""
         return y[self.count :]
 
     def masses(self, time: float) -> list[float]:
         """The masses (kg) after what has been burnt and taken up."""
-        masses = [body.mass for body in self.scene.bodies]
+        if not self.changing:
+            return self.heavy
+        masses = list(self.heavy)
         for i, rate in self.changing:
             masses[i] += rate * time
         return masses
@@ -101,9 +106,9 @@ class System:
         for i, newtons in self._pushes(time, y, masses, since, touching):
             for axis, newton in enumerate(newtons):
                 sums[axes * i + axis] += newton
-        for i, mass in enumerate(masses):
-            for j in range(axes * i, axes * (i + 1)):
-                sums[j] = 0.0 if math.isinf(mass) else sums[j] / mass
+        for j in range(self.count):
+            mass = masses[j // axes]
+            sums[j] = 0.0 if mass == math.inf else sums[j] / mass
         return sums
 
     def _pushes(
@@ -114,9 +119,8 @@ class System:
         since: State,
         touching: Sequence[bool] | None,
     ) -> Iterator[tuple[int, Sequence[float]]]:
-        for force in self.scene.forces:
-            if touching is None or not isinstance(force, ContactForce):
-                yield from force.act_at(self.scene, time, y, masses, since)
+        for force in self.scene.forces if touching is None else self.always:
+            yield from force.act_at(self.scene, time, y, masses, since)
         if touching is not None:
             for (force, a, b), on in zip(self.contacts, touching, strict=True):
                 if on:
@@ -202,6 +206,20 @@ class System:
                             gained[j] -= brake * part * x * inverse[j]
         return True
 
+    def _held_by_one(self, time: float, y: State, constraint: Constraint, gained: list[float]) -> bool:
+        """Add to the accelerations what a single constraint takes; false where it holds nothing that moves."""
+        inverse = self.inverse(time).tolist() if self.changing else self.steady
+        row = constraint.row(time, y)
+        moved = [x * w for x, w in zip(row, inverse, strict=True)]
+        resists = sum(x * m for x, m in zip(row, moved, strict=True))
+        if not resists > 0.0:
+            return False
+        bias = sum(x * a for x, a in zip(row, gained, strict=True)) + constraint.drift(time, y)
+        z = bias / resists
+        for j, m in enumerate(moved):
+            gained[j] -= z * m
+        return True
+
     def held(self, time: float, y: State, since: State, mode: Mode) -> tuple[list[Item], Answer, list[float]]:
         """What holds in a mode, with which forces; and the accelerations without them."""
         gained = self.gains(time, y, since, mode.touching)
@@ -210,7 +228,10 @@ class System:
 
     def slope(self, mode: Mode, since: State, begun: float) -> Slope:
         """The rate of change of the state in a mode, at a time counted from `begun`."""
-        free = all(s == "off" for s in mode.held) and all(s == "off" for s in mode.rubbed)
+        rubs = any(s != "off" for s in mode.rubbed)
+        free = all(s == "off" for s in mode.held) and not rubs
+        on = [c for c, s in zip(self.constraints, mode.held, strict=True) if s == "on"]
+        single = on[0] if len(on) == 1 and not rubs else None
 
         def rates(time: float, state: Array) -> list[float]:
             self.evaluations += 1
@@ -219,9 +240,12 @@ class System:
             if free:
                 return [*moving, *self.gains(begun + time, y, since, mode.touching)]
             gained = self.gains(begun + time, y, since, mode.touching)
-            if self._rubbed_only(begun + time, y, mode, gained):
+            if self._rubbed_only(begun + time, y, mode, gained) or (
+                single is not None and self._held_by_one(begun + time, y, single, gained)
+            ):
                 return [*moving, *gained]
-            _, found, gained = self.held(begun + time, y, since, mode)
+            items = self.items(begun + time, y, gained, mode)
+            found = answer(items, [item.may[0] for item in items], self.inverse(begun + time))
             acceleration = np.asarray(gained) + self.inverse(begun + time) * found.total
             return [*moving, *acceleration.tolist()]
 
