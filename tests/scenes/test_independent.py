@@ -1,5 +1,7 @@
 """What confirms a formula shares none with it: each ready scene's second way meets its first within what both state."""
 
+import math
+
 import pytest
 
 from corollary.scenes.catalogue import run
@@ -51,6 +53,20 @@ def test_ions_that_meet_head_on_turn_even_at_the_start_of_a_step():
     nearest = 1.0 / (1.0 / 0.165 + 0.5 * (0.3 * 0.05 / 0.35) * 0.25 / 0.0011)
     found = run("ions", settings, tolerance=1e-10, second_way=True)
     assert components(found.observed["turning_points"]) == pytest.approx((nearest,), rel=1e-9)
+
+
+def test_on_a_circle_both_turning_points_are_its_radius_and_no_noise_is_a_period():
+    """m v^2/r = k (r - b); what errors of steps make of the distance is neither a turn nor a swing."""
+    m, k, b, r = 2.0, 100.0, 1.0, 1.3
+    settings = {"m": m, "k": k, "b": b, "d": 0.4, "r0": r, "v0": math.sqrt(k * (r - b) * r / m)}
+    found = run("atom", settings, tolerance=1e-10, second_way=True)
+    assert found.outcome == "bound"
+    assert "period" not in found.observed
+    assert found.observed["escapes"] == 0.0
+    for distance, error in zip(
+        *map(components, (found.observed["turning_points"], found.errors["turning_points"])), strict=True
+    ):
+        assert abs(distance - r) <= error < 1e-6
 
 
 def test_what_is_left_of_a_stiff_motion_is_counted():

@@ -181,14 +181,19 @@ def atom(settings: Settings, tolerance: float) -> Run:
     body = Body(m, tuple(place[:axes]), tuple((*velocity, 0.0)[:axes]))
     swing, speed = 2.0 * math.pi * math.sqrt(m / well.k), math.hypot(*velocity) or 1.0
     # A period is no longer than a swing on a line; it is seen when the distance has come back twice.
-    long = Scene((body,), (well,), until=3.2 * swing)
+    long = Scene((body,), (well,), until=2.1 * swing)
+    run = measured(long, {Observable.VELOCITIES}, tolerance, STEPS)
+    if run.outcome == "escaped":  # beyond the edge nothing changes its velocity any more
+        return second_run(run.observed | {"escapes": 1.0}, run.relative_error("velocities"))
     try:
         run = measured(long, {Observable.PERIOD, Observable.TURNING_POINTS}, tolerance, STEPS)
     except BadSetting:
         gone = Scene((body,), (well,), until=4.0 * swing + 4.0 * (math.hypot(*place) + well.edge) / speed)
-        run = measured(gone, {Observable.VELOCITIES}, tolerance, STEPS)
-        observed: dict[str, Observed] = {"velocities": run.observed["velocities"], "escapes": 1.0}
-        return second_run(observed, run.relative_error("velocities"))
+        run = measured(gone, {Observable.VELOCITIES, Observable.TURNING_POINTS}, tolerance, STEPS)
+        escapes = {"escapes": float(run.outcome == "escaped")}
+        if run.outcome != "escaped":  # round a circle, where the distance never turns
+            return replace(run, measured=run.measured | second_run(escapes, 0.0).measured)
+        return second_run(run.only(["velocities"]).observed | escapes, run.relative_error("velocities"))
     more: dict[str, Observed] = {"escapes": 0.0}
     if plane:
         # After a period the distance is the same, and the direction has turned.

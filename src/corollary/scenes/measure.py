@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from corollary.scenes.motion.energy import kinetic
 from corollary.scenes.motion.follow import follow
-from corollary.scenes.motion.lookup import contact_span
+from corollary.scenes.motion.lookup import contact_span, flat
 from corollary.scenes.motion.observe import look, outcome, state_at
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.run import (
@@ -227,6 +227,8 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     if what is Observable.DURATION:
         span = contact_span(path)
         return span.slack if span else 0.0
+    if what is Observable.TURNING_POINTS and path.stretches and flat(scene, path):
+        return path.near
     if what in (Observable.VELOCITIES, Observable.SPINS):
         return path.dropped
     if what in (Observable.IMPULSE, Observable.MOMENTUM):

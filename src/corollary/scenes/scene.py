@@ -245,7 +245,10 @@ def seen_from(scene: Scene, state: State, a: int, b: int) -> tuple[list[float], 
     i, j = n * a, n * b
     if n == 2:  # written out: this is where most of the time of a composed scene goes
         u, v = count + i, count + j
-        return [state[j] - state[i], state[j + 1] - state[i + 1]], [state[v] - state[u], state[v + 1] - state[u + 1]]
+        return [state[j] - state[i], state[j + 1] - state[i + 1]], [
+            state[v] - state[u],
+            state[v + 1] - state[u + 1],
+        ]
     return [state[j] - state[i]], [state[count + j] - state[count + i]]
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from corollary.scenes.motion.isolation import POINTS, first_fall, root_of
-from corollary.scenes.motion.path import Stretch, Trajectory
+from corollary.scenes.motion.isolation import POINTS, certainly_positive, coefficients, first_fall, root_of
+from corollary.scenes.motion.path import Stretch, Trajectory, Turn
 from corollary.scenes.scene import Scene, overlap, place, velocity
 
 Value = Callable[[Sequence[float]], float]
@@ -39,31 +39,38 @@ def largest(path: Trajectory, value: Value, stretches: Sequence[Stretch]) -> flo
     return max(best, value(stretch.at(float(found["x"]))))  # pyright: ignore[reportIndexIssue]
 
 
-@dataclass(frozen=True, slots=True)
-class Turn:
-    """A moment (s) at which the distance from the origin turns, that distance (m), and whether it had come inward."""
-
-    time: float
-    distance: float
-    inward: bool
-
-
 def turns(scene: Scene, path: Trajectory) -> list[Turn]:
-    """Where the first body's distance from the origin turns, at walls, too."""
+    """Where the first body's distance from the origin turns, at walls, too. They are found once for a path."""
+    if path.turned is None:
+        path.turned = _turns(scene, path)
+    return path.turned
 
-    def along(y: Sequence[float]) -> float:
-        return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
 
+def _turns(scene: Scene, path: Trajectory) -> list[Turn]:
+    if path.stretches and flat(scene, path):
+        first = path.stretches[0]
+        return [Turn(first.begin, math.hypot(*place(scene, first.before, 0)), False)]
     found: list[Turn] = []
     last = 0.0
     for stretch in path.stretches:
-        begin = along(stretch.before)
+        begin = _outward(scene, stretch.before)
         if last * begin < 0.0 or (begin == 0.0 and not found and stretch is path.stretches[0]):
-            first = along(stretch.at(0.5)) > 0.0 if begin == 0.0 else begin > 0.0
+            first = _outward(scene, stretch.at(0.5)) > 0.0 if begin == 0.0 else begin > 0.0
             found.append(Turn(stretch.begin, math.hypot(*place(scene, stretch.before, 0)), first))
-        found += _inside(scene, stretch, along)
-        last = along(stretch.after)
+        found += _inside(scene, stretch, lambda y: _outward(scene, y))
+        last = _outward(scene, stretch.after)
     return found
+
+
+def _outward(scene: Scene, y: Sequence[float]) -> float:
+    """Place times velocity of the first body (m^2/s): it goes through zero where the distance turns."""
+    return sum(a * b for a, b in zip(place(scene, y, 0), velocity(scene, y, 0), strict=True))
+
+
+def flat(scene: Scene, path: Trajectory) -> bool:
+    """Whether the distance of the first body never changes by more than errors of steps: on a circle nothing turns."""
+    least = path.near * path.fast
+    return all(abs(_outward(scene, y)) <= least for each in path.stretches for y in each.sampled())
 
 
 def _inside(scene: Scene, stretch: Stretch, along: Value) -> list[Turn]:
@@ -71,10 +78,13 @@ def _inside(scene: Scene, stretch: Stretch, along: Value) -> list[Turn]:
     left = 0.0
     values = np.array([along(y) for y in stretch.sampled()])
     sign = 1.0 if (values[0] or values[1]) > 0.0 else -1.0  # it may turn before the second sample
+    if certainly_positive(coefficients(sign * values)):
+        return found
     while True:
         span = 1.0 - left
         scaled = lambda x, left=left, span=span, sign=sign: sign * along(stretch.at(left + x * span))  # noqa: E731
-        fall = first_fall(scaled, np.array([scaled(x) for x in POINTS.tolist()]))
+        sampled = np.array([scaled(x) for x in POINTS.tolist()]) if left else sign * values
+        fall = first_fall(scaled, sampled)
         if fall is None or fall[1] <= 0.0:
             return found
         low, high = fall

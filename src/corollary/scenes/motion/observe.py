@@ -8,7 +8,7 @@ from typing import assert_never
 
 from corollary.scenes.conserved import impulses, momentum
 from corollary.scenes.motion.energy import energy, kinetic, masses_at
-from corollary.scenes.motion.lookup import contact_span, contact_stretches, depth_of, largest, turns
+from corollary.scenes.motion.lookup import contact_span, contact_stretches, depth_of, flat, largest, turns
 from corollary.scenes.motion.path import Trajectory
 from corollary.scenes.rows import spin
 from corollary.scenes.run import BadSetting, Observable, Observed, Outcome
@@ -97,6 +97,8 @@ def look(scene: Scene, path: Trajectory, what: Observable, times: Sequence[float
             return span.lasts if span else 0.0
         case Observable.TURNING_POINTS:
             distances = [turn.distance for turn in turns(scene, path)]
+            if distances and flat(scene, path):  # a circle: both are its radius
+                return distances[0], distances[0]
             return tuple(sorted({min(distances), max(distances)})) if distances else ()
         case Observable.PERIOD:
             inner = [turn.time for turn in turns(scene, path) if turn.inward]

@@ -55,12 +55,22 @@ class Happening:
     slack: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """A moment (s) at which the distance from the origin turns, that distance (m), and whether it had come inward."""
+
+    time: float
+    distance: float
+    inward: bool
+
+
 @dataclass(slots=True)
 class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
     `grazes` are the times (s) of touches that are missed, or met, by less than `near` (m); `dropped` is a speed (m/s) that was taken
-    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene. `fades`: what faded held steps down, and errors with it.
+    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene. `fades`: what faded held steps down, and
+    errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
     """
 
     stretches: list[Stretch] = field(default_factory=list[Stretch])
@@ -78,6 +88,7 @@ class Trajectory:
     deep: float = math.inf
     settled: bool = False
     fades: bool = False
+    turned: list[Turn] | None = None
 
     def at(self, time: float) -> list[float]:
         """The state at a time between the start and the end."""
