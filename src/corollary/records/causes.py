@@ -64,7 +64,7 @@ def why(old: Record, depends: Mapping[str, str]) -> str:
     names = _changed(old, depends)
     if not names:
         return "nothing was changed; the notebook ran otherwise than before"
-    about = {}
+    about: dict[str, str] = {}
     if TIME in names and TIME in old.depends:
         now, before = (each[TIME].replace("+00:00", " UTC") for each in (depends, old.depends))
         about[TIME] = f"{TIME} ({now}, and {before} when it was marked)"
