@@ -25,6 +25,9 @@ def test_our_command_and_nbgraders_make_nobody_late_by_a_guess(marked_course: Co
     }
     stamps["ben"].write_text("yesterday evening")
     done = grade(marked_course)
+    assert (done.status, [each["student"] for each in done.document["changed"]]) == (1, ["ben"])
+    assert done.document["students"]["ben"]["late"] == 3600  # nobody agreed
+    done = grade(marked_course, "--yes")
     assert done.status == 0
     ben = done.document["students"]["ben"]
     assert (ben["late"], seconds_late(marked_course)["ben"]) == (0.0, 0)

@@ -77,6 +77,7 @@ def show(found: Collected, name: str, dry_run: bool) -> None:
             continue
         if outcome == ACCEPTED:
             title = "Would be taken" if dry_run else "Taken, with something to know"
+            title += " (as the students will read it)" if any(each.why for each in arrivals) else ""
         table = Table(
             "student", "file", "handed in", "", title=title, title_justify="left", title_style="bold"
         )
