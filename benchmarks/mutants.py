@@ -28,11 +28,11 @@ RESULTS = TOP / "benchmarks" / "results"
 EXPLAINED = Path(__file__).with_name("mutants_explained.txt")
 
 
-def explained() -> dict[tuple[str, str, str], str]:
-    """Why no test could see a mutant, by file, change and line."""
+def explained() -> dict[tuple[str, ...], str]:
+    """Why no test could see a mutant, by file, column, change and line."""
     lines = EXPLAINED.read_text(encoding="utf-8").splitlines()
     rows = (line.split("\t") for line in lines if line and not line.startswith("#"))
-    return {(file, what, source): why for file, what, source, why in rows}
+    return {tuple(place): why for *place, why in rows}
 
 
 def table(found: list[Record], count: int) -> str:
@@ -66,8 +66,8 @@ def table(found: list[Record], count: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _named(record: Record) -> tuple[str, str, str]:
-    return str(record["file"]), str(record["what"]), str(record["source"])
+def _named(record: Record) -> tuple[str, ...]:
+    return tuple(str(record[name]) for name in ("file", "column", "what", "source"))
 
 
 def tried(tree: Tree, learned: Learned, mutant: Mutant) -> tuple[str, str]:
