@@ -41,7 +41,7 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.grading.programs import member
-from corollary.laws.law import Law, as_expression, known_by_name
+from corollary.laws.law import Law, as_expression, known_by_name, only_laws
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
@@ -90,7 +90,7 @@ def step(
     return Step(
         Statement(answers, because, _line(), check),
         _tuple(unknowns),
-        laws,
+        only_laws(laws),
         tuple(also),
         where,
         tuple(reject),
@@ -100,14 +100,16 @@ def step(
     )
 
 
-def mistake(text: str, *laws: Law, instead: str = "") -> Mistake[Exchange]:
-    """What a student is told who put these laws in the place of one law of the step."""
-    return Mistake(text, Exchange(laws, instead), _line())
+def mistake(
+    text: str, *laws: Law, instead: str = "", where: Boolean | bool | None = None
+) -> Mistake[Exchange]:
+    """What a student is told who put these laws in the place of one law of the step; `where` chooses among several roots."""
+    return Mistake(text, Exchange(only_laws(laws), instead, where), _line())
 
 
 def route(because: str, *laws: Law) -> Route[Law]:
     """Another way to the same unknown."""
-    return Route(because, laws, _line())
+    return Route(because, only_laws(laws), _line())
 
 
 def reject(reason: str, **roots: object) -> Rejected:
@@ -171,7 +173,7 @@ def example(
     """Any numbers that satisfy the laws and are none of the `apart` ones; `free` unknowns must stay free, which is checked."""
     away = tuple((tuple(map(as_expression, values)), why) for values, why in apart)
     words = Statement(part, because, _line())
-    return Example(words, _tuple(unknowns), laws, away, free, as_expression(scale))
+    return Example(words, _tuple(unknowns), only_laws(laws), away, free, as_expression(scale))
 
 
 def code(
@@ -222,7 +224,10 @@ def proof(
     `given` is what the question states besides, each with a letter alone on its left (`m_B = m_A`): nobody has to write it.
     """
     wrong = tuple(Mistake(each.text, each.rule.laws, each.line) for each in mistakes)
-    return Proof(Statement(part, because, _line()), laws, target, tuple(lines), wrong, tuple(given))
+    (target,) = only_laws((target,))
+    return Proof(
+        Statement(part, because, _line()), only_laws(laws), target, tuple(lines), wrong, only_laws(given)
+    )
 
 
 def neglected(

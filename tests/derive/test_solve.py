@@ -141,7 +141,7 @@ GOOD = 'step(p, "Here.", momentum(p, m, v), answers="a")'
         ('step(m, "Here.", momentum(m, m, v), answers="a")', "m is given or found already"),
         ('step(p, "Here.", law("Area", "p = A", p=p, A=sympy.Integral(sympy.exp(m**2), (m, 0, 1))), answers="a")',
          "cannot be written as a formula"),
-        ('step(p, "Here.", momentum(p, m, v), answers="a", mistakes=[mistake("Slip.")])', "mistake 'Slip.' names no law"),
+        ('step(p, "Here.", momentum(p, m, v), answers="a", mistakes=[mistake("Slip.")])', "the mistake 'Slip.': it names no law"),
         ('step(p, "Here.", momentum(p, m, v), answers="a", mistakes=[mistake("Slip.", momentum(p, m, q))])',
          "q is neither given"),
         ('step(p, "Here.", momentum(p, q, v), law("Two", "q = m", q=q, m=m), also=[q], answers="a",'

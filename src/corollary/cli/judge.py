@@ -31,7 +31,10 @@ def _case(solution: Solution, case: Any, reveal: bool) -> dict[str, Any]:
         case {"answers": dict(), **others} if isinstance(others.get("given", {}), dict):
             answers: dict[str, Any] = case["answers"]
             try:
-                return grade_record(judge(solution, answers, others.get("given"), reveal=reveal))
+                given: dict[str, Any] = others.get("given") or {}
+                record = grade_record(judge(solution, answers, given, reveal=reveal))
+                left_out = [each.symbol for each in solution.problem.givens if each.symbol not in given]
+                return record | {"defaulted": left_out}
             except (UnknownPart, OutOfRange, Undefined) as error:
                 return {"error": str(error)}
             except Exception as error:  # a fault of ours loses its own case, and none of the others

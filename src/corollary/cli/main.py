@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import sys
+from itertools import pairwise
 from typing import Any, Final
 
 NOT_NEEDED: Final = "rfc3987_syntax"
@@ -20,6 +22,18 @@ def main() -> None:
         sys.exit(130)
 
 
+def _numbers_last(words: list[str]) -> list[str]:
+    """The words of a command; for `read`, an answer such as `-56.0 J` is no option, and stands behind `--`."""
+    numbers = [
+        word
+        for before, word in pairwise(words)
+        if re.match(r"-[\d.,(]", word) and not before.startswith("--")
+    ]
+    if words[:1] != ["read"] or len(numbers) != 1 or "--" in words:
+        return words
+    return [*(word for word in words if word != numbers[0]), "--", *numbers]
+
+
 def _status() -> int:
     import click
 
@@ -29,7 +43,7 @@ def _status() -> int:
 
     write_whatever_comes()
     try:
-        return app(standalone_mode=False) or 0
+        return app(_numbers_last(sys.argv[1:]), standalone_mode=False) or 0
     except click.ClickException as error:
         sentence = error.format_message()
         if sentence.startswith("Usage:"):  # no command was named

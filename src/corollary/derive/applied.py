@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from corollary.answers.quantity import read_quantity
 from corollary.derive.solution import AppliedLaw, SolvedProof, SupposedValue
 from corollary.derive.statements import Mistake, Proof, Route, Supposed
@@ -9,7 +11,7 @@ from corollary.formula.ast import Name, Relation, substitute
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import tree
 from corollary.formula.text import text
-from corollary.laws.law import Law, component
+from corollary.laws.law import Law, component, sides, symbols
 from corollary.units.unit import Dimension, unit
 
 
@@ -45,6 +47,18 @@ def applied_proof(entry: Proof[Law]) -> SolvedProof:
         if not isinstance(equation.left, Name):
             raise ValueError(f"{text(equation)} is given, but has no letter alone on its left")
     return Proof(entry.statement, laws, applied(entry.target), entry.lines, mistakes, given)
+
+
+def strange_letter(entry: Proof[Law], known: Collection[str]) -> str:
+    """What is wrong with a letter of a proof that has no value (its lines are tried at numbers), or ""."""
+    said = {str(left) for law in entry.given for left, _right in sides(law)}
+    for law in (*entry.laws, entry.target, *(law for each in entry.mistakes for law in each.rule)):
+        if strange := sorted({symbol.name for symbol in symbols(law)} - said - set(known)):
+            return (
+                f"{strange[0]} in {law.name or text(law.textbook)} is neither given nor found; "
+                "find it in a step, or say what it is in given=[law(…)]"
+            )
+    return ""
 
 
 def applied_route(route: Route[Law]) -> Route[AppliedLaw]:

@@ -76,6 +76,11 @@ class Known:
         return set(self.formulas) | self.measured
 
     @property
+    def names(self) -> set[str]:
+        """All letters that have a value, those that nobody asks for too."""
+        return {symbol.name for symbol in (*self.letters, *self.aside)}
+
+    @property
     def points(self) -> list[Point]:
         """The sample points, with the values of what has been found."""
         for each in self._points:

@@ -83,7 +83,17 @@ def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str,
         if isinstance(entry, Finding)
     }
     for entry in derivation.entries:
-        if isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(
+        if (
+            isinstance(entry, Printed)
+            and answer_type(problem.part(entry.statement.part).answer_type).stated_by == "choice"
+        ):
+            letters = [option.letter for option in problem.part(entry.statement.part).options]
+            if entry.text.strip("() ").lower() not in letters:
+                yield (
+                    f"printed: part {entry.statement.part} has the options {', '.join(letters)}; {entry.text!r} is none of them",
+                    entry.statement.line,
+                )
+        elif isinstance(entry, Printed) and (numbers := len(entry.text.split(";"))) != found.get(
             entry.statement.part
         ):
             yield (

@@ -189,7 +189,7 @@ def exchanged(laws: tuple[Law, ...], mistake: Mistake[Exchange]) -> tuple[Law, .
     """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
     wrong, instead = mistake.rule.laws, mistake.rule.instead
     if not wrong:
-        raise NoRoot(f"mistake {mistake.text!r} names no law; say which law was used wrongly")
+        raise NoRoot("it names no law; say which law was used wrongly")
     if not instead and len(laws) == 1:
         return wrong
     wanted = instead or wrong[0].name
@@ -199,7 +199,5 @@ def exchanged(laws: tuple[Law, ...], mistake: Mistake[Exchange]) -> tuple[Law, .
         places = [place for place, stated in enumerate(laws) if stated.textbook.left == left]
     if len(places) != 1:
         names = ", ".join(stated.name for stated in laws)
-        raise NoRoot(
-            f"mistake {mistake.text!r}: say which law it takes the place of, instead= one of {names}"
-        )
+        raise NoRoot(f"say which law it takes the place of, instead= one of {names}")
     return (*laws[: places[0]], *wrong, *laws[places[0] + 1 :])

@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.applied import applied, applied_proof, applied_route, supposed_value
+from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
 from corollary.derive.known import Known, Root, at, forms, simplest, vanishes
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
@@ -107,6 +107,9 @@ class _Solver:
                 about = f"part {part}" if part else names
                 at_fault = error.line if isinstance(error, NoRoot) else 0
                 raise self.failing(f"{about}: {error}", at_fault or entry.statement.line) from error
+        for entry in entries:
+            if isinstance(entry, Proof) and (sentence := strange_letter(entry, self.known.names)):
+                raise self.failing(f"part {entry.statement.part}: {sentence}", entry.statement.line)
         # after all that is found, so that nothing can lean on what is only supposed
         left_out = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         by_hand = unsolved(self.loaded.derivation)
@@ -175,9 +178,7 @@ class _Solver:
         )
 
     def simulated(self, entry: Simulated) -> Unknown:
-        from corollary.scenes.catalogue import (
-            SCENES,
-        )  # only here: it brings every scene, and most problems need none
+        from corollary.scenes.catalogue import SCENES  # only here: it brings every scene, and most need none
 
         if entry.scene not in SCENES:
             raise NoRoot(f"there is no scene {entry.scene}; there are {', '.join(SCENES)}")
@@ -207,17 +208,16 @@ class _Solver:
         except ValueError as error:
             raise NoRoot(str(error), route.line) from error
 
-    def wrong(
-        self, entry: Step | Optimum | Simulated, mistake: Mistake[Exchange], where: Boolean | bool
-    ) -> Mistake[Rule]:
+    def wrong(self, entry: Finding, mistake: Mistake[Exchange], where: Boolean | bool) -> Mistake[Rule]:
         """What is found by a mistake; `where` chooses only among several roots, for a mistake need not respect it."""
         try:
             laws = exchanged(entry.laws, mistake) if isinstance(entry, Step) else mistake.rule.laws
             found = self.roots(entry, laws)
+            where = where if mistake.rule.where is None else mistake.rule.where
             root = found[0] if len(found) == 1 else pick(found, self.known.points, where, ()).root
             return Mistake(mistake.text, forms(entry.unknowns, root), mistake.line)
         except ValueError as error:
-            raise NoRoot(str(error), mistake.line) from error
+            raise NoRoot(f"the mistake {mistake.text!r}: {error}", mistake.line) from error
 
     def roots(self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]) -> list[Root]:
         also = entry.also if isinstance(entry, Step) else ()

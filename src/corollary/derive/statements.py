@@ -32,6 +32,13 @@ class Statement:
     line: int
     check: str = ""
 
+    def __post_init__(self) -> None:
+        for name, words in (("the part", self.part), ("because", self.because), ("check", self.check)):
+            if not isinstance(words, str):  # pyright: ignore[reportUnnecessaryIsInstance]
+                raise TypeError(
+                    f"{name} is a text for the reader, not {words!r}; write it in quotation marks"
+                )
+
 
 class Stated(Protocol):
     """Whatever rests on a statement."""
@@ -73,10 +80,11 @@ class Doubt:
 
 @dataclass(frozen=True, slots=True)
 class Exchange:
-    """`laws` take the place of the law named `instead`, or of the only one."""
+    """`laws` take the place of the law named `instead`, or of the only one; `where` says which root is meant (None: as in the step)."""
 
     laws: tuple[Law, ...]
     instead: str
+    where: Boolean | bool | None = None
 
 
 @dataclass(frozen=True, slots=True)

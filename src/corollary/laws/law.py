@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -96,6 +96,15 @@ def wrong(formula: str, **letters: object) -> Law:
     Raises what `law` raises.
     """
     return law("", formula, source="", holds="", **letters)
+
+
+def only_laws(stated: Iterable[Law]) -> tuple[Law, ...]:
+    """What an author states as laws. Raises TypeError where something else is among them."""
+    found = tuple(stated)
+    for each in found:
+        if not isinstance(each, Law):  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise TypeError(f'{each!r} is no law; state one, such as law("Momentum", "p = m*v")')
+    return found
 
 
 def sides(stated: Law) -> list[tuple[sympy.Expr, sympy.Expr]]:

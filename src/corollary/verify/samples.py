@@ -90,6 +90,14 @@ def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
             continue
         key = make_key(solution, chapter(solution.problem))
         part = solution.problem.part(entry.statement.part)
+        if part.id in key.choices:
+            letter = entry.text.strip("() ").lower()
+            if not tally.check(letter == key.choices[part.id], "printed values"):
+                tally.complain(
+                    f"{path.name}:{entry.statement.line}: {entry.where} prints ({letter}) for part {part.id}; "
+                    f"the derivation gives ({key.choices[part.id]})"
+                )
+            continue
         wanted = key.truths[entry.statement.part].values
         where = f"{path.name}:{entry.statement.line}"
         for value, printed in zip(wanted, entry.text.split(";"), strict=True):
