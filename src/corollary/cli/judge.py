@@ -33,7 +33,11 @@ def _case(solution: Solution, case: Any, reveal: bool) -> dict[str, Any]:
             try:
                 given: dict[str, Any] = others.get("given") or {}
                 record = grade_record(judge(solution, answers, given, reveal=reveal))
-                left_out = [each.symbol for each in solution.problem.givens if each.symbol not in given]
+                left_out = [
+                    each.symbol
+                    for each in solution.problem.givens
+                    if each.symbol not in given and not each.source
+                ]
                 return record | {"defaulted": left_out}
             except (UnknownPart, OutOfRange, Undefined) as error:
                 return {"error": str(error)}

@@ -47,7 +47,9 @@ def _case(solution: Solution, case: Any) -> dict[str, Any]:
     except Exception as error:  # a fault of ours loses its own case, and none of the others
         return {"error": unforeseen(error)}
     return record | {
-        "defaulted": [each.symbol for each in solution.problem.givens if each.symbol not in given]
+        "defaulted": [
+            each.symbol for each in solution.problem.givens if each.symbol not in given and not each.source
+        ]
     }
 
 

@@ -21,6 +21,7 @@ from corollary.formula.latex import latex, letter
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.messages import catalogue
+from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.variant import Variant, number
 from corollary.units.unit import Unit, si_unit
@@ -50,7 +51,8 @@ def worked_solution(
     """
     problem = solution.problem
     known = _given_numbers(variant)
-    lines: list[str] = []
+    lines = [_constant(given) for given in problem.givens if given.source]
+    lines += [""] * bool(lines)
     for find, numbers in zip(solution.unknowns, values, strict=True):
         part = problem.part(find.part) if find.part else None
         heading = _heading(part) if part else _("**First find {names}.**", names=_names(find))
@@ -63,6 +65,12 @@ def worked_solution(
     for part in problem.parts:
         lines += _other(solution, part, letters, variant)
     return "\n".join(lines).strip() + "\n"
+
+
+def _constant(given: Given) -> str:
+    """A constant of nature: its value, what it is, and where the value is from."""
+    value = _quantity(float(given.value), given.unit)
+    return f"- ${letter(given.symbol)} = {value}$, {given.meaning} ({given.source})"
 
 
 def _heading(part: Part) -> str:

@@ -27,6 +27,8 @@ class Grid:
 
 @dataclass(frozen=True, slots=True)
 class Given:
+    """`source` says where the value of a constant of nature is from."""
+
     symbol: str
     meaning: str
     unit: Unit
@@ -34,6 +36,7 @@ class Given:
     grid: Grid
     line: int
     places: int
+    source: str = ""
 
     @property
     def sign(self) -> int:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import keyword
 import re
 from collections.abc import Mapping
+from fractions import Fraction
 from pathlib import Path
 
+from corollary.formula.ast import Name, Number, Relation
 from corollary.formula.functions import SPELLINGS
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
@@ -17,6 +19,7 @@ from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.parts_markdown import read_parts
 from corollary.problem.problem import Condition, Problem
 from corollary.problem.statement import HOLE, holes
+from corollary.units.constants import CONSTANTS
 from corollary.units.unit import Unit, unit
 
 CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
@@ -46,14 +49,28 @@ def read_problem(path: Path) -> Problem:
         if (given := _given(path, symbol, node, complaints)) is not None
     )
     known = frozenset(rows)  # those with a fault too
+    constants = [
+        given
+        for node in front.list_of("constants")
+        if (given := _constant(path, node, {*known}, complaints)) is not None
+    ]
+    givens, known = (*givens, *constants), known | {given.symbol for given in constants}
     units = {given.symbol: given.unit for given in givens}
     nodes = [
         (node, hard) for name, hard in (("where", False), ("require", True)) for node in front.list_of(name)
     ]
     conditions = [
         condition
-        for node, hard in (nodes if len(units) == len(rows) else ())  # one fault is one complaint
+        for node, hard in (
+            nodes if len(givens) == len(rows) + len(constants) else ()
+        )  # one fault is one complaint
         for condition in _conditions(path, node, units, hard, complaints)
+    ]
+    conditions += [
+        Condition(
+            Relation(">", Name(given.symbol), Number(Fraction(0))), f"{given.symbol} > 0", True, given.line
+        )
+        for given in constants
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
     front.finish()
@@ -138,7 +155,7 @@ def _given(
             value,
             Grid(value, type(value)(0), 1),
             node.line,
-            decimal_places(value),
+            max(decimal_places(value), _decimals(node.entries["value"])),
         )
     if first is None or last is None or step is None:
         row.complain(
@@ -169,6 +186,24 @@ def _given(
     )
 
 
+def _constant(
+    path: Path, node: TableNode | TextNode | ListNode, taken: set[str], complaints: list[Diagnostic]
+) -> Given | None:
+    symbol = node.text.strip() if isinstance(node, TextNode) else ""
+    found = CONSTANTS.get(symbol)
+    if found is None:
+        sentence = f"constants: {symbol or 'this'} is not known; there are {', '.join(CONSTANTS)}"
+        complaints.append(Diagnostic(path, node.line, sentence))
+        return None
+    if symbol in taken:
+        complaints.append(
+            Diagnostic(path, node.line, f"constants: {symbol} is a given, too; keep one of them")
+        )
+        return None
+    grid, places = Grid(found.value, Fraction(0), 1), decimal_places(found.value)
+    return Given(symbol, found.name, found.unit, found.value, grid, node.line, places, found.source)
+
+
 def _conditions(
     path: Path,
     node: TableNode | TextNode | ListNode,
@@ -186,6 +221,12 @@ def _conditions(
     except ValueError as error:
         complaints.append(Diagnostic(path, node.line, f"condition {node.text!r}: {error}"))
         return []
+
+
+def _decimals(node: TableNode | TextNode | ListNode) -> int:
+    """How many decimals a constant is written with: 9.80 keeps its zero."""
+    written = re.fullmatch(r"\s*[-−]?\d*\.(\d+)\s*", node.text if isinstance(node, TextNode) else "")
+    return len(written[1]) if written else 0
 
 
 def _check_holes(
