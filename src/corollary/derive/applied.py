@@ -51,9 +51,9 @@ def applied_proof(entry: Proof[Law]) -> SolvedProof:
 
 def strange_letter(entry: Proof[Law], known: Collection[str]) -> str:
     """What is wrong with a letter of a proof that has no value (its lines are tried at numbers), or ""."""
-    said = {str(left) for law in entry.given for left, _right in sides(law)}
+    defined = {str(left) for law in entry.given for left, _right in sides(law)}
     for law in (*entry.laws, entry.target, *(law for each in entry.mistakes for law in each.rule)):
-        if strange := sorted({symbol.name for symbol in symbols(law)} - said - set(known)):
+        if strange := sorted({symbol.name for symbol in symbols(law)} - defined - set(known)):
             return (
                 f"{strange[0]} in {law.name or text(law.textbook)} is neither given nor found; "
                 "find it in a step, or say what it is in given=[law(…)]"
