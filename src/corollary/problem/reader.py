@@ -187,7 +187,7 @@ def _given(
 
 
 def _constant(
-    path: Path, node: TableNode | TextNode | ListNode, taken: set[str], complaints: list[Diagnostic]
+    path: Path, node: TableNode | TextNode | ListNode, known: set[str], complaints: list[Diagnostic]
 ) -> Given | None:
     symbol = node.text.strip() if isinstance(node, TextNode) else ""
     found = CONSTANTS.get(symbol)
@@ -195,7 +195,7 @@ def _constant(
         sentence = f"constants: {symbol or 'this'} is not known; there are {', '.join(CONSTANTS)}"
         complaints.append(Diagnostic(path, node.line, sentence))
         return None
-    if symbol in taken:
+    if symbol in known:
         complaints.append(
             Diagnostic(path, node.line, f"constants: {symbol} is a given, too; keep one of them")
         )
