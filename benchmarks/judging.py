@@ -1,6 +1,6 @@
 """The judge measured: honest work rejected, listed mistakes accepted, formulas compared, random answers, the time of a verdict.
 
-python benchmarks/judging.py [--students 2000] [--only X12.5,X12.7] [--no-students] [--json]
+python benchmarks/judging.py [--students 2000] [--only X12.5,X12.7] [--no-students] [--only-students] [--no-wild] [--json]
 """
 
 from __future__ import annotations
@@ -54,13 +54,16 @@ def main() -> None:
     )
     options.add_argument("--only", default="", help="codes, parted by commas")
     options.add_argument("--no-students", action="store_true", help="leave out the simulated students")
+    options.add_argument("--no-wild", action="store_true", help="leave out answers that are just anything")
+    options.add_argument("--only-students", action="store_true", help="leave out formulas and times")
     options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
     asked = options.parse_args()
     solutions = Solutions(open_bank(None))
     problems, left_out = _derivable(solutions, asked.only.split(",") if asked.only else [])
     result: dict[str, Any] = {"students": asked.students, "left_out": left_out}
-    result["pairs"], simplify = formula_pairs()
-    result["times"] = times(solutions, problems, simplify)
+    if not asked.only_students:
+        result["pairs"], simplify = formula_pairs()
+        result["times"] = times(solutions, problems, simplify)
     if not asked.no_students:
         numeric = [solutions.of(problem) for problem in problems if size(problem) > 1]
         numeric = [solution for solution in numeric if any(find.part for find in solution.unknowns)]
@@ -70,7 +73,8 @@ def main() -> None:
         }
         result["problems"] = {code: each.record() for code, each in tallies.items()}
         result["overall"] = Tallies.together(tallies.values()).record()
-        result["wild"] = _told("wild answers", lambda: wild(numeric, asked.students))
+        if not asked.no_wild:
+            result["wild"] = _told("wild answers", lambda: wild(numeric, asked.students))
     if asked.json:
         print(json.dumps(result))
     else:
@@ -194,7 +198,7 @@ def answers(key: Key, part: Part) -> list[tuple[str, Value]]:
 def one_verdict(key: Key, part: Part, answer: Value) -> object:
     """Reading and judging, without the other parts."""
     expected = expected_of(key, part)
-    return verdict_on(part.answer_type, read(part, answer, expected), expected)
+    return verdict_on(part.answer_type, read(part, answer, expected, key.variant.problem), expected)
 
 
 def _median(run: Callable[[], object]) -> float:
@@ -234,9 +238,11 @@ def show(result: dict[str, Any]) -> None:
         console.print(table)
         verdicts = ("right", "follows", "mistaken", "slip", "wrong")
         table = _table("Answers that are just anything: judged as, %", "scatter", "answers", *verdicts)
-        for name, record in result["wild"].items():
+        for name, record in result.get("wild", {}).items():
             table.add_row(name, *(str(each) for each in record.values()))
         console.print(table)
+    if "pairs" not in result:
+        return
     counted = result["pairs"]
     headings = ("decided by", "right", "false equal", "false different", "undecided", "median ms", "worst ms")
     table = _table(f"{counted['pairs']} pairs of formulas, {counted['equal']} of them equal", *headings)

@@ -303,6 +303,41 @@ def test_a_capital_too_many_is_asked_about_where_its_small_letter_fits(text, exp
     assert isinstance(read_quantity(text, None), Reading)
 
 
+@pytest.mark.parametrize(
+    ("text", "expected", "shown"),
+    [
+        ("8.6 KG M/S", "kg m/s", "8.6 kg m/s"),
+        ("20 KM/H", "m/s", "20 km/h"),
+        ("400 w", "W", "400 W"),
+        ("20 Kj", "J", "20 kJ"),
+        ("8 3/5 kg m/s", "kg m/s", "8.6 kg m/s"),
+        ("-8 3/5 N", "N", "-8.6 N"),
+        ("1 1/2", "1", "1.5"),
+        ("20 1/s", "1/s", "20 1/s"),
+    ],
+)
+def test_capitals_and_mixed_numbers_as_a_teacher_reads_them(text, expected, shown):
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, Reading)
+    assert (found.as_read, found.fit) == (shown, "fits")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("5 KGM", "kg"),
+        ("5 KQ", "kg"),
+        ("3 KG", "m"),
+        ("8 5/3 kg", "kg"),
+        ("8.5 3/5 kg", "kg"),
+        ("8 + 0.6 kg", "kg"),
+    ],
+)
+def test_what_may_be_something_else_is_not_guessed(text, expected):
+    """`8 + 0.6` may be a value and its uncertainty, `8 5/3` two numbers; the sentence says to write one."""
+    assert isinstance(read_quantity(text, unit(expected)), ParseError)
+
+
 def test_a_unit_of_another_subject_is_a_wrong_dimension():
     found = read_quantity("5 T", unit("N"))
     assert isinstance(found, Reading)

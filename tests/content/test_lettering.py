@@ -7,6 +7,7 @@ import sys
 from itertools import pairwise
 from pathlib import Path
 
+import nbformat
 import pytest
 
 from corollary.problem.bank import chapter_bank
@@ -20,6 +21,29 @@ def test_headings_are_lettered_from_a_on_without_gaps(problem):
     letters = [ord(part.heading_letter[0]) - ord("a") for part in problem.parts]
     assert letters[0] == 0
     assert all(after - before in (0, 1) for before, after in pairwise(letters)), letters
+
+
+@pytest.mark.parametrize("problem", list(BANK), ids=lambda each: each.code)
+def test_an_answer_is_named_by_the_letter_above_it(problem):
+    names = [problem.variable(part) for part in problem.parts]
+    assert len({*names}) == len(names)
+    assert all(
+        name == f"{problem.prefix}_{part.heading_letter}"
+        for name, part in zip(names, problem.parts, strict=True)
+    )
+
+
+def test_a_sheet_shows_one_letter_for_a_part(tmp_path):
+    """The catalogue has S12.5r a, b, c, d and f: students see (e) and S12_5r_e, and nowhere the f."""
+    page = tmp_path / "sheet.ipynb"
+    subprocess.run(
+        [COMMAND, "show", "S12.5r", "--format", "ipynb", "-o", page], check=True, capture_output=True
+    )
+    sources = "\n".join(cell["source"] for cell in nbformat.read(page, as_version=4).cells)
+    assert "#### (e)" in sources
+    assert "S12_5r_e = None" in sources
+    assert 'check("S12_5r_e")' in sources
+    assert "S12_5r_f" not in sources
 
 
 @pytest.mark.parametrize("form", ["text", "md", "html", "ipynb"])

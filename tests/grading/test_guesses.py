@@ -82,6 +82,13 @@ def test_a_small_number_is_no_zero(stone):
     assert isinstance(judged(stone, a=0.01)["a"], Wrong)
 
 
+def test_a_number_that_follows_from_itself_earns_nothing_the_second_time(verdicts):
+    """With v_A = 5 m/s and a wall at -2 m/s, -1 m/s after the hit is a sign wrong, and -1 m/s is what follows from it."""
+    found = verdicts("S12.5wall", a="-1 m/s", b="-1 m/s")
+    assert isinstance(found["a"], Mistaken)
+    assert found["b"] == Follows(("a",), nothing=True)
+
+
 def test_a_mistake_that_copies_a_wrong_answer_earns_nothing(stone):
     assert points(stone, b=6.0) == {"b": 0.25}
     assert points(stone, a=7.0, b=7.0, c=1.0, d=2.0)["b"] == 0

@@ -9,8 +9,12 @@ import nbformat
 import pytest
 from nbformat import NotebookNode
 
-from corollary.answers.verdict import Right, Unmarked, Verdict
+from corollary.answers.quantity import read_quantity
+from corollary.answers.question import Question
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
 from corollary.course.demo.player import right_sources
+from corollary.formula.errors import ParseError
 from corollary.grading.marking import mark
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
@@ -24,6 +28,9 @@ from corollary.sandbox.isolation import UNKNOWN
 from corollary.sandbox.notebook import Notebook, notebook_of
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.runner import Runner
+from corollary.sandbox.tagged import value_of
+from corollary.sandbox.worker.encode import encode
+from corollary.units.unit import read_unit
 
 CODES = ("X12.5", "S12.2", "X12.12", "E12.3.1s", "X12.11")
 Marks = Callable[[NotebookNode], Mapping[str, Verdict]]
@@ -145,9 +152,19 @@ def test_dictionaries_arrays_texts_and_words(marks: Marks, whole: NotebookNode):
     assert all_right(marks(whole))
 
 
-def test_half_a_surrogate_costs_nothing(marks: Marks, whole: NotebookNode):
+def test_half_a_surrogate_ends_in_a_sentence(marks: Marks, whole: NotebookNode):
+    """The one that `check` and `corollary read` say; the question mark of somebody unsure stays allowed."""
+    text, asked = "8.6 \ud800", Question("a", "X12_5_a", ("value",), unit=read_unit("kg m/s"))
+    read = read_quantity(text, asked.unit)
+    assert isinstance(read, ParseError)
+    assert "does not belong in a unit" in read.why
+    assert read.why in answer_type("value").preview(value_of(encode(text)), asked).text
     set_answer(whole, "X12_5_a", "X12_5_a = '8.6 \\ud800'")
-    assert all_right(dict(marks(whole)))
+    found = marks(whole)["X12_5_a"]
+    assert isinstance(found, Unread)
+    assert read.why in found.why
+    set_answer(whole, "X12_5_a", "X12_5_a = '8.6 kg m/s?'")
+    assert all_right(marks(whole))
 
 
 class NoRoom:

@@ -13,20 +13,16 @@ from corollary.answers.arithmetic_answer import worked_out
 from corollary.answers.components import are_axes, in_one_line, length_and_angle, pieces_of, without_preamble
 from corollary.answers.number_words import in_digits, rest_is_zero
 from corollary.answers.preamble import SIDES, answer_in
+from corollary.answers.unit_meant import unit_meant
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
 from corollary.messages import catalogue
-from corollary.units.table import UNSUGGESTED
-from corollary.units.unit import ONE, PURE, Unit, called, read_unit, show
+from corollary.units.unit import ONE, PURE, Unit, called, show
 
 _ = catalogue(__name__)
 
 MOST_SIDES = 5
-WORD = re.compile(r"[A-Za-z]+")
-PLURAL = re.compile(r"(?<![A-Za-z])[Kk]gs(?![A-Za-z])")
-UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
-METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
 TWICE = re.compile(
     r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*"
 )
@@ -127,43 +123,8 @@ def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Readi
     at = end + normalized[end:].index(rest[0])
     if rest[0] in "+-" or (rest[0] in "0123456789" and not re.match(r"1\s*/", rest)):
         return refused(_("one number is enough here"), at, _("work it out and write a number and a unit"))
-    unit = _meant(rest.lstrip("*").strip(), expected)
+    unit = unit_meant(rest.lstrip("*").strip(), expected)
     return unit.moved(at) if isinstance(unit, ParseError) else _reading(text, number, unit, expected)
-
-
-def _meant(text: str, expected: Unit | None) -> Unit | ParseError:
-    """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
-    unit = read_unit(text)
-    if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
-        return unit
-    if isinstance(unit, Unit) and (slip := _slip_of_case(text, unit, expected)) is not None:
-        return slip
-    twice = UNIT_TWICE.fullmatch(text)
-    meanings = (
-        (*unit.choices, METRES.sub("m s", text))
-        if isinstance(unit, ParseError)
-        else twice.groups()
-        if twice
-        else (PLURAL.sub("kg", text),)
-    )
-    fitting = [
-        each
-        for each in map(read_unit, meanings)
-        if isinstance(each, Unit) and each.dimension == expected.dimension
-    ]
-    if twice:
-        return fitting[0] if len(fitting) == 2 else unit
-    return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
-
-
-def _slip_of_case(text: str, unit: Unit, expected: Unit) -> ParseError | None:
-    """`5 T` where a mass is asked for, `km/H` where a velocity is: asked for again, rather than judged as tesla and henry."""
-    smaller = WORD.sub(lambda word: word[0].lower() if word[0] in UNSUGGESTED else word[0], text)
-    meant = read_unit(smaller)
-    if not isinstance(meant, Unit) or meant.dimension != expected.dimension:
-        return None
-    why = _("{unit} is {what}", unit=show(unit), what=called(unit.dimension))
-    return ParseError("asked", why, 0, _("did you mean {near}?", near=smaller), (smaller, unit.text))
 
 
 def _worked(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:

@@ -19,7 +19,7 @@ def question_of(problem: Problem, part: Part) -> Question:
     """A part as readers of answers see it, in the letters of the sheet that it was handed out on."""
     return Question(
         part.id,
-        problem.answer_name(part),
+        problem.variable(part),
         part.answer_types,
         part.unit,
         part.title,

@@ -24,7 +24,10 @@ MARKS = {
     "\ua789": ":", "\u02d7": "-", "\u2043": "-", "\u30fc": "-", "\u2796": "-", "\u2215": "/", "\u29f8": "/", "\u2795": "+",
     "\u02b9": "'", "\u2032": "'", "\u02c6": "^", "\u2038": "^", "\u2217": "*", "\u204e": "*",
 }  # fmt: skip
-EXACT = str.maketrans(dict.fromkeys(INVISIBLE) | LOOKS | MARKS)
+HALVES = dict.fromkeys(
+    map(chr, range(0xD800, 0xE000)), "\ufffd"
+)  # of characters cut in two: they cannot be written down
+EXACT = str.maketrans(dict.fromkeys(INVISIBLE) | LOOKS | MARKS | HALVES)
 # Mathematical letters and digits (𝑚, 𝟖), squared units (㎏, ㎧), letters run together (ﬁ), signs that are units (K, ℃).
 COMPATIBLE = re.compile(r"[\U0001d400-\U0001d7ff㌀-㏿ﬀ-ﬆK\u2100-\u2103\u210e\u2113]")
 

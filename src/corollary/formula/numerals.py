@@ -44,6 +44,7 @@ POWER = r"(?:(?:\^|\*\*)\s*(?:([+-]?[0-9]+)|[({]([+-]?[0-9]+)[)}])|([⁻⁺]?[�
 TEN = re.compile(rf"[eE]([+-]?[0-9]+)(?![0-9.,])|(?:\s*(?:\*|[xX](?=\s*10))\s*|\s+)10\s*{POWER}")
 BARE_TEN = re.compile(rf"10\s*{POWER}")
 BELOW = re.compile(r"\s*/\s*(?=[0-9.,])")
+MIXED = re.compile(r"([0-9]{1,9}) +([0-9]{1,2})/([0-9]{1,2})(?![0-9.,/])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +64,9 @@ def scan_number(text: str) -> tuple[Written, int] | ParseError:
     start = SIGN.match(text)
     assert start is not None  # the pattern matches the empty string
     sign, at = (-1 if start[1] == "-" else 1), start.end()
+    if (mixed := MIXED.match(text, at)) and 0 < int(mixed[2]) < int(mixed[3]):  # 8 3/5; `20 1/s` has a unit
+        value = int(mixed[1]) + Fraction(int(mixed[2]), int(mixed[3]))
+        return Written(sign * value, 0, 0), mixed.end()
     found = unsigned(text, at)
     if isinstance(found, ParseError):
         return found

@@ -19,11 +19,14 @@ SAME = 1e-9  # a number typed twice, and read in two units
 
 
 def own_work(verdict: Verdict, values: Values | None, earlier: Mapping[str, Values], again: str) -> Verdict:
-    """What only copies a wrong answer earns nothing: where a part is the very same as the part `again`, or by a misconception."""
+    """What only copies a wrong answer earns nothing: where a part is the very same as the part `again`, by a misconception, or one
+    number that for these givens happens to follow from itself."""
     if values is None:
         return verdict
     match verdict:
         case Follows(parts) if again in parts and copied(values, earlier[again]):
+            return replace(verdict, nothing=True)
+        case Follows(parts) if len({*values}) == 1 and any(copied(values, earlier[part]) for part in parts):
             return replace(verdict, nothing=True)
         case Mistaken(_, parts) if any(copied(values, earlier[part]) for part in parts if part in earlier):
             return replace(verdict, nothing=True)

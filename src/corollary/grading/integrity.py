@@ -62,6 +62,11 @@ def elsewhere(sheet: Worksheet, notebook: NotebookNode) -> str:
 
 
 def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[str]) -> Iterator[str]:
+    called = {
+        f"{prompt.key}{end}": f"{prompt.name}{end}" for prompt in sheet.prompts for end in ("", "_text")
+    }
+    edited, foreign = ([called.get(name, name) for name in names] for names in (edited, foreign))
+    run = {"setup", "check_all", *(prompt.name for prompt in sheet.prompts)}
     if owner and owner != sheet.student.id:
         yield _(
             "This notebook was made for {owner}, not for you ({own}): it was marked with your own numbers.",
@@ -84,7 +89,6 @@ def _sentences(sheet: Worksheet, owner: str, edited: list[str], foreign: list[st
             len(foreign),
             cells=_listed(foreign),
         )
-    run = {"setup", "check_all", *(prompt.key for prompt in sheet.prompts)}
     checks = [name for name in edited if name in run]
     texts = [name for name in edited if name not in run]
     if texts:

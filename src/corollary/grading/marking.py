@@ -74,10 +74,13 @@ def _job(sheet: Worksheet, keys: Keys, notebook: Notebook, secret: bytes) -> Job
         )
     ]
     cells = tuple(Cell(name, source) for name, source in code_to_run(notebook.node, handed_out(sheet)))
-    names = tuple(
-        prompt.name for prompt in sheet.prompts if answer_type(prompt.part.answer_type).found_in == "variable"
-    )
-    return Job(cells, names, tuple(calls))
+    names = [
+        name
+        for prompt in sheet.prompts
+        if answer_type(prompt.part.answer_type).found_in == "variable"
+        for name in (prompt.name, prompt.key)
+    ]
+    return Job(cells, tuple(dict.fromkeys(names)), tuple(calls))
 
 
 def _grade(
@@ -129,7 +132,12 @@ def _answer(prompt: Prompt, notebook: Notebook, executed: ExecutionResult) -> Va
     if answer_type(prompt.part.answer_type).found_in == "cell":
         text = written_text(notebook.node, prompt)
         return Text(text) if text else Nothing()
-    return executed.values.get(prompt.name, Nothing())
+    value = executed.values.get(prompt.name, Nothing())
+    if isinstance(
+        value, Nothing
+    ):  # of a sheet, or from a habit, that has the part's id in place of its letter
+        value = executed.values.get(prompt.key, value)
+    return value
 
 
 def _runs(notebook: Notebook, executed: ExecutionResult) -> dict[str, CellRun]:

@@ -141,7 +141,7 @@ def _part_cells(prompt: Prompt) -> Iterator[NotebookNode]:
             yield written_cell(key, each.blank(question), prompt.out_of)
             return
         yield answer_cell(cell_id(key, each), each.blank(question))
-    yield graded_cell(key, f'check("{key}")', prompt.out_of)
+    yield graded_cell(key, f'check("{question.name}")', prompt.out_of)
 
 
 def picture(svg: str, alt: str) -> str:

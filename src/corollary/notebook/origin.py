@@ -44,7 +44,8 @@ def is_of(sheet: Worksheet, nb: NotebookNode) -> bool:
     if asked & found.keys():
         return True
     sources = "\n".join(str(cell.get("source", "")) for cell in nb.cells)
-    return any(re.search(rf"\b{re.escape(key)}\b", sources) for key in keys)
+    names = keys | {prompt.name for prompt in sheet.prompts}
+    return any(re.search(rf"\b{re.escape(name)}\b", sources) for name in names)
 
 
 def other_numbers(theirs: str, ours: str) -> bool:

@@ -30,11 +30,11 @@ class Prompt:
 
     @property
     def name(self) -> str:
-        return self.problem.answer_name(self.part)
+        return self.problem.variable(self.part)
 
     @property
     def key(self) -> str:
-        return self.name
+        return self.problem.answer_name(self.part)
 
     @property
     def question(self) -> Question:

@@ -42,6 +42,17 @@ def read_parts(
                 Diagnostic(path, line, f"part {part.id} occurs twice; every part needs an id of its own")
             )
         parts.append(part)
+    for part in parts:
+        if part.lettered and any(
+            part.heading_letter == other.heading_letter for other in parts if other is not part
+        ):
+            complaints.append(
+                Diagnostic(
+                    path,
+                    part.line,
+                    f"two parts are lettered {part.lettered}; their answers would have one name",
+                )
+            )
     return "\n".join(chunks[0][2]).strip(), tuple(parts)
 
 

@@ -58,5 +58,9 @@ class Problem:
         return "".join(letter if letter.isalnum() else "_" for letter in self.code)
 
     def answer_name(self, part: Part) -> str:
-        """The variable a student assigns the answer to."""
+        """What records, cells and gradebooks call the answer to a part: by its id."""
         return f"{self.prefix}_{part.label}"
+
+    def variable(self, part: Part) -> str:
+        """The variable a student assigns the answer to: by the letter that the heading above it shows."""
+        return f"{self.prefix}_{part.heading_letter}"

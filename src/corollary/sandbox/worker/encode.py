@@ -128,7 +128,8 @@ def _text(value):
 
 
 def _printable(text):
-    return str.encode(text, "utf-8", "replace").decode("utf-8")
+    """Text that can be written down: half a surrogate becomes U+FFFD, which no answer holds, not a question mark, which one may."""
+    return str.encode(text, "utf-16-le", "surrogatepass").decode("utf-16-le", "replace")
 
 
 def _items(values, shape, depth, left):
