@@ -30,7 +30,7 @@ WORLD: tuple[tuple[str, str, Callable[[Numbers], float], float, float], ...] = (
     ("S12.6", "density of B", density("mB", "R"), 30, 0.6 * OSMIUM),
     ("S12.5nc", "density of A", density("mA", "D", 0.5), 30, 0.6 * OSMIUM),
     ("S12.5nc", "density of B", density("mB", "D", 0.5), 30, 0.6 * OSMIUM),
-    ("X12.4", "speed of the bike", lambda n: n["M"] * n["V"] / n["mb"], 5, 300),
+    ("X12.4", "speed of the bike", lambda n: n["M"] * n["V"] / n["mb"], 5, 170),
     ("S12.5r", "height of the last bounce", lambda n: n["h0"] * n["r"] ** (2 * n["n"]), 0.01, 5),
     (
         "E12.5.1",
@@ -59,6 +59,13 @@ WORLD: tuple[tuple[str, str, Callable[[Numbers], float], float, float], ...] = (
         lambda n: ((n["M"] - n["m"]) / (n["M"] + n["m"])) ** 2 * n["L"],
         0.005,
         3,
+    ),
+    (
+        "P12.15",
+        "excess over the circle",
+        lambda n: 2 * n["m"] * n["v1"] ** 2 / (n["k"] * n["b"]),
+        0.004,
+        0.33,
     ),
     ("P12.14", "lowest height", lambda n: n["h0"] / 4, 0.005, 1),
 )
