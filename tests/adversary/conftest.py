@@ -33,7 +33,9 @@ def narrow_runner() -> Iterator[Runner]:
             assert running.isolation.level >= possible, (
                 f"level {possible} is possible here: {running.isolation}"
             )
-            if possible < 2 and not without:  # where layers are left out on purpose, what gets through is what is asked
+            if (
+                possible < 2 and not without
+            ):  # where layers are left out on purpose, what gets through is what is asked
                 pytest.skip(f"this kernel has not the features for it: {running.isolation.line}")
             yield running
     finally:

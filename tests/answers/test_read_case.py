@@ -20,6 +20,25 @@ def read(text: str, **others: object) -> dict[str, object]:
         ("5 cm", "s", "5 cm", 0.05, "cm", {"m": 1}, "wrong dimension"),
         ("5 cm", None, "5 cm", 0.05, "cm", {"m": 1}, None),
         ("5", None, "5", 5.0, "1", {}, None),
+        (
+            "0.82 km/s to the left",
+            "m/s",
+            "0.82 km/s to the left",
+            -820.0,
+            "km/s",
+            {"m": 1, "s": -1},
+            "compatible",
+        ),
+        ("loss: 2 N m", "N m", "2 N m loss", -2.0, "N*m", {"kg": 1, "m": 2, "s": -2}, "compatible"),
+        (
+            "-3 m/s, x to the left",
+            "m/s",
+            "-3 m/s, x to the left",
+            3.0,
+            "m/s",
+            {"m": 1, "s": -1},
+            "compatible",
+        ),
     ],
 )
 def test_a_quantity(text, unit, read_as, value, its_unit, dimension, verdict):
@@ -28,6 +47,19 @@ def test_a_quantity(text, unit, read_as, value, its_unit, dimension, verdict):
     assert (found["read"], found["value"], found["unit"]) == (read_as, value, its_unit)
     assert (found["dimension"], found["verdict"]) == (dimension, verdict)
     assert bool(found["why"]) == (verdict == "wrong dimension")
+
+
+def test_words_that_leave_the_sign_open_are_asked_about():
+    found = read("-3 m/s to the right", unit="m/s")
+    assert found["status"] == "asked"
+    assert "which sign" in str(found["why"])
+
+
+@pytest.mark.parametrize(
+    ("text", "figures"), [("200 N", 2), ("0.20 kN", 2), ("1000 W", 2), ("200.0 N", 4), ("204 N", 3)]
+)
+def test_figures_are_counted_by_the_one_rule_for_zeros(text, figures):
+    assert read(text)["figures"] == figures
 
 
 def test_a_unit():

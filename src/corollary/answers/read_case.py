@@ -5,16 +5,23 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, cast
 
+from corollary.answers.answer import Answer, Numbers, Unclear
+from corollary.answers.direction import on_usual_axes, with_direction
 from corollary.answers.formula import with_remark
+from corollary.answers.machine_number import sure
+from corollary.answers.numbers import scalar
 from corollary.answers.quantity import Reading, in_si, read_quantity
+from corollary.answers.question import Question
 from corollary.formula.ast import Expr, Relation
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.symbols import RUN
 from corollary.formula.syntax import author_formula, parse
 from corollary.formula.text import text as formula_text
+from corollary.formula.value import Text, Value
 from corollary.units.unit import Dimension, Unit, called, canonical, read_unit, show
 from corollary.units.unit import unit as author_unit
 
@@ -47,7 +54,8 @@ def read_case(case: Any) -> dict[str, Any]:
 
 def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
     expected = _expected(case)
-    found = read_quantity(case["text"], expected)
+    in_words = _in_words(case["text"], expected) if expected is not None else None
+    found = in_words or read_quantity(case["text"], expected)
     if isinstance(found, ParseError):
         return _trouble(found)
     assert isinstance(found, Reading)
@@ -62,11 +70,36 @@ def _quantity(case: Mapping[str, Any]) -> dict[str, Any]:
         "read": found.as_read,
         "value": value,
         "unit": canonical(unit) if unit else "1",
-        "figures": found.figures,
+        "figures": sure(found.least, found.figures),
         "dimension": powers(unit.dimension if unit else Dimension()),
         "verdict": verdict,
         "why": found.why if expected else "",
     }
+
+
+def _in_words(text: str, expected: Unit) -> Reading | ParseError | None:
+    """The quantity beside words on its direction, or on gain and loss, as an answer with them is read: `85.3 J lost`.
+
+    None where the text has no such words.
+    """
+    question, beside = Question("", "", ("value",), expected), list[str]()
+
+    def plain(value: Value) -> Answer:
+        beside.append(value.text if isinstance(value, Text) else "")
+        return scalar(value, question)
+
+    answer = on_usual_axes(Text(text), question, lambda own: with_direction(own, question, plain))
+    if beside[-1] == text:
+        return None
+    if isinstance(answer, Unclear) and answer.readings:
+        return ParseError("asked", answer.why)
+    found = read_quantity(beside[-1], expected)
+    if not isinstance(answer, Numbers) or isinstance(found, ParseError):
+        return None
+    sign = -1 if (answer.values[0] < 0) != (found.value < 0) else 1
+    return replace(
+        found, value=sign * found.value, si=(sign * found.si[0], found.si[1]), as_read=answer.as_read
+    )
 
 
 def _unit(case: Mapping[str, Any]) -> dict[str, Any]:
