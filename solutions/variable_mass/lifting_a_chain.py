@@ -29,7 +29,7 @@ def derive(m, L, v0, y, g):
             answers="a",
             routes=[
                 route(
-                    "Or at once, by what part (p) shows.",
+                    "Or at once, by what part (d) shows.",
                     law("To show", "F = m/L*(v_0^2 + g*y)", v_0=v0),
                 )
             ],
