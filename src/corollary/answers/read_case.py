@@ -84,11 +84,11 @@ def _in_words(text: str, expected: Unit) -> Reading | ParseError | None:
     """
     question, beside = Question("", "", ("value",), expected), list[str]()
 
-    def plain(value: Value) -> Answer:
+    def number(value: Value) -> Answer:
         beside.append(value.text if isinstance(value, Text) else "")
         return scalar(value, question)
 
-    answer = on_usual_axes(Text(text), question, lambda own: with_direction(own, question, plain))
+    answer = on_usual_axes(Text(text), question, lambda own: with_direction(own, question, number))
     if beside[-1] == text:
         return None
     if isinstance(answer, Unclear) and answer.readings:
