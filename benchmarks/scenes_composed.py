@@ -17,13 +17,13 @@ from pathlib import Path
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from benchmarks.composed import lines, planes
+from benchmarks.composed import extremes, lines, planes
 from benchmarks.composed.case import Case, Verdict, drawn, judged
 
 
 def cases(each: int, seed: int) -> list[Case]:
     """So many scenes of every family."""
-    return list(drawn((*lines.FAMILIES, *planes.FAMILIES), each, seed))
+    return list(drawn((*lines.FAMILIES, *planes.FAMILIES, *extremes.FAMILIES), each, seed))
 
 
 def table(verdicts: list[tuple[Verdict, float]]) -> list[str]:
