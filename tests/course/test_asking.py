@@ -88,7 +88,7 @@ def test_more_time_is_agreed_to_by_whoever_gave_it(graded: Path, tmp_path: Path)
     own.write_text(
         "---\ntitle: One exercise\ndue: 2099-03-02T12:00+00:00\ncredit: {late: 0.5}\nproblems:\n  - X12.5\n---\nOne.\n"
     )
-    assert grade(graded, name=own).points["ada"] == 2.5
+    assert grade(graded, "--yes", name=own).points["ada"] == 2.5
 
     def extend(*words: str) -> None:
         line = [COMMAND, "extend", "ada", own, *words, "--course", graded]
