@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, SCENES, SETS, STUDENTS, TARGETS, TOPICS
+from corollary.cli.completion import CODES, SCENES, SETS, STUDENTS, TARGETS
 from corollary.cli.ending import run
 from corollary.cli.left_out import completed
 from corollary.cli.parameters import (
@@ -21,6 +21,7 @@ from corollary.cli.parameters import (
     FORMAT,
     GENERATED_BANK,
     JSON,
+    LISTED,
     MARKING,
     NEW,
     PAGE,
@@ -72,12 +73,7 @@ def _command(
 _command(
     "list",
     "Every problem: code, title, topic, givens, parts, kinds of answer, number of distinct variants.",
-    several("--topic", "topic", "Only problems of this topic", TOPICS),
-    several("--type", "kind", "Only problems with an answer of this type: value, choice, explain, …"),
-    flag("--person", "Only problems with a part that a person must read."),
-    click.Option(
-        ["--sort"], type=click.Choice(["code", "title", "topic", "parts", "variants"]), help="By what."
-    ),
+    *LISTED,
     BANK,
     JSON,
     module="listing",
@@ -156,6 +152,7 @@ _command(
     BANK,
     *PAGE,
 )
+_command("schema", "The JSON schema of a problem's front matter, for editors.")
 _command(
     "trade",
     "Measures speed against accuracy; writes the table and the picture.",

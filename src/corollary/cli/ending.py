@@ -65,6 +65,8 @@ def run(
         banks: Any = options.get("bank")
         if isinstance(options.get("bank"), list):  # several banks are one, parted as in PATH
             options["bank"] = Path(os.pathsep.join(map(str, banks))) if banks else None
+        if "bank" in options and (sentence := _first_use(options)):
+            say(sentence)
         status = importlib.import_module(f"corollary.cli.{module}").run(**options)
         sys.stdout.flush()
     except KeyboardInterrupt:
@@ -81,6 +83,12 @@ def run(
             status = REFUSED
     if status:
         raise click.exceptions.Exit(status)
+
+
+def _first_use(options: dict[str, Any]) -> str:
+    from corollary.cli.foreign import first_use  # only now: --help loads nothing but the command line
+
+    return first_use(options)
 
 
 def _listed(value: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import asdict
 from typing import Any
 
 from corollary.answers.questions import checked
@@ -39,6 +40,7 @@ def _record(problem: Problem, count: int, exact: bool) -> dict[str, Any]:
         "title": problem.title,
         "topic": problem.topic,
         "source": problem.source,
+        **asdict(problem.description),
         "given": {given.symbol: _given(given) for given in problem.givens},
         "parts": {part.id: _part(part) for part in problem.parts},
         "variants": count,

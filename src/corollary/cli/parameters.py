@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, FORMATS, SETS, STUDENTS, Complete
+from corollary.cli.completion import CODES, FORMATS, SETS, STUDENTS, TOPICS, Complete
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -159,4 +159,13 @@ NEW = (
     click.Argument(["code"], help="The new problem's code: Q1"),
     click.Argument(["name"], help="What its files are called: sliding_box, or topic/sliding_box"),
     text("--like", "Copy this problem of the bank, or of the chapter.", CODES),
+)
+# Which problems are listed, and in which order.
+LISTED = (
+    several("--topic", "topic", "Only problems of this topic", TOPICS),
+    several("--type", "kind", "Only problems with an answer of this type: value, choice, explain, …"),
+    flag("--person", "Only problems with a part that a person must read."),
+    click.Option(
+        ["--sort"], type=click.Choice(["code", "title", "topic", "parts", "variants"]), help="By what."
+    ),
 )

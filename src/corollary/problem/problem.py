@@ -21,6 +21,17 @@ class Condition:
 
 
 @dataclass(frozen=True, slots=True)
+class Description:
+    """What a bank's author says of a problem for other teachers: `difficulty` from 1 (easiest) to 5, 0 when nothing is said."""
+
+    difficulty: int = 0
+    tags: tuple[str, ...] = ()
+    author: str = ""
+    licence: str = ""
+    version: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Problem:
     """`written` is what its file has today, where this is the problem as it was handed out to somebody; `renamed` are then the
     letters of givens that are called otherwise today: the one of today, and the one of the sheet."""
@@ -40,6 +51,7 @@ class Problem:
     figure_line: int
     written: Problem | None = None
     renamed: tuple[tuple[str, str], ...] = ()
+    description: Description = Description()
 
     @property
     def as_written(self) -> Problem:

@@ -17,13 +17,14 @@ from corollary.problem.figure_lines import read_lines
 from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.parts_markdown import read_parts
-from corollary.problem.problem import Condition, Problem
+from corollary.problem.problem import Condition, Description, Problem
 from corollary.problem.statement import HOLE, holes
 from corollary.units.constants import CONSTANTS
 from corollary.units.unit import Unit, unit
 
 CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+DIFFICULTIES = ("1", "2", "3", "4", "5")
 RESERVED = {*SPELLINGS, *keyword.kwlist, "pi", "log", "answer"}
 """Words that formulas and solutions need for themselves."""
 
@@ -73,6 +74,7 @@ def read_problem(path: Path) -> Problem:
         for given in constants
     ]
     (figure, figure_line), (alt, alt_line) = front.line_of("figure", ""), front.line_of("alt", "")
+    description = _description(front)
     front.finish()
     node = table.entries.get("figure")
     first_line = figure_line + (node.block if isinstance(node, TextNode) else 0)
@@ -113,7 +115,23 @@ def read_problem(path: Path) -> Problem:
         alt,
         path,
         figure_line,
+        description=description,
     )
+
+
+def _description(front: Reader) -> Description:
+    difficulty, line = front.line_of("difficulty", "")
+    if difficulty and difficulty not in DIFFICULTIES:
+        front.complain(line, f"difficulty: {difficulty}: say a whole number from 1 (easiest) to 5")
+        difficulty = ""
+    tags: list[str] = []
+    for node in front.list_of("tags"):
+        if isinstance(node, TextNode) and node.text.strip():
+            tags.append(node.text.strip())
+        else:
+            front.complain(node.line, "a tag is a word or a few; list them as tags: [energy, two steps]")
+    author, licence, version = (front.text(name, "") for name in ("author", "licence", "version"))
+    return Description(int(difficulty or 0), tuple(tags), author, licence, version)
 
 
 def _given(

@@ -1,0 +1,85 @@
+"""A JSON schema of a problem's front matter, for editors: from the patterns and names that the reader holds it to."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from corollary.problem.reader import CODE, DIFFICULTIES, RESERVED, SYMBOL
+
+NUMBER = {
+    "type": ["number", "string"],
+    "pattern": r"^\s*[-+\u2212]?(\d+/[1-9]\d*|(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,3})?)\s*$",
+}
+WORDS = {"type": ["string", "number"], "minLength": 1}
+
+
+def schema() -> dict[str, Any]:
+    """The schema as a JSON document (draft 2020-12). What it takes, the reader may still refuse: units, conditions, holes."""
+    relation = {"type": "string", "pattern": r"<|>|!=|\u2264|\u2265|\u2260"}
+    relations = {"anyOf": [relation, {"type": "array", "items": relation}]}
+    texts = {"anyOf": [WORDS, {"type": "array", "items": WORDS}]}
+    given = {
+        "type": "object",
+        "properties": {
+            "is": {**WORDS, "description": "What the letter means."},
+            "value": {**NUMBER, "description": "The problem's own number, in the unit."},
+            "from": {
+                **NUMBER,
+                "description": "The first value of the grid that students' numbers are drawn from.",
+            },
+            "to": {**NUMBER, "description": "The last value of the grid, reached in whole steps."},
+            "step": {**NUMBER, "description": "Between two values of the grid."},
+            "unit": {
+                "type": ["string", "number"],
+                "description": "As kg*m/s^2; a plain number when left out.",
+            },
+        },
+        "required": ["is", "value"],
+        "dependentRequired": {name: ["from", "to", "step"] for name in ("from", "to", "step")},
+        "additionalProperties": False,
+    }
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Front matter of a problem",
+        "type": "object",
+        "properties": {
+            "code": {
+                "type": "string",
+                "pattern": f"^{CODE.pattern}",
+                "description": "As X12.5; one of its own in the bank.",
+            },
+            "title": {**WORDS, "description": "What stands above the problem; without numbers."},
+            "source": {"type": ["string", "number"], "description": "Where it is from."},
+            "given": {
+                "type": "object",
+                "propertyNames": {"pattern": f"^{SYMBOL.pattern}", "not": {"enum": sorted(RESERVED)}},
+                "additionalProperties": given,
+                "description": "The givens by their letter.",
+            },
+            "require": {
+                **relations,
+                "description": "Where the physics holds: values against it are refused anywhere.",
+            },
+            "where": {**relations, "description": "What may be drawn."},
+            "figure": {
+                "type": "string",
+                "description": "A line for each thing in it; or SVG, with holes such as {{m}}.",
+            },
+            "alt": {"type": "string", "description": "The figure in words."},
+            "difficulty": {
+                "enum": [*map(int, DIFFICULTIES), *DIFFICULTIES],
+                "description": "From 1 (easiest) to 5.",
+            },
+            "tags": {**texts, "description": "Words to find it by."},
+            "author": {"type": "string", "description": "Who wrote it."},
+            "licence": {"type": "string", "description": "Under which terms others may use it."},
+            "version": {
+                "type": ["string", "number"],
+                "description": "The author's own count of its editions.",
+            },
+        },
+        "required": ["code", "title"],
+        "if": {"properties": {"figure": {"pattern": r"^\s*<"}}, "required": ["figure"]},
+        "then": {"required": ["alt"]},
+        "additionalProperties": False,
+    }
