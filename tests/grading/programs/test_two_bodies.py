@@ -51,6 +51,21 @@ def test_forward_euler_is_named(seed):
         assert "forward Euler" in said.sentence
 
 
+@pytest.mark.parametrize("seed", range(2))
+def test_velocities_that_do_not_keep_the_momentum_are_told_so(seed):
+    """The second sphere is left with a third of the first one's speed too much, and nothing has pushed it."""
+
+    def told(share):
+        calls = []
+        for case in sphere_inputs({}, random.Random(seed).uniform):
+            ax, ay, bx, by = two(case, sphere_force(case["R"], case["k"], case["eta"]), euler_cromer)
+            calls.append(Called(case, (ax, ay, bx + share * math.hypot(*case["vA"]), by)))
+        return judge_spheres({}, calls)
+
+    assert told(0.0) is None
+    assert "the total momentum is not kept" in told(1 / 3).sentence
+
+
 WRONG = [
     (spheres, {"spring": 1.0}, "pull each other"), (spheres, {"drag": -1.0}, "braking"), (spheres, {"q": 1.0}, "3/2"),
     (spheres, {"eta": 0.0}, "no damping"), (ions, {"sign": 1.0}, "attract"), (ions, {"power": 2.0}, "division"),
