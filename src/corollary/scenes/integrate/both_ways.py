@@ -30,10 +30,20 @@ ASKED_BY = "COROLLARY_COMPILED"
 def ways(name: str) -> tuple[Callable, Callable[[str], ModuleType]]:
     """For a module of this name: what its kernels are decorated with, and how it imports another module of kernels."""
     if not name.endswith(SUFFIX):
-        return lambda function: function, lambda other: importlib.import_module(f"{__package__}.{other}")
+        return lambda function: function, plain
     from numba import njit  # pyright: ignore[reportMissingImports]
 
     return njit(cache=True, error_model="numpy"), compiled
+
+
+def plain(module: str) -> ModuleType:
+    """A module of kernels, as it is."""
+    return importlib.import_module(f"{__package__}.{module}")
+
+
+def available() -> bool:
+    """Whether many kernels in one call may be compiled: numba is there, and nobody forbids it."""
+    return os.environ.get(ASKED_BY) != "0" and importlib.util.find_spec("numba") is not None
 
 
 def compiled(module: str) -> ModuleType:

@@ -1,0 +1,242 @@
+"""Thousands of variants of a cradle or of two spheres in one call, each with its own errors."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from corollary.scenes.catalogue import SCENES
+from corollary.scenes.collision import ROUNDING, SAFE
+from corollary.scenes.definition import Setting, settle
+from corollary.scenes.forces.contact import Contact, smoothing_power
+from corollary.scenes.integrate import both_ways, contact_motion, row_motion
+from corollary.scenes.integrate.regularised import MOST_COMPILED
+from corollary.scenes.integrate.single_contact import MOST_STEPS
+from corollary.scenes.library import spheres
+from corollary.scenes.run import BadSetting
+
+Array = NDArray[np.float64]
+OUTCOMES = np.array(["released", "missed", "sticks", "refused"])
+RELEASED, MISSED, STICKS, REFUSED = range(4)
+SHARED = {"N", "q", "balls_in"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ensemble:
+    """What became of n variants: `observed[name]` and `errors[name]` (absolute, SI, estimates) have a line for each.
+
+    `outcomes` (n,) is `released`, `missed`, `sticks` or `refused`; a variant that is refused has nan everywhere, and the duration of
+    one that sticks is infinite. `evaluations` counts the forces evaluated for all of them, those for the errors included.
+    """
+
+    observed: dict[str, Array]
+    errors: dict[str, Array]
+    outcomes: NDArray[np.str_]
+    evaluations: int
+
+
+def ensemble(name: str, given: Mapping[str, Any], tolerance: float = 1e-9) -> Ensemble:
+    """Play the variants of `cradle` or `spheres`; any setting but N, q and balls_in is one value for all or an array of n (SI).
+
+    A row of values (masses, gaps: N or N - 1; vA, vB: 2) is one line for all, or n lines. Each is followed twice, and the difference
+    is its error; with numba as one compiled loop, else in plain Python. Raises BadSetting.
+    """
+    if name not in PLAYED:
+        raise BadSetting(f"An ensemble is of {' or '.join(PLAYED)}, not of {name!r}; play others one by one.")
+    if not 1e-13 <= tolerance <= 1e-2:
+        raise BadSetting(f"{name}: ask for a tolerance between 1e-13 and 0.01, not {tolerance:g}.")
+    return PLAYED[name](*_settings(name, given), tolerance)
+
+
+def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], int]:
+    """Every setting as an array with a line for each variant, and their number. Raises BadSetting."""
+    known = {setting.name: setting for setting in SCENES[name].settings}
+    arrays = {key: np.asarray(value, dtype=float) for key, value in given.items() if key in known}
+    several = {key for key, a in arrays.items() if a.ndim > known[key].many and key not in SHARED}
+    counts = {len(arrays[key]) for key in several}
+    if len(counts) > 1:
+        raise BadSetting(f"{name}: {', '.join(sorted(several))} have different numbers of variants.")
+    alone = {key: value for key, value in given.items() if key not in several}
+    settled = settle(name, known.values(), {k: _plain(v) for k, v in alone.items()})
+    count = counts.pop() if counts else 1
+    for key in several:
+        _check(name, known[key], arrays[key])
+    return {
+        key: arrays[key] if key in several else np.broadcast_to(value, (count, *np.shape(value)))
+        for key, value in settled.items()
+    }, count
+
+
+def _plain(value: Any) -> Any:
+    return tuple(value.tolist()) if isinstance(value, np.ndarray) and value.ndim else value
+
+
+def _check(name: str, setting: Setting, values: Array) -> None:
+    good = np.isfinite(values) & (values > setting.above) & (values >= setting.least)
+    good &= (values < setting.below) & (values <= setting.most)
+    if not good.all():
+        worst = float(values[~good].flat[0])
+        settle(name, [setting], {setting.name: worst})  # says what is wrong with it
+        raise BadSetting(f"{name}: {setting.name} = {worst:g} cannot be.")
+
+
+def _kernel(name: str) -> tuple[Any, bool]:
+    fast = both_ways.available()
+    return getattr((both_ways.compiled if fast else both_ways.plain)("members"), name), fast
+
+
+def _called(kernel: str, arrays: list[Array], *rest: Any, room: Array) -> int:
+    """The kernel on arrays that it changes; in plain Python on lists that are written back."""
+    call, fast = _kernel(kernel)
+    if fast:
+        return call(*arrays, *rest, room)
+    lists = [array.tolist() for array in arrays]
+    spent = call(*lists, *rest, room.tolist())
+    for array, changed in zip(arrays, lists, strict=True):
+        array[...] = changed
+    return spent
+
+
+def _cradle(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
+    count, coming, q = (round(float(settings[key][0])) for key in ("N", "balls_in", "N"))
+    q = float(settings["q"][0])
+    if coming >= count:
+        raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
+    masses = settings["masses"] if settings["masses"].size else settings["m"][:, None] * np.ones(count)
+    gaps = settings["gaps"]
+    gaps = gaps[:, None] * np.ones(count - 1) if gaps.ndim == 1 else gaps
+    if masses.shape[1:] != (count,) or gaps.shape[1:] != (count - 1,):
+        raise BadSetting(f"cradle: {count} balls have {count} masses and {count - 1} gaps.")
+    mass = (1.0 / (1.0 / masses[:, :-1] + 1.0 / masses[:, 1:])).max(axis=1)
+    speed, k = settings["v0"], settings["k"]
+    length = (mass * speed**2 / k) ** (1.0 / (q + 1.0))
+    start = np.zeros((n, 2 * count - 1))
+    start[:, 0 : 2 * coming : 2], start[:, 1::2] = 1.0, -gaps / length[:, None]
+    inverse = np.ascontiguousarray(mass[:, None] / masses)
+    stiff = np.ones((n, count - 1))
+    power = np.full(count - 1, smoothing_power(Contact(1.0, q)))
+    runs: list[tuple[Array, ...]] = []
+    spent = 0
+    for allowed in (tolerance, tolerance / 30.0):
+        y, deepest, hardest = start.copy(), np.zeros((n, count - 1)), np.zeros((n, count - 1))
+        lasted, ends = np.zeros(n), np.zeros(n)
+        arrays = [y, np.zeros(count - 1, dtype=bool), inverse, np.zeros(count), stiff]
+        arrays += [np.full(count - 1, q), np.zeros(count - 1), power, deepest, hardest, lasted, ends]
+        spent += _called(
+            "rows", arrays, allowed, MOST_COMPILED, room=np.zeros((row_motion.ROOM, 2 * count - 1))
+        )
+        runs.append((ends, y[:, ::2], lasted, deepest.max(axis=1), hardest.max(axis=1)))
+    (ended, *coarse), (ends, *fine) = runs
+    weights = 1.0 / inverse
+    had, has = (weights * start[:, ::2] ** 2).sum(axis=1), (weights * fine[0] ** 2).sum(axis=1)
+    shift = np.abs((weights * (fine[0] - start[:, ::2])).sum(axis=1)) / (weights * np.abs(fine[0])).sum(
+        axis=1
+    )
+    lost = np.abs(has / had - 1.0) > 1e3 * tolerance + 1e-12 * count
+    refused = (ended != ends) | (ends > row_motion.MISSED) | lost | (shift > 1e-12)
+    units = {
+        "velocities": speed,
+        "duration": length / speed,
+        "largest_overlap": length,
+        "peak_force": mass * speed**2 / length,
+    }
+    return _gathered(units, coarse, fine, np.where(refused, REFUSED, ends), SAFE, ROUNDING, spent)
+
+
+def _gathered(
+    units: dict[str, Array], coarse: Any, fine: Any, ends: Array, safe: float, least: Any, spent: int
+) -> Ensemble:
+    observed: dict[str, Array] = {}
+    errors: dict[str, Array] = {}
+    for (name, unit), rough, value in zip(units.items(), coarse, fine, strict=True):
+        wide = unit[:, None] if value.ndim > 1 else unit
+        size = np.maximum(np.abs(value).max(axis=1) if value.ndim > 1 else np.abs(value), 1.0)
+        apart = np.abs(value - rough).max(axis=1) if value.ndim > 1 else np.abs(value - rough)
+        error = np.maximum(safe * apart, least * size) * unit
+        error = np.broadcast_to(error[:, None], value.shape) if value.ndim > 1 else error
+        lost = (ends == REFUSED)[:, None] if value.ndim > 1 else ends == REFUSED
+        observed[name], errors[name] = (np.where(lost, math.nan, a) for a in (value * wide, error))
+    if "duration" in observed:
+        observed["duration"] = np.where(ends == STICKS, math.inf, observed["duration"])
+    return Ensemble(observed, errors, OUTCOMES[ends.astype(int)], spent)
+
+
+def _spheres(settings: dict[str, Array], n: int, tolerance: float) -> Ensemble:
+    ma, mb, k, eta = (np.asarray(settings[key]) for key in ("mA", "mB", "k", "eta"))
+    q, reach = float(settings["q"][0]), 2.0 * settings["R"]
+    va, vb = (np.broadcast_to(settings[key].T, (2, n)) for key in ("vA", "vB"))
+    x, y, (u, v) = settings["dx"], settings["dy"], vb - va
+    mass, speed = ma / (ma + mb) * mb, np.hypot(u, v)
+    spin, radial = x * v - y * u, x * u + y * v
+    # Where the pair passes at nearly the reach, what rounding does to the difference is part of the error.
+    clear = reach * speed - np.abs(spin)
+    inside, meets = np.hypot(x, y) < reach, (radial < 0.0) & (clear > 0.0)
+    safe = np.where(meets & ~inside, clear, reach * speed)
+    doubt = 4.4e-16 * (reach * speed + np.abs(x * v) + np.abs(y * u)) / safe
+    root = np.sqrt(safe * (reach * speed + np.abs(spin)))
+    inward = np.where(meets, root / reach, 1.0)
+    angle = np.arctan2(-root * v - spin * u, -root * u + spin * v)
+    depth = ((q + 1.0) * mass * inward**2 / (2.0 * k)) ** (1.0 / (q + 1.0))
+    with np.errstate(divide="ignore"):
+        depth = np.minimum(depth, inward**2 * reach**3 / (2.0 * spin**2))
+        depth = np.minimum(np.minimum(depth, mass * inward / eta), reach)
+    across = np.where(meets, spin / (reach * inward), 0.0)
+    groups = np.stack(
+        [
+            np.full(n, q),
+            k * depth ** (q + 1.0) / (mass * inward**2),
+            eta * depth / (mass * inward),
+            across,
+            depth / reach,
+        ],
+        axis=1,
+    )
+    runs: list[tuple[Array, ...]] = []
+    smoothing, spent = smoothing_power(Contact(1.0, q)), 0
+    for allowed in (tolerance, tolerance / 30.0):
+        state = np.tile([0.0, 1.0, 1.0, 0.0, 0.0], (n, 1))
+        overlaps, forces, ends = np.zeros(n), np.zeros(n), np.zeros(n)
+        room = np.zeros((contact_motion.ROOM, contact_motion.SIZE))
+        call, fast = _kernel("contacts")
+        if fast:
+            spent += call(state, groups, smoothing, overlaps, forces, ends, allowed, MOST_STEPS, room)
+        else:
+            lists = [a.tolist() for a in (state, overlaps, forces, ends)]
+            s, o, f, e = lists
+            spent += call(s, groups.tolist(), smoothing, o, f, e, allowed, MOST_STEPS, room.tolist())
+            state, overlaps, forces, ends = map(np.array, lists)
+        stuck = (ends == contact_motion.STICKS) | ~meets
+        turned = angle + state[:, contact_motion.TURN]
+        out, side = -state[:, contact_motion.P] * inward, spin / reach * state[:, contact_motion.SPIN]
+        after = [out * np.cos(turned) - side * np.sin(turned), out * np.sin(turned) + side * np.cos(turned)]
+        change = np.array([np.where(stuck, 0.0, a) - before for a, before in zip(after, (u, v), strict=True)])
+        change = np.where(meets, change, 0.0)
+        share = mb / (ma + mb)
+        then = np.concatenate([va - share * change, vb + (1.0 - share) * change])
+        lasted = np.where(stuck, 0.0, state[:, contact_motion.TIME])
+        seen = then.T, lasted, overlaps * meets, forces * meets, (mass * change).T
+        runs.append((ends, *seen))
+    (ended, *coarse), (ends, *fine) = runs
+    found = np.where(ends == contact_motion.STICKS, STICKS, RELEASED)
+    refused = inside | (meets & ((ended != ends) | (ends > contact_motion.STICKS)))
+    found = np.where(refused, REFUSED, np.where(meets, found, MISSED))
+    fast_ones = np.maximum(np.abs(va).max(axis=0), np.abs(vb).max(axis=0))
+    units = {
+        "velocities": np.ones(n),
+        "duration": depth / inward,
+        "largest_overlap": depth,
+        "peak_force": mass * inward**2 / depth,
+        "impulse": np.ones(n),
+    }
+    least = np.where(meets, spheres.SAFE * 5e-15 + doubt, 0.0) * np.maximum(1.0, fast_ones)
+    return _gathered(units, coarse, fine, found, spheres.SAFE, least, spent)
+
+
+PLAYED = {"cradle": _cradle, "spheres": _spheres}

@@ -1,0 +1,92 @@
+"""Many variants in one call: each is what it is when it is played alone, within its own errors; and it says what it refuses."""
+
+import math
+
+import numpy as np
+import pytest
+
+import corollary
+from corollary.scenes.catalogue import run
+from corollary.scenes.integrate import both_ways
+from corollary.scenes.run import BadSetting
+
+
+@pytest.fixture(params=["0", "1"])
+def way(request, monkeypatch):
+    """Plain Python, and compiled where numba is installed."""
+    if request.param == "1":
+        pytest.importorskip("numba")
+    monkeypatch.setenv(both_ways.ASKED_BY, request.param)
+
+
+def alone(monkeypatch, name, settings):
+    monkeypatch.setenv(both_ways.ASKED_BY, "0")
+    return run(name, settings, 1e-13)
+
+
+def holds(found, i, single):
+    for name, values in found.observed.items():
+        if name in single.observed:
+            apart = np.abs(np.array(single.observed[name]) - values[i])
+            known = np.array(single.errors[name])
+            assert (apart <= found.errors[name][i] + known).all(), (name, i, apart, found.errors[name][i])
+
+
+@pytest.mark.parametrize("eta", [0.0, 1.0, 5.0, 20.0])
+def test_spheres_are_those_that_are_played_alone(way, monkeypatch, eta):
+    chance = np.random.default_rng(4)
+    drawn = {
+        "dy": chance.uniform(-0.0399, 0.0399, 12),
+        "mA": chance.uniform(0.02, 0.3, 12),
+        "vB": chance.uniform(-0.3, 0.3, (12, 2)),
+        "k": 10.0 ** chance.uniform(3.7, 6.0, 12),
+    }
+    found = corollary.ensemble("spheres", eta=eta, tolerance=1e-9, **drawn)
+    for i in range(12):
+        one = alone(monkeypatch, "spheres", {"eta": eta, **{key: a[i].tolist() for key, a in drawn.items()}})
+        assert found.outcomes[i] == one.outcome
+        holds(found, i, one)
+    gone = found.outcomes == "released"
+    assert found.errors["velocities"][gone].max(initial=0.0) < 1e-6
+
+
+@pytest.mark.parametrize("q", [1.37, 1.5, 3.0])
+def test_cradles_are_those_that_are_played_alone(way, monkeypatch, q):
+    chance = np.random.default_rng(5)
+    drawn = {"masses": chance.uniform(0.05, 0.2, (6, 3)), "gaps": chance.uniform(0.0, 1e-3, (6, 2)), "v0": chance.uniform(0.1, 3.0, 6)}  # fmt: skip
+    found = corollary.ensemble("cradle", q=q, tolerance=1e-9, **drawn)
+    for i in range(6):
+        one = alone(monkeypatch, "cradle", {"q": q, **{key: a[i].tolist() for key, a in drawn.items()}})
+        assert found.outcomes[i] == one.outcome == "released"
+        holds(found, i, one)
+    momentum = (drawn["masses"] * found.observed["velocities"]).sum(axis=1)
+    assert momentum == pytest.approx(drawn["masses"][:, 0] * drawn["v0"], rel=1e-12)
+
+
+def test_what_meets_nothing_or_begins_inside_says_so(monkeypatch):
+    monkeypatch.setenv(both_ways.ASKED_BY, "0")
+    found = corollary.ensemble("spheres", dx=[0.08, 0.08, 0.01], dy=[0.0, 0.05, 0.0])
+    assert found.outcomes.tolist() == ["released", "missed", "refused"]
+    assert found.observed["velocities"][1].tolist() == [1.0, 0.0, 0.0, 0.0]
+    assert np.isnan(found.observed["velocities"][2]).all()
+    stuck = corollary.ensemble("spheres", eta=[1.0, 50.0])
+    assert stuck.outcomes.tolist() == ["released", "sticks"]
+    assert math.isinf(stuck.observed["duration"][1])
+    assert stuck.observed["velocities"][1].tolist() == pytest.approx([0.5, 0.0, 0.5, 0.0])
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "says"),
+    [
+        ("atom", {}, "An ensemble is of"),
+        ("spheres", {"eta": [1.0, -1.0]}, "must be at least 0"),
+        ("spheres", {"eta": [1.0, 2.0], "dy": [0.0] * 3}, "different numbers of variants"),
+        ("spheres", {"etta": [1.0]}, "not among its settings"),
+        ("cradle", {"masses": np.ones((4, 5))}, "3 balls have 3 masses"),
+        ("cradle", {"balls_in": 3.0}, "at least one must be hit"),
+        ("cradle", {"tolerance": 1e-20}, "ask for a tolerance"),
+    ],
+)
+def test_refusals_are_sentences(name, settings, says):
+    with pytest.raises(BadSetting, match=says):
+        corollary.ensemble(name, **settings)
