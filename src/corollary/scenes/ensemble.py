@@ -64,7 +64,7 @@ def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], in
     if len(counts) > 1:
         raise BadSetting(f"{name}: {', '.join(sorted(several))} have different numbers of variants.")
     alone = {key: value for key, value in given.items() if key not in several}
-    settled = settle(name, known.values(), {k: _plain(v) for k, v in alone.items()})
+    settled = settle(name, known.values(), {k: _as_setting(v) for k, v in alone.items()})
     count = counts.pop() if counts else 1
     for key in several:
         _check(name, known[key], arrays[key])
@@ -74,7 +74,7 @@ def _settings(name: str, given: Mapping[str, Any]) -> tuple[dict[str, Array], in
     }, count
 
 
-def _plain(value: Any) -> Any:
+def _as_setting(value: Any) -> Any:
     return tuple(value.tolist()) if isinstance(value, np.ndarray) and value.ndim else value
 
 
@@ -89,7 +89,7 @@ def _check(name: str, setting: Setting, values: Array) -> None:
 
 def _kernel(name: str) -> tuple[Any, bool]:
     fast = both_ways.available()
-    return getattr((both_ways.compiled if fast else both_ways.plain)("members"), name), fast
+    return getattr((both_ways.compiled if fast else both_ways.as_written)("members"), name), fast
 
 
 def _called(kernel: str, arrays: list[Array], *rest: Any, room: Array) -> int:

@@ -30,13 +30,13 @@ ASKED_BY = "COROLLARY_COMPILED"
 def ways(name: str) -> tuple[Callable, Callable[[str], ModuleType]]:
     """For a module of this name: what its kernels are decorated with, and how it imports another module of kernels."""
     if not name.endswith(SUFFIX):
-        return lambda function: function, plain
+        return lambda function: function, as_written
     from numba import njit  # pyright: ignore[reportMissingImports]
 
     return njit(cache=True, error_model="numpy"), compiled
 
 
-def plain(module: str) -> ModuleType:
+def as_written(module: str) -> ModuleType:
     """A module of kernels, as it is."""
     return importlib.import_module(f"{__package__}.{module}")
 
