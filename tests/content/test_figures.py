@@ -14,7 +14,11 @@ pytestmark = pytest.mark.browser
 ILLEGIBLE = """
 () => {
   const svg = document.querySelector("svg"), view = svg.viewBox.baseVal, found = [];
-  const words = [...svg.querySelectorAll("text")].map(each => [each.textContent.trim(), each.getBBox()]);
+  const toDrawing = svg.getScreenCTM().inverse();
+  const words = [...svg.querySelectorAll("text")].map(each => {  // boxes in the drawing's units, whatever group they are in
+    const box = each.getBBox(), shift = toDrawing.multiply(each.getScreenCTM());
+    return [each.textContent.trim(), {x: box.x + shift.e, y: box.y + shift.f, width: box.width, height: box.height}];
+  });
   const beyond = (low, size, start, length) => Math.max(start - low, low + size - start - length);
   const shared = (a, b, size, start) => Math.min(a[start] + a[size], b[start] + b[size]) - Math.max(a[start], b[start]);
   words.forEach(([text, box], at) => {

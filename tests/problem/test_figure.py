@@ -9,6 +9,7 @@ import pytest
 from corollary.figure.primitive import PRIMITIVES
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.figure import BadFigure, drawn
+from corollary.problem.figure_lines import in_letters
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import at, chapter
 
@@ -131,6 +132,13 @@ def test_what_cannot_be_drawn_names_its_line(problem, figure, line, words):
 
 def test_comments_and_blank_lines(problem):
     assert drawn(chapter(problem('# a cart\n\nblock A at=0,0 "#1" # it'))).alt == "A block A: #1."
+
+
+def test_letters_may_be_called_otherwise_in_formulas():
+    figure = 'ball v at=v,2*v_0 "v = {{v}}"\narrow v by=(v+1)*m,0\nline from=v.top to=v'
+    assert in_letters(figure, {"v": "w", "m": "M"}) == (
+        'ball v at=w,2*v_0 "v = {{v}}"\narrow v by=(w+1)*M,0\nline from=v.top to=v'
+    )
 
 
 def test_there_is_a_word_for_everything_that_is_taken():

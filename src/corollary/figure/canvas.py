@@ -9,19 +9,21 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final
 
-from corollary.figure.colour import BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILLION
+from corollary.figure.colour import BLUE, GREEN, ORANGE, PURPLE, VERMILLION
 from corollary.figure.item import FigureItem, NotDrawable, Place, Point
 from corollary.figure.lettering import SIZE, lettered
 from corollary.figure.room import Box, TextSpot, WaitingText, box_of, lies, shared
 
 INK: Final = "#222"
+DARK_GREY: Final = "#6b6b6b"
+"""The grey of curves is too faint for an arrow, on paper and on a dark page."""
 COLOURS: Final = {
     "blue": BLUE,
     "red": VERMILLION,
     "green": GREEN,
     "purple": PURPLE,
     "orange": ORANGE,
-    "grey": GREY,
+    "grey": DARK_GREY,
     "black": INK,
 }
 TINTS: Final = {
@@ -30,7 +32,7 @@ TINTS: Final = {
     GREEN: "#cdeee2",
     PURPLE: "#f3dfea",
     ORANGE: "#f8e6bf",
-    GREY: "#e8e8e8",
+    DARK_GREY: "#e8e8e8",
     INK: "#f4f4f4",
 }
 IN_TURN: Final = (BLUE, VERMILLION, GREEN, PURPLE)

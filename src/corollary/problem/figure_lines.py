@@ -23,6 +23,7 @@ INSIDE = r"[^()\"]|\((?:[^()\"]|\((?:[^()\"]|\([^()\"]*\))*\))*\)"
 TOKEN = re.compile(rf'"(?P<text>[^"]*)"|(?P<word>[a-z]+)=(?P<value>(?:(?!\s){INSIDE})+)|(?P<bare>[^\s"=]+)')
 NAME = re.compile(r"[A-Za-z]\w*$|\d+$")
 ANCHOR = re.compile(r"([A-Za-z]\w*|\d+)(\.(left|right|top|bottom))?$")
+LETTER = re.compile(r"(?<![\w.])[A-Za-z]\w*")
 COMMENT = re.compile(r'(?:^|\s)#[^"]*$')
 PANEL: Final = "panel"
 COUNTS: Final = {
@@ -81,6 +82,18 @@ def read_lines(
         except ValueError as error:
             complaints.append((at, f"figure, `{line}`: {error}"))
     return tuple(lines), tuple(complaints)
+
+
+def in_letters(figure: str, now: Mapping[str, str]) -> str:
+    """The figure with the letters of its formulas called otherwise; names of things stay."""
+
+    def other(found: re.Match[str]) -> str:
+        if found["word"] is None or ANCHOR.match(found["value"]):
+            return found[0]
+        value = LETTER.sub(lambda letter: now.get(letter[0], letter[0]), found["value"])
+        return f"{found['word']}={value}"
+
+    return TOKEN.sub(other, figure)
 
 
 class _Reading:

@@ -12,6 +12,8 @@ import msgspec
 
 from corollary.derive.load import NotDerivable, source
 from corollary.problem.bank import UnknownCode, bank_of
+from corollary.problem.figure import is_svg
+from corollary.problem.figure_lines import in_letters
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
@@ -175,7 +177,7 @@ def _in_letters(old: Problem, now: Mapping[str, str]) -> Problem:
     return replace(
         old,
         statement=other(old.statement),
-        figure=other(old.figure),
+        figure=other(in_letters(old.figure, now) if not is_svg(old.figure) else old.figure),
         figure_alt=other(old.figure_alt),
         parts=parts,
     )

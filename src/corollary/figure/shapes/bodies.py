@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from corollary.figure.canvas import INK, TINTS, Attachment, Canvas
+from corollary.figure.canvas import DARK_GREY, INK, TINTS, Attachment, Canvas
 from corollary.figure.item import FigureItem, NotDrawable
 from corollary.figure.primitive import primitive
 from corollary.figure.room import Box, around
@@ -40,7 +40,7 @@ def known(canvas: Canvas, item: FigureItem, body: Attachment, room: Box | None =
     canvas.take(box)
     if item.name:
         canvas.bodies[item.name] = body
-    if item.marked and "outside" in item.flags:
+    if item.marked and ("outside" in item.flags or body.wide < 8):
         canvas.write(item.name, around(box), flags=item.flags, upright=True)
     elif item.marked:
         canvas.mark(item.name, body.x, body.y)
@@ -97,14 +97,15 @@ def pulley(canvas: Canvas, item: FigureItem) -> None:
     radius = measured(canvas, item, "radius", 22.0)
     x, y, _ = put(canvas, item, radius, radius)
     canvas.circle(x, y, radius, fill=TINTS[INK], width=3)
-    canvas.circle(x, y, 3, fill=INK, width=0)
+    if not item.marked:
+        canvas.circle(x, y, 3, fill=INK, width=0)
     known(canvas, item, Attachment(x, y, radius, radius, round=True))
 
 
 @primitive("pivot", N_("a pivot"), "at", laid=0, texts=2)
 def pivot(canvas: Canvas, item: FigureItem) -> None:
     x, y = canvas.at(item.place("at"))
-    canvas.path([(x, y), (x - 13, y - 24), (x + 13, y - 24)], fill=TINTS["#999999"], polygon=True)
+    canvas.path([(x, y), (x - 13, y - 24), (x + 13, y - 24)], fill=TINTS[DARK_GREY], polygon=True)
     canvas.path([(x - 20, y - 24), (x + 20, y - 24)], width=3)
     canvas.circle(x, y, 3.5, fill="#fff")
     known(canvas, item, Attachment(x, y, 4, 4, round=True), (x - 20, y - 26, x + 20, y + 4))

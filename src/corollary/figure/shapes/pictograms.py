@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from corollary.figure.canvas import TINTS, Attachment, Canvas
+from corollary.figure.canvas import DARK_GREY, TINTS, Attachment, Canvas
 from corollary.figure.item import FigureItem, Point
 from corollary.figure.primitive import primitive
 from corollary.figure.shapes.bodies import known, put
@@ -96,7 +96,7 @@ def _drawn(it: Pictogram) -> Callable[[Canvas, FigureItem], None]:
         for a, b, radius in it.wheels:
             canvas.circle(
                 x + face * a * it.half, y + (b - it.middle) * it.half, radius * it.half,
-                fill="#fff" if it.strokes else TINTS["#999999"],
+                fill="#fff" if it.strokes else TINTS[DARK_GREY],
             )  # fmt: skip
         up, down = (it.high - it.middle) * it.half, it.middle * it.half
         room = (x - it.half, y - down, x + it.half, y + up)
