@@ -25,7 +25,7 @@ given:
   mA: {is: mass of A, value: 2.0, unit: kg}
   mB: {is: mass of B, value: 3.0, unit: kg}
   vA: {is: velocity of A, value: 5.0, unit: m/s}
-  vB: {is: velocity of B, value: -1.0, unit: m/s}
+  vB: {is: velocity of B, value: -2.5, unit: m/s}
 figure: |
 """
 REST = '---\nTwo blocks.\n\n## Speed {#a .value unit="m/s"}\nHow fast?\n'
@@ -55,4 +55,4 @@ def test_the_first_figure_of_the_page_is_drawn(tmp_path: Path):
     block = dedent(PAGE.partition("```text\nfigure: |\n")[2].partition("```")[0])
     svg = shown(block.strip(), tmp_path)
     assert svg.count("<text") == 8
-    assert "−1\N{NO-BREAK SPACE}m/s" in svg
+    assert "−2.5\N{NO-BREAK SPACE}m/s" in svg
