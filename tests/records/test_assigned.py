@@ -57,7 +57,7 @@ def test_unchanged_it_is_the_very_problem_of_the_bank(kicks: Kicks) -> None:
             "value: 20,   from: 8,    to: 35,   step: 0.5,  unit: m/s",
             "value: 20, from: 30, to: 126, step: 2, unit: km/h",
         ),
-        ("  - dt > 0\n", "  - dt > 0\n  - m > 0.7\n"),
+        ("  - dt > 0\n", "  - dt > 0\n  - m > 0.7 kg\n"),
         ("A football of mass", "A ball of mass"),
     ],
 )

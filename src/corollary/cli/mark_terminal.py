@@ -18,17 +18,16 @@ def mark_in_terminal(parts: Sequence[PartToMark], give: Give) -> None:
     """Asks for each answer and gives at once what is answered; the end of input ends it, with a sentence."""
     if not parts:
         print("no answer waits for a person")
-    given = 0
+    given: list[str] = []
 
     def counted(part: str, students: Sequence[str], mark: ManualMark) -> None:
-        nonlocal given
         give(part, students, mark)
-        given += len(students)
+        given.extend(students)
 
     try:
         _ask_all(parts, counted)
     except EOFError:
-        count = f"{given} mark{'s' * (given != 1)}"
+        count = "1 mark" if len(given) == 1 else f"{len(given)} marks"
         print(f"\nthe input ended here: {count} given and saved, and what is left still waits")
 
 

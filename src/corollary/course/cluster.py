@@ -73,9 +73,8 @@ def mark_there(sent: Sent, submission: Submission) -> GradedSubmission:
                     "a worker has another version of the program or of the solutions; put the same ones everywhere"
                 )
             _at_work[sent.token] = sent.context, sent.context.runner()
-            atexit.register(
-                _leave
-            )  # whoever sent it may be gone by then, and the runner has a temporary folder
+            # Whoever sent it may be gone when the worker ends, and the runner has a temporary folder.
+            atexit.register(_leave)
         context, runner = _at_work[sent.token]
         return grade_submission(context, runner, submission)
 

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ _OWN_LETTERS: ContextVar[dict[str, Meaning] | None] = ContextVar("_OWN_LETTERS",
 
 
 @contextmanager
-def own_letters(givens: Mapping[str, sympy.Symbol]) -> Iterator[None]:
+def own_letters(givens: Mapping[str, sympy.Symbol]) -> Generator[None]:
     """While a derivation is stated: its givens, and each unknown from where it is named, are known by their letters."""
     before = _OWN_LETTERS.set(dict(givens))
     try:

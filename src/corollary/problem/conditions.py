@@ -79,7 +79,9 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
         number = constant(side)
         if number and not names(side) and (angle := _angle(other, units)):
             raise ValueError(f"{angle} is an angle; write {written(side)} deg, or {written(side)} rad")
-    return substitute(tree, {name: _tree(value) for name, (value, _unit) in quantities.items()}), text
+    relation = substitute(tree, {name: _tree(value) for name, (value, _unit) in quantities.items()})
+    assert isinstance(relation, Relation)
+    return relation, text
 
 
 def _unit(text: str, number: str, givens: Mapping[str, Unit]) -> Unit:

@@ -67,15 +67,17 @@ def compiled(module: str) -> ModuleType:
     assert spec is not None
     assert spec.loader is not None
     found = sys.modules[name] = importlib.util.module_from_spec(spec)
-    before, ours = config.CACHE_DIR, folder()
-    config.CACHE_DIR = before or (str(ours / f"kernels-{_digest()}") if ours else "")
+    before, ours = config.CACHE_DIR, folder()  # pyright: ignore[reportAttributeAccessIssue]
+    config.CACHE_DIR = before or (  # pyright: ignore[reportAttributeAccessIssue]
+        str(ours / f"kernels-{_digest()}") if ours else ""
+    )
     try:
         spec.loader.exec_module(found)
     except BaseException:
         del sys.modules[name]
         raise
     finally:
-        config.CACHE_DIR = before
+        config.CACHE_DIR = before  # pyright: ignore[reportAttributeAccessIssue]
     return found
 
 

@@ -27,7 +27,7 @@ SHORTEST, LONGEST = 0.2, 5.0
 
 
 @kernel
-def factor(size):
+def factor(size: float) -> float:
     """What to multiply a step with whose error was `size` times the tolerance; a step out of all range (inf, nan) is cut most.
 
     The step that would just keep the tolerance is the last one times size^(-1/8). Source: Hairer, Norsett and Wanner, Solving
