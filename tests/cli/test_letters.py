@@ -35,6 +35,7 @@ COMMANDS = [
     ["show", "ΔE=½mv²"],  # not known, and named in the sentence
     ["grade", "größe.md", "--course", "/nowhere/Übung"],
     ["doctor"],
+    ["schema"],
 ]
 
 
@@ -128,5 +129,7 @@ def test_every_command_is_tried_here_or_needs_a_course():
         "release",
         "collect",
         "mark",
+        "new",
+        "preview",
     }
     assert {words[0] for words in COMMANDS} | elsewhere >= app.commands.keys()

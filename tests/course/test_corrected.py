@@ -121,7 +121,7 @@ def test_a_part_that_was_never_marked_is_counted_for_nobody(ball: ChangingBank) 
 
 
 def test_numbers_that_break_a_condition_of_today_are_marked_as_before(ball: ChangingBank) -> None:
-    ball.write(replace(Text(), conditions=("m > 0", "m > 100")))
+    ball.write(replace(Text(), conditions=("m > 0", "m > 100 kg")))
     from corollary.records.files import open_course
 
     outcome = ball.grade(open_course(ball.course))

@@ -56,7 +56,7 @@ def texts(draw: st.DrawFn) -> Text:
         givens={symbol: givens[symbol] for symbol in order},
         parts=tuple(parts),
         conditions=tuple(
-            draw(st.sets(st.sampled_from(["m > 0", "v > 25", "m > 0.5", "v > 1000*m"]), min_size=1))
+            draw(st.sets(st.sampled_from(["m > 0", "v > 25 m/s", "m > 0.5 kg", "v*dt > 1000 m"]), min_size=1))
         ),
         words=draw(
             st.sampled_from(
@@ -117,7 +117,9 @@ def opened(handed_out: HandedOut) -> Mapping[str, AssignedSheet]:
 )
 @given(text=texts())
 @example(text=Text(givens=FIRST, words=WORDS, parts=("c", "d", "a"), ids={"a": "p"}))
-@example(text=Text(givens={symbol: USED[symbol][-1] for symbol in ("dt", "v", "m")}, conditions=("m > 100",)))
+@example(
+    text=Text(givens={symbol: USED[symbol][-1] for symbol in ("dt", "v", "m")}, conditions=("m > 100 kg",))
+)
 def test_nobodys_numbers_move_and_right_stays_right(handed_out: HandedOut, text: Text) -> None:
     handed_out.ball.write(text)
     solutions = Solutions(handed_out.ball.bank)

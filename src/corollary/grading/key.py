@@ -88,10 +88,12 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     noise = noise_of(solution, givens, values)
     truths: dict[str, Truth] = {}
     known = givens | named(solution, values)
+    parts = {part.id: part for part in variant.problem.parts}
     for place, find in enumerate(solution.unknowns):
         if find.part:
             proven = stated[place].certified
-            zero = float(variant.problem.part(find.part).unit.offset)  # of 20 °C one per cent is 0.2 K
+            # Of 20 °C one per cent is 0.2 K. A sheet from before a correction need not have every part of today's solution.
+            zero = float(parts[find.part].unit.offset) if find.part in parts else 0.0
             scale = scale_of(find, tuple(value - zero for value in values[place]), known)
             error = max(stated[place].errors) / scale if scale else 0.0
             off = MARGIN * noise[place].distance / scale if scale else 0.0
@@ -99,7 +101,6 @@ def make_key(solution: Solution, variant: Variant) -> Key:
             truths[find.part] = Truth(
                 place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, uncertain
             )
-    parts = {part.id: part for part in variant.problem.parts}
     choices = {
         part: parts[part].letter_asked(option_that_holds(truth.options, givens, part))
         for part, truth in solution.choices.items()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from corollary.problem.reader import CODE, DIFFICULTIES, RESERVED, SYMBOL
+from corollary.units.constants import CONSTANTS
 
 NUMBER = {
     "type": ["number", "string"],
@@ -17,6 +18,7 @@ def schema() -> dict[str, Any]:
     """The schema as a JSON document (draft 2020-12). What it takes, the reader may still refuse: units, conditions, holes."""
     relation = {"type": "string", "pattern": r"<|>|!=|\u2264|\u2265|\u2260"}
     relations = {"anyOf": [relation, {"type": "array", "items": relation}]}
+    constant = {"enum": sorted(CONSTANTS)}
     texts = {"anyOf": [WORDS, {"type": "array", "items": WORDS}]}
     given = {
         "type": "object",
@@ -55,6 +57,10 @@ def schema() -> dict[str, Any]:
                 "propertyNames": {"pattern": f"^{SYMBOL.pattern}", "not": {"enum": sorted(RESERVED)}},
                 "additionalProperties": given,
                 "description": "The givens by their letter.",
+            },
+            "constants": {
+                "anyOf": [constant, {"type": "array", "items": constant}],
+                "description": "Constants of nature that the laws need, by their letter.",
             },
             "require": {
                 **relations,

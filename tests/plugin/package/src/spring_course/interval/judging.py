@@ -9,7 +9,7 @@ from corollary.answers.expected import Expected
 from corollary.answers.judge_formulas import judge_formulas
 from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.question import Question
-from corollary.answers.sample import Sample, Truth, unit_name
+from corollary.answers.sample import Sample, Truth, to_be_typed
 from corollary.answers.verdict import Verdict
 
 
@@ -33,8 +33,7 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
     """Both ends in words, in brackets, the other way round; too wide an interval; one number."""
     assert not isinstance(truth, str)
-    low, high = truth
-    unit = unit_name(question)
+    (low, high), unit = to_be_typed(truth, question)
     return (
         Sample(f"{low!r}{unit} to {high!r}{unit}", "right"),
         Sample(f"between {high!r}{unit} and {low!r}{unit}", "right"),
