@@ -63,7 +63,7 @@ def previewed(place: Bank, path: Path) -> str:
             sheets.append(_sheet(solutions, draw, complaints))
     except (
         Exception
-    ) as error:  # whatever an author's program does, the page says so and waits for the next one
+    ) as error:  # an author's program may raise anything: the page says so and waits for the next
         complaints += _complaints(error)
     return preview_page(heading, sheets, redrawn, complaints, now)
 

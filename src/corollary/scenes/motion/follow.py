@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
@@ -26,7 +25,6 @@ FINEST_OVERLAP = 1e4
 GRAZING = 100.0
 # So many happenings at one moment are no physics: forces that call each other out.
 MOST_AT_ONCE = 50
-Progress = Callable[[float], None]
 
 
 class Follower:
@@ -67,7 +65,7 @@ class Follower:
                     f"{self.scene.name}: {constraint.name} starts {abs(gap):.3g} m where it cannot be; move it."
                 )
 
-    def run(self, progress: Progress | None = None) -> Trajectory:
+    def run(self) -> Trajectory:
         """The whole path. Raises GuardFailed when it cannot be followed, or something impossible happens on the way."""
         scene, path = self.scene, self.path
         mode = self._begin()
@@ -79,8 +77,6 @@ class Follower:
                 raise GuardFailed(
                     f"{scene.name}: at {path.time:.6g} s things happen without end and no time passes."
                 )
-            if progress and scene.until:
-                progress(path.time / scene.until)
         path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
         return path
 
@@ -279,9 +275,7 @@ class Follower:
             )
 
 
-def follow(
-    scene: Scene, tolerance: float, progress: Progress | None = None, shift: float = 0.0
-) -> Trajectory:
+def follow(scene: Scene, tolerance: float, shift: float = 0.0) -> Trajectory:
     """The scene from its start to `until`, or until nothing touches and nothing will.
 
     With `shift` (m) every touch happens that much later, or earlier where it is negative: what a grazing touch depends on.
@@ -290,7 +284,7 @@ def follow(
     rigid bodies are consistent, or the end is not reached.
     """
     try:
-        return Follower(scene, tolerance, shift).run(progress)
+        return Follower(scene, tolerance, shift).run()
     except (OverflowError, ZeroDivisionError, ValueError, np.linalg.LinAlgError) as error:
         if isinstance(error, BadSetting):
             raise
