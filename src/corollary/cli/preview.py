@@ -17,11 +17,11 @@ from corollary.figure.svg import NotADrawing
 from corollary.grading.solutions import Solutions
 from corollary.notebook.worksheet import exercise
 from corollary.problem.bank import Bank, home_of_file
-from corollary.problem.diagnostic import Malformed
+from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import chapter
 from corollary.render.page import drawing
-from corollary.render.preview_page import Complaint, Sheet, preview_page
+from corollary.render.preview_page import Sheet, preview_page
 from corollary.verify.drawn import Draw, drawn, keyed_parts
 
 DRAWS = 20
@@ -48,7 +48,7 @@ def _takes_nothing(posted: dict[str, Any]) -> None:
 def previewed(place: Bank, path: Path) -> str:
     """The page as the files are now; what is wrong with them stands on it."""
     now, heading = edition(place, path), path.stem
-    complaints: list[Complaint] = []
+    complaints: list[Diagnostic] = []
     sheets: list[Sheet] = []
     redrawn = 0
     try:
@@ -68,13 +68,13 @@ def previewed(place: Bank, path: Path) -> str:
     return preview_page(heading, sheets, redrawn, complaints, now)
 
 
-def _sheet(solutions: Solutions, draw: Draw, complaints: list[Complaint]) -> Sheet:
+def _sheet(solutions: Solutions, draw: Draw, complaints: list[Diagnostic]) -> Sheet:
     asked, figure = exercise(draw.variant), Markup()
     try:
         figure = drawing(asked)
     except NotADrawing as error:
-        complaint = Complaint(
-            asked.problem.path.name, asked.problem.figure_line, f"the figure cannot be shown: {error}"
+        complaint = Diagnostic(
+            asked.problem.path, asked.problem.figure_line, f"the figure cannot be shown: {error}"
         )
         if complaint not in complaints:
             complaints.append(complaint)
@@ -83,14 +83,14 @@ def _sheet(solutions: Solutions, draw: Draw, complaints: list[Complaint]) -> She
     return Sheet(draw, asked, figure, tuple(keyed_parts(draw.key)), solutions.worked_solution_of(draw.key))
 
 
-def _complaints(error: Exception) -> list[Complaint]:
-    """What an error says: each complaint with its file and line."""
+def _complaints(error: Exception) -> list[Diagnostic]:
+    """What an error says: each complaint with its file and line, or of no file."""
     match error:
         case Malformed():
-            return [Complaint(each.path.name, each.line, each.sentence) for each in error.complaints]
+            return error.complaints
         case NotDerivable():
-            return [Complaint(error.path.name, error.line, error.sentence)]
+            return [Diagnostic(error.path, error.line, error.sentence)]
         case _ if isinstance(error, expected()):
-            return [Complaint("", 0, str(error))]
+            return [Diagnostic(Path(), 0, str(error))]
         case _:
-            return [Complaint("", 0, unforeseen(error))]
+            return [Diagnostic(Path(), 0, unforeseen(error))]

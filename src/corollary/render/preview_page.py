@@ -8,20 +8,12 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from corollary.notebook.worksheet import Exercise
+from corollary.problem.diagnostic import Diagnostic
 from corollary.problem.variant import number
 from corollary.render.page import page
 from corollary.render.wording import wanted
 from corollary.units.unit import Unit, show
 from corollary.verify.drawn import Draw, KeyedPart
-
-
-@dataclass(frozen=True, slots=True)
-class Complaint:
-    """What is wrong, where, and what to do."""
-
-    file: str
-    line: int
-    sentence: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +43,7 @@ class Sheet:
 
 
 def preview_page(
-    heading: str, sheets: Sequence[Sheet], redrawn: int, complaints: Sequence[Complaint], edition: str
+    heading: str, sheets: Sequence[Sheet], redrawn: int, complaints: Sequence[Diagnostic], edition: str
 ) -> str:
     """One page that needs nothing but the server that gave it, and asks it whether `edition` still holds; `redrawn` counts
     those too that no sheet is of."""
