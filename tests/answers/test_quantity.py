@@ -7,10 +7,12 @@ import tracemalloc
 from fractions import Fraction
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from corollary.answers.quantity import Reading, in_si, read_quantities, read_quantity
 from corollary.formula.errors import ParseError
-from corollary.units.unit import unit
+from corollary.units.unit import Unit, read_unit, show, unit
 
 IMPULSE = unit("kg*m/s")
 
@@ -326,6 +328,7 @@ def test_capitals_and_mixed_numbers_as_a_teacher_reads_them(text, expected, show
     ("text", "expected"),
     [
         ("5 KGM", "kg"),
+        ("5 MOHM", "ohm"),
         ("5 KQ", "kg"),
         ("3 KG", "m"),
         ("8 5/3 kg", "kg"),
@@ -348,3 +351,109 @@ def test_a_length_and_an_angle_are_a_vector_in_a_plane_only():
     found = read_quantities("5 m/s at 30 deg", unit("m/s"), 3)
     assert isinstance(found, ParseError)
     assert (found.status, found.why) == ("refused", "a length and an angle give a vector in a plane only")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected", "shown"),
+    [
+        ("8.6 NS", "kg m/s", "8.6 N s"),
+        ("8.6 N S", "kg m/s", "8.6 N s"),
+        ("8.6 KGM/S", "N s", "8.6 kg m/s"),
+        ("8.6 KGMS-1", "N s", "8.6 kg m/s"),
+        ("5 KGM/S2", "N", "5 kg m/s²"),
+        ("5 KNM", "J", "5 kN m"),
+        ("5 NM", "m", "5 nm"),
+        ("5 PA", "Pa", "5 Pa"),
+        ("5 M/S", "m/s", "5 m/s"),
+        ("5 MJ", "J", "5 MJ"),  # what fits as it stands is read as it stands
+    ],
+)
+def test_capitals_throughout_are_what_is_asked_for_where_they_can_be_nothing_else(text, expected, shown):
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, Reading), found
+    assert (found.as_read, found.fit) == (shown, "fits")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected", "choices"),
+    [("5 MS", "s", ("ms", "Ms")), ("5 MM", "m", ("mm", "Mm")), ("5 MNS", "N s", ("mN s", "MN s"))],
+)
+def test_capitals_that_can_be_two_units_are_asked_about(text, expected, choices):
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, ParseError)
+    assert (found.status, found.choices, found.position) == ("asked", choices, 2)
+
+
+@pytest.mark.parametrize(("text", "expected"), [("8.6 ns", "N s"), ("5 MS", "m/s"), ("8.6 NS", "m/s")])
+def test_what_is_not_of_the_kind_asked_for_stays_what_it_says(text, expected):
+    """Small letters are never cut where they are a unit: `ns` are nanoseconds."""
+    found = read_quantity(text, unit(expected))
+    assert isinstance(found, Reading)
+    assert found.fit == "wrong dimension"
+
+
+FACTORS = st.sampled_from(
+    [
+        "kg",
+        "g",
+        "mg",
+        "t",
+        "m",
+        "mm",
+        "cm",
+        "km",
+        "s",
+        "ms",
+        "us",
+        "min",
+        "h",
+        "N",
+        "kN",
+        "mN",
+        "MN",
+        "J",
+        "kJ",
+        "mJ",
+        "MJ",
+        "W",
+        "kW",
+        "Pa",
+        "kPa",
+        "MPa",
+        "Hz",
+        "kHz",
+    ]
+)
+
+
+@given(
+    above=st.lists(FACTORS, min_size=1, max_size=3),
+    below=st.lists(FACTORS, max_size=1),
+    power=st.sampled_from(["", "2", "^2"]),
+    between=st.sampled_from(["", " ", "*"]),
+)
+def test_capitals_are_never_read_as_another_size(above, below, power, between):
+    """What is typed in capitals is the unit itself, or asked about, or refused; only what fits as it stands is taken so."""
+    meant = " ".join(above) + "".join("/" + each + power for each in below)
+    expected = unit(meant)
+    typed = (between.join(above) + "".join("/" + each + power for each in below)).upper()
+    as_it_stands = read_unit(typed)
+    found = read_quantity(f"8.6 {typed}", expected)
+    if isinstance(found, ParseError) or found.fit == "wrong dimension":
+        return
+    if isinstance(as_it_stands, Unit) and as_it_stands.dimension == expected.dimension:
+        assert found.unit == as_it_stands
+    else:
+        assert found.si == expected.to_si(Fraction("8.6"))
+        assert found.as_read == f"8.6 {show(found.unit)}" != f"8.6 {typed}"
+
+
+def test_most_units_of_mechanics_are_read_in_capitals():
+    """Those that are not can be two: `MS`, `MM`; so the rule is no empty one."""
+    listed = "kg,g,t,m,cm,km,s,h,min,N,kN,J,kJ,W,kW,Pa,kPa,Hz,m/s,km/h,cm/s,m/s^2,kg m/s,N s,N/m,kN/m,J/kg,kg/s,kg/m,kg m^2,N m,kg m^2/s"
+    for each in listed.split(","):
+        lone = each in ("t", "s", "h")  # `5 T`, `5 S` and `5 H` are units of electricity
+        for between in ("", " "):
+            found = read_quantity("8.6 " + each.replace(" ", between).upper(), unit(each))
+            assert isinstance(found, ParseError if lone else Reading), (each, found)
+            assert lone or found.si == unit(each).to_si(Fraction("8.6")), each

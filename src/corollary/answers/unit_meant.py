@@ -1,21 +1,18 @@
-"""The unit that a student means, where what is asked for decides between readings: `ms^-1`, `kgs`, `KG M/S`, `km/H`."""
+"""The unit that a student means, where what is asked for decides between readings: `ms^-1`, `kgs`, `KGM/S`, `km/H`."""
 
 from __future__ import annotations
 
-import math
 import re
 from fractions import Fraction
-from itertools import product
 
-from corollary.formula.errors import ParseError
+from corollary.formula.errors import ParseError, ambiguous
 from corollary.messages import catalogue
-from corollary.units.table import UNITS, UNSUGGESTED
+from corollary.units.run_together import WORD, in_capitals, other_cases
+from corollary.units.table import UNSUGGESTED
 from corollary.units.unit import Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
-MOST_SPELLINGS = 32
-WORD = re.compile(r"[A-Za-z]+")
 PLURAL = re.compile(r"(?<![A-Za-z])[Kk]gs(?![A-Za-z])")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
@@ -26,10 +23,11 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     unit = read_unit(text)
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
+    refused = isinstance(unit, ParseError) and unit.status == "refused"
+    if (refused or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
+        return meant
     if isinstance(unit, Unit) and (slip := _slip_of_case(text, unit, expected)) is not None:
         return slip
-    if isinstance(unit, ParseError) and unit.status == "refused" and (meant := _in_capitals(text, expected)):
-        return meant
     twice = UNIT_TWICE.fullmatch(text)
     meanings = (
         (*unit.choices, METRES.sub("m s", text))
@@ -48,18 +46,19 @@ def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     return fitting[0] if len({each.factor for each in fitting}) == 1 else unit
 
 
-def _in_capitals(text: str, expected: Unit) -> Unit | None:
-    """`KG M/S`, `w`: the one unit of what is asked for that these letters are, small and capital apart; None for `MS` and `MM`."""
-    spelled = [[known for known in UNITS if known.lower() == word.lower()] for word in WORD.findall(text)]
-    if not spelled or not 0 < math.prod(map(len, spelled)) <= MOST_SPELLINGS:
-        return None
+def _in_another_case(text: str, expected: Unit) -> Unit | ParseError | None:
+    """`KGM/S`, `NS`, `w`: the one unit of what is asked for that these letters are, small and capital apart. `MS` is asked about."""
     found: dict[Fraction, Unit] = {}
-    for spelling in product(*spelled):
-        words = iter(spelling)
-        unit = read_unit(WORD.sub(lambda _word, words=words: next(words), text))
+    for spelling in other_cases(text):
+        unit = read_unit(spelling)
         if isinstance(unit, Unit) and unit.dimension == expected.dimension:
             found.setdefault(unit.factor, unit)
-    return next(iter(found.values())) if len(found) == 1 else None
+    if len(found) < 2:
+        return next(iter(found.values()), None)
+    small, large = show(found[min(found)]), show(found[max(found)])
+    return ambiguous(
+        _("{text} can be {small} or {large}", text=text, small=small, large=large), 0, small, large
+    )
 
 
 def _slip_of_case(text: str, unit: Unit, expected: Unit) -> ParseError | None:

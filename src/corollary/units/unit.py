@@ -10,6 +10,7 @@ from corollary.formula.errors import ParseError, ambiguous, refused
 from corollary.formula.numerals import RAISED, TO_ASCII
 from corollary.messages import catalogue
 from corollary.units.dimension import BASE, DIFFERENCE, ONE, PURE, Dimension, Unit
+from corollary.units.run_together import cuts, in_any_case
 from corollary.units.suggested import suggested
 from corollary.units.table import APART, CALLED, NAMED, REFUSED, UNITS, prefixed
 from corollary.units.words import TEMPERATURE, in_signs, temperature
@@ -161,9 +162,11 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
         return ambiguous(
             _("ms can be milliseconds, or metres times seconds"), at, f"m s^{power}", _written("1/ms", -power)
         )
-    named = len(symbol) > 3 and not SECONDS.search(symbol)  # `kOhm`, `NEWTON`; `Nsec` is N s
-    if known := UNITS.get(symbol) or (UNITS.get(symbol.lower()) if named else None):
-        return [(known, power)]
+    if symbol in UNITS:
+        return [(UNITS[symbol], power)]
+    named = in_any_case(symbol) if len(symbol) > 3 and not SECONDS.search(symbol) else ()
+    if len(meant := {UNITS[each] for each in named if each in UNITS}) == 1:  # `kOhm`, `NEWTON`; `Nsec` is N s
+        return [(meant.pop(), power)]
     splits = [[*((each, Fraction(1)) for each in before), (last, power)] for *before, last in _splits(symbol)]
     if len(splits) > 1:
         return ambiguous(
@@ -185,10 +188,7 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
 
 def _splits(run: str) -> list[tuple[Unit, ...]]:
     """Every way to cut run-together letters (`Ns`, `kgm`) into two or three units."""
-    ends = range(1, len(run)) if len(run) < 10 else ()
-    cuts = [(run[:end], run[end:]) for end in ends]
-    cuts += [(run[:first], run[first:end], run[end:]) for end in ends for first in range(1, end)]
-    known = [cut for cut in cuts if all(piece in UNITS and piece not in APART for piece in cut)]
+    known = [cut for cut in cuts(run) if all(piece in UNITS and piece not in APART for piece in cut)]
     return [
         tuple(UNITS[piece] for piece in cut) for cut in known if "K" not in cut[:-1]
     ]  # Kgm: kg m, no kelvin
