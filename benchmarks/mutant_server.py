@@ -139,7 +139,7 @@ class Server:
         ]
         chosen = [items[name] for name in names if name in items]
         found: dict[str, float] = {}
-        for item, after in zip(chosen, [*chosen[1:], None], strict=True):
+        for item, after in zip(chosen, [*chosen[1:], None], strict=False):  # none, in a file of long tests
             self._say("start", item.nodeid)
             if self.cover:
                 self.cover.switch_context(item.nodeid)

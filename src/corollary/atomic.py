@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Mapping
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Final
 
@@ -31,6 +30,8 @@ def write_whole(path: Path, content: str | bytes, *, mode: int = 0o644) -> None:
 
 def write_each_whole(files: Mapping[Path, str | bytes]) -> None:
     """Many files, each whole or not at all, in no order and side by side: what takes the time is waiting for the disk."""
+    from concurrent.futures import ThreadPoolExecutor  # most commands write no files, or one
+
     with ThreadPoolExecutor(min(SIDE_BY_SIDE, len(files) or 1)) as pool:
         for written in [pool.submit(write_whole, path, content) for path, content in files.items()]:
             written.result()

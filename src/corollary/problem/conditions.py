@@ -32,7 +32,7 @@ NUMBER = r"(?<![\w.])(?P<number>\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)"
 SYMBOL = r"(?:(?:Δ|delta )?[°º]\s?[CF]?|[A-Za-zµμΩΩ]+|%)(?:\^(?:-?[\d.]+|\(-?[\d./]+\))|[⁻⁰¹²³⁴-⁹]+)?"
 FACTORS = rf"{SYMBOL}(?: +{SYMBOL})*"
 BELOW = rf"/(?:\({FACTORS}\)|{SYMBOL})"
-QUANTITY = re.compile(rf"{NUMBER} ?(?P<unit>{FACTORS}(?:{BELOW})?|(?<= )1{BELOW})")
+QUANTITY = rf"{NUMBER} ?(?P<unit>{FACTORS}(?:{BELOW})?|(?<= )1{BELOW})"
 
 
 def relations(text: str, units: Mapping[str, Unit]) -> list[tuple[Relation, str]]:
@@ -65,7 +65,7 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
         quantities[name] = RationalPi(*its_unit.to_si(Fraction(found["number"]))), its_unit
         return name
 
-    tree = author_formula(QUANTITY.sub(named, text))
+    tree = author_formula(re.sub(QUANTITY, named, text))
     assert isinstance(tree, Relation)  # it has a sign, and no brackets around it
     if unknown := sorted(names(tree) - units.keys() - quantities.keys() - {"pi"}):
         raise ValueError(f"{unknown[0]} is not among the givens ({', '.join(sorted(units))})")

@@ -9,8 +9,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from corollary.render.displayed import displayed
-from corollary.render.mathml import mathml
+# What sets formulas is loaded with the first formula: it is half of what a view without one would load.
 
 
 @lru_cache(maxsize=1)
@@ -41,12 +40,18 @@ def inline(text: str) -> str:
 
 
 def _inline(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:
+    from corollary.render.mathml import mathml
+
     return mathml(tokens[at].content.strip())
 
 
 def _display(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:
+    from corollary.render.mathml import mathml
+
     return mathml(tokens[at].content.strip(), display=True)
 
 
 def _block(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:
+    from corollary.render.displayed import displayed
+
     return displayed(tokens[at].content.strip())

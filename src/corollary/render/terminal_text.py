@@ -12,7 +12,6 @@ from xml.etree.ElementTree import Element
 from markdown_it.token import Token
 
 from corollary.render.markdown import parser
-from corollary.render.mathml import formula
 
 UNBROKEN = 24  # characters of the longest formula that a line is broken before, and not within
 RAISED = dict(zip("0123456789+−-=nixyTabcdt′″∘", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼ⁿⁱˣʸᵀᵃᵇᶜᵈᵗ′″°", strict=True))
@@ -95,6 +94,8 @@ def _line(tokens: Sequence[Token]) -> str:
 
 def formula_text(latex: str) -> str:
     """The formula as readable text, or its source when it is no LaTeX."""
+    from corollary.render.mathml import formula  # loaded with the first formula, as in `markdown`
+
     tree = formula(latex)
     return latex if tree is None else re.sub(" +", " ", _text(tree)).strip().replace(QUAD, "   ")
 
