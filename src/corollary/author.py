@@ -42,6 +42,7 @@ from corollary.derive.statements import (
 )
 from corollary.grading.programs import member
 from corollary.laws.law import Law, as_expression, known_by_name, only_laws
+from corollary.scenes.scene import Scene
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
@@ -262,10 +263,16 @@ def printed(part: str, text: str, where: str) -> Printed:
 
 
 def simulate(
-    scene: str, settings: Mapping[str, object], *, neglected: float = 0.0, **expect: Seen
+    scene: str | Scene, settings: Mapping[str, object] | None = None, *, neglected: float = 0.0, **expect: Seen
 ) -> Simulation:
-    """In a solution's scene function: run this ready-made scene, and find these values."""
-    return Simulation(scene, settings, expect, neglected, _line())
+    """In a solution's scene function: run this ready-made scene, or one composed of bodies and forces, and find these values (SI).
+
+    A composed scene is followed by Newton's second law until its `until`, and observes what `Observable` names; `trajectory` is
+    where the bodies are then. Raises TypeError for settings of a composed scene, which has none.
+    """
+    if settings and not isinstance(scene, str):
+        raise TypeError("a composed scene has no settings: put the numbers into its bodies and forces")
+    return Simulation(scene, settings or {}, expect, neglected, _line())
 
 
 def __getattr__(name: str) -> Any:

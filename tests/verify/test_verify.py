@@ -75,6 +75,36 @@ def test_a_scene_that_does_not_observe_it(verified):
     met(verified(more="\n" + more), "does not observe period; it observes", 16)
 
 
+COMPOSED = """
+
+def scene(m, v, t, answer):
+    from corollary.scenes.forces.function import ForceFunction
+    from corollary.scenes.scene import Body, Scene
+    push = ForceFunction(0, lambda at, x, w: (answer["b"],))
+    return [simulate(Scene((Body(m, (0.0,), (0.0,)),), (push,), until=%s), trajectory=(%s,), velocities=(v,))]
+"""
+
+
+def test_a_composed_scene_confirms(verified):
+    """Pushed from rest by m v/t for t, a body comes to v and v t/2 far; its place stands second, after a nail's."""
+    nailed = COMPOSED.replace("Scene((", "Scene((Body(1.0, (0.0,), (0.0,)), ").replace("(0, lambda", "(1, lambda")
+    checked = verified(more=nailed.replace("velocities=(v,)", "velocities=(0.0, v)") % ("t", "0.0, v*t/2"))
+    assert checked.ok, checked.complaints
+    assert checked.checks["simulations met"] == 2 * 8
+
+
+@pytest.mark.parametrize(
+    ("until", "where", "words"),
+    [
+        ("t", "v*t", "trajectory is"),
+        ("None", "v*t/2", "say until="),
+        ("t", "v*t/2,), colour=(0.0", "does not observe colour; a composed scene observes velocities"),
+    ],
+)
+def test_a_composed_scene_that_disagrees(verified, until, where, words):
+    met(verified(more=COMPOSED % (until, where)), words, 20)
+
+
 @pytest.mark.parametrize(
     ("result", "line", "words"),
     [

@@ -9,21 +9,26 @@ from dataclasses import dataclass
 from corollary.derive.load import NotDerivable, line_in, load
 from corollary.problem.bank import Bank
 from corollary.problem.variant import Variant
+from corollary.scenes.scene import Scene
 
 Seen = float | tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """One run of a ready-made scene. `neglected` bounds what the algebra leaves out, relative to each expected value; `line` is
-    where the solution asks for it.
+    """One run of a ready-made scene by its name, or of a composed one. `neglected` bounds what the algebra leaves out, relative to each
+    expected value; `line` is where the solution asks for it.
     """
 
-    scene: str
+    scene: str | Scene
     settings: Mapping[str, object]
     expect: Mapping[str, Seen]
     neglected: float
     line: int
+
+    @property
+    def name(self) -> str:
+        return self.scene.name if isinstance(self.scene, Scene) else self.scene
 
 
 def simulations(

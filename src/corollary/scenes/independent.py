@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from corollary.scenes.collision import collide
@@ -41,6 +41,22 @@ def _braked(
     grip = FADING * a.mass / (a.mass + b.mass) * b.mass / dt
     push = (ForceFunction(0, lambda t, x, v: (force,)),) if force else ()
     return _after((a, b), (Spring((0, 1), 0.0, damping=grip), *push), until, tolerance)
+
+
+def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
+    """A scene of an author's own by Newton's second law alone, until the time at which it ends; a trajectory is where bodies are then.
+
+    Raises BadSetting for what cannot be observed, for a scene without an end of which that is asked, and as the integration does.
+    """
+    from corollary.scenes.measure import measured  # here, since it brings scipy
+
+    known = {each.value: each for each in Observable}
+    if strange := sorted(set(observe) - known.keys()):
+        raise BadSetting(f"it does not observe {', '.join(strange)}; a composed scene observes {', '.join(known)}")
+    if scene.until is None and "trajectory" in observe:
+        raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
+    times = (scene.until,) if scene.until is not None else ()
+    return measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
 
 
 def absorbed_drop(settings: Settings, tolerance: float) -> Run:

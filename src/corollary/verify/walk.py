@@ -20,6 +20,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter, first_broken, size
 from corollary.scenes.catalogue import run
+from corollary.scenes.independent import composed
 from corollary.scenes.run import BadSetting, GuardFailed, components
 from corollary.verify.checked import Tally
 
@@ -114,9 +115,13 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     }
     path = bank.solution(key.variant.problem)
     for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
-        about = f"{path.name}:{wanted.line}: scene {wanted.scene} on {key.variant.label}"
+        about = f"{path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}"
         try:
-            found = run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
+            found = (
+                run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
+                if isinstance(wanted.scene, str)
+                else composed(wanted.scene, wanted.expect.keys(), tolerance=1e-10)
+            )
         except (BadSetting, GuardFailed) as error:
             tally.complain(f"{about}: {error}")
             continue

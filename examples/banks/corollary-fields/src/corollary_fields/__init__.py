@@ -1,0 +1,1 @@
+"""A bank on circuits and geometrical optics: `problems/` and `solutions/` lie beside this file."""

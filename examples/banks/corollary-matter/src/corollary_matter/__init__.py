@@ -1,0 +1,1 @@
+"""A bank on fluids, gases and heat: `problems/` and `solutions/` lie beside this file."""

@@ -1,0 +1,1 @@
+"""A bank of mechanics: `problems/` and `solutions/` lie beside this file."""
