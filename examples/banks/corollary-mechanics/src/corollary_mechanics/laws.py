@@ -35,7 +35,15 @@ def without_time(v: object, *, v_0: object, a: object, s: object) -> Law:
 
     `v^2 = v_0^2 + 2*a*s`
     """
-    return law("Velocity and way", "v^2 = v_0^2 + 2*a*s", holds="the acceleration is constant", v=v, v_0=v_0, a=a, s=s)
+    return law(
+        "Velocity and way",
+        "v^2 = v_0^2 + 2*a*s",
+        holds="the acceleration is constant",
+        v=v,
+        v_0=v_0,
+        a=a,
+        s=s,
+    )
 
 
 def second_law(net: object, *, m: object, a: object) -> Law:
@@ -43,7 +51,9 @@ def second_law(net: object, *, m: object, a: object) -> Law:
 
     `F = m*a`
     """
-    return law("Newton's second law", "F = m*a", holds="F is the sum of all forces along the axis", F=net, m=m, a=a)
+    return law(
+        "Newton's second law", "F = m*a", F=net, m=m, a=a
+    )
 
 
 def balance(up: object, down: object, holds: str = "nothing accelerates along this axis") -> Law:
@@ -70,7 +80,9 @@ def kinetic_friction(f: object, *, mu: object, N: object) -> Law:
     return law("Kinetic friction", "f = mu*N", holds="the surfaces slide on each other", f=f, mu=mu, N=N)
 
 
-def energy_and_work(*, before: object, work: object, after: object, holds: str = "W is the work of all other forces") -> Law:
+def energy_and_work(
+    *, before: object, work: object, after: object, holds: str = ""
+) -> Law:
     """The mechanical energy afterwards is that from before, and the work of all forces that have no potential.
 
     `E_0 + W = E_1`
@@ -83,7 +95,16 @@ def gravitation(F: object, *, G: object, M: object, m: object, r: object) -> Law
 
     `F = G*M*m/r^2`
     """
-    return law("Law of gravitation", "F = G*M*m/r^2", holds="r is the distance of the centres", F=F, G=G, M=M, m=m, r=r)
+    return law(
+        "Law of gravitation",
+        "F = G*M*m/r^2",
+        holds="r is the distance of the centres",
+        F=F,
+        G=G,
+        M=M,
+        m=m,
+        r=r,
+    )
 
 
 def rolling(v: object, *, omega: object, R: object) -> Law:
@@ -99,4 +120,11 @@ def angular_second_law(torque: object, *, I: object, alpha: object) -> Law:  # n
 
     `M = I*alpha`
     """
-    return law("Newton's second law for rotation", "M = I*alpha", holds="the axis is fixed", M=torque, I=I, alpha=alpha)
+    return law(
+        "Newton's second law for rotation",
+        "M = I*alpha",
+        holds="the axis is fixed",
+        M=torque,
+        I=I,
+        alpha=alpha,
+    )
