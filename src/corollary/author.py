@@ -263,7 +263,11 @@ def printed(part: str, text: str, where: str) -> Printed:
 
 
 def simulate(
-    scene: str | Scene, settings: Mapping[str, object] | None = None, *, neglected: float = 0.0, **expect: Seen
+    scene: str | Scene,
+    settings: Mapping[str, object] | None = None,
+    *,
+    neglected: float = 0.0,
+    **expect: Seen,
 ) -> Simulation:
     """In a solution's scene function: run this ready-made scene, or one composed of bodies and forces, and find these values (SI).
 

@@ -87,7 +87,9 @@ def scene(m, v, t, answer):
 
 def test_a_composed_scene_confirms(verified):
     """Pushed from rest by m v/t for t, a body comes to v and v t/2 far; its place stands second, after a nail's."""
-    nailed = COMPOSED.replace("Scene((", "Scene((Body(1.0, (0.0,), (0.0,)), ").replace("(0, lambda", "(1, lambda")
+    nailed = COMPOSED.replace("Scene((", "Scene((Body(1.0, (0.0,), (0.0,)), ").replace(
+        "(0, lambda", "(1, lambda"
+    )
     checked = verified(more=nailed.replace("velocities=(v,)", "velocities=(0.0, v)") % ("t", "0.0, v*t/2"))
     assert checked.ok, checked.complaints
     assert checked.checks["simulations met"] == 2 * 8

@@ -52,7 +52,9 @@ def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
 
     known = {each.value: each for each in Observable}
     if strange := sorted(set(observe) - known.keys()):
-        raise BadSetting(f"it does not observe {', '.join(strange)}; a composed scene observes {', '.join(known)}")
+        raise BadSetting(
+            f"it does not observe {', '.join(strange)}; a composed scene observes {', '.join(known)}"
+        )
     if scene.until is None and "trajectory" in observe:
         raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
     times = (scene.until,) if scene.until is not None else ()
