@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
-from corollary.derive.simulation import Seen, Simulation
+from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.statements import (
     SOLUTION,
     Choice,
@@ -263,20 +263,10 @@ def printed(part: str, text: str, where: str) -> Printed:
 
 
 def simulate(
-    scene: str | Scene,
-    settings: Mapping[str, object] | None = None,
-    *,
-    neglected: float = 0.0,
-    **expect: Seen,
+    scene: str | Scene, settings: Mapping[str, object] = NONE, *, neglected: float = 0.0, **expect: Seen
 ) -> Simulation:
-    """In a solution's scene function: run this ready-made scene, or one composed of bodies and forces, and find these values (SI).
-
-    A composed scene is followed by Newton's second law until its `until`, and observes what `Observable` names; `trajectory` is
-    where the bodies are then. Raises TypeError for settings of a composed scene, which has none.
-    """
-    if settings and not isinstance(scene, str):
-        raise TypeError("a composed scene has no settings: put the numbers into its bodies and forces")
-    return Simulation(scene, settings or {}, expect, neglected, _line())
+    """In a solution's scene function: run this ready-made scene, or a composed one, and find these values (SI)."""
+    return Simulation(scene, settings, expect, neglected, _line())
 
 
 def __getattr__(name: str) -> Any:

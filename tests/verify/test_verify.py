@@ -100,6 +100,7 @@ def test_a_composed_scene_confirms(verified):
     [
         ("t", "v*t", "trajectory is"),
         ("None", "v*t/2", "say until="),
+        ("t", 'v*t/2,), settings={"m": m}, x=(0', "a composed scene has no settings"),
         ("t", "v*t/2,), colour=(0.0", "does not observe colour; a composed scene observes velocities"),
     ],
 )

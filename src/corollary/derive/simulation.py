@@ -12,12 +12,16 @@ from corollary.problem.variant import Variant
 from corollary.scenes.scene import Scene
 
 Seen = float | tuple[float, ...]
+NONE: Mapping[str, object] = {}
+"""No settings."""
 
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """One run of a ready-made scene by its name, or of a composed one. `neglected` bounds what the algebra leaves out, relative to each
-    expected value; `line` is where the solution asks for it.
+    """One run of a ready-made scene by its name, or of a composed one, which is followed by Newton's second law until its `until`.
+
+    `expect` has what `Observable` names; a `trajectory` is where the bodies are at the end. `neglected` bounds what the algebra leaves
+    out, relative to each expected value; `line` is where the solution asks for it. Raises TypeError for settings of a composed scene.
     """
 
     scene: str | Scene
@@ -25,6 +29,10 @@ class Simulation:
     expect: Mapping[str, Seen]
     neglected: float
     line: int
+
+    def __post_init__(self) -> None:
+        if self.settings and isinstance(self.scene, Scene):
+            raise TypeError("a composed scene has no settings: put the numbers into its bodies and forces")
 
     @property
     def name(self) -> str:
