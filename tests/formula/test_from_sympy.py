@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from math import cos, pi, radians, sin, sqrt
+from fractions import Fraction
+from math import cos, pi, radians, sin, sqrt, tan
 
 import pytest
+import sympy
 
 from corollary.derive.solve import solve
 from corollary.formula.ball import certified
+from corollary.formula.from_sympy import tree
+from corollary.formula.rational_pi import RationalPi
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
@@ -63,6 +67,16 @@ def test_against_formulas_worked_out_by_hand(code, by_hand):
             assert [value.value for value in values] == pytest.approx(wanted, rel=3e-15, abs=0)
             tried += 1
     assert tried >= 41 * 2
+
+
+@pytest.mark.parametrize(
+    ("made", "value"), [(sympy.cot, 1 / tan(0.75)), (sympy.csc, 1 / sin(0.75)), (sympy.sec, 1 / cos(0.75))]
+)
+def test_cofunctions_that_sympy_makes_are_formulas(made, value):
+    """Such as cot(x) of tan(pi/2 - x)."""
+    assert certified(tree(made(sympy.Symbol("x"))), {"x": RationalPi(Fraction(3, 4))}).value == pytest.approx(
+        value, rel=3e-16
+    )
 
 
 def test_by_hand_is_by_hand():

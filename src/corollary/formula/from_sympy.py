@@ -16,6 +16,9 @@ from corollary.formula.functions import FUNCTIONS, Function
 
 SIGNS = {sympy.Eq: "=", sympy.Ne: "!=", sympy.Lt: "<", sympy.Le: "<=", sympy.Gt: ">", sympy.Ge: ">="}
 
+COFUNCTIONS = {"cot": (sympy.cos, sympy.sin), "sec": (None, sympy.cos), "csc": (None, sympy.sin)}
+"""What sympy makes of 1/tan and its like, by the functions that a person writes: above and below."""
+
 
 class NoTree(ValueError):
     """The expression holds something no formula of ours can say."""
@@ -43,6 +46,10 @@ def tree(expr: sympy.Expr) -> Expr:
         row = next((row for row in FUNCTIONS.values() if (row.sympy or row.name) == called), None)
         if row is not None:
             return _call(row, [tree(cast(sympy.Expr, argument)) for argument in expr.args])
+        if called in COFUNCTIONS:
+            above, below = COFUNCTIONS[called]
+            (argument,) = expr.args
+            return Quotient(tree(above(argument)) if above else Number(Fraction(1)), tree(below(argument)))
     raise NoTree(f"{expr} cannot be written as a formula ({type(expr).__name__})")
 
 

@@ -51,9 +51,7 @@ def second_law(net: object, *, m: object, a: object) -> Law:
 
     `F = m*a`
     """
-    return law(
-        "Newton's second law", "F = m*a", F=net, m=m, a=a
-    )
+    return law("Newton's second law", "F = m*a", F=net, m=m, a=a)
 
 
 def balance(up: object, down: object, holds: str = "nothing accelerates along this axis") -> Law:
@@ -80,9 +78,7 @@ def kinetic_friction(f: object, *, mu: object, N: object) -> Law:
     return law("Kinetic friction", "f = mu*N", holds="the surfaces slide on each other", f=f, mu=mu, N=N)
 
 
-def energy_and_work(
-    *, before: object, work: object, after: object, holds: str = ""
-) -> Law:
+def energy_and_work(*, before: object, work: object, after: object, holds: str = "") -> Law:
     """The mechanical energy afterwards is that from before, and the work of all forces that have no potential.
 
     `E_0 + W = E_1`

@@ -50,10 +50,9 @@ def derive(m, r, v, mu, g):
             answers="c",
             mistakes=[
                 mistake(
-                    "You let the road carry only the component of the weight, as on a slope on which "
-                    "something slides down. Here nothing is accelerated vertically.",
-                    law("Equilibrium", "N = m*g*cos(beta)"),
-                    law("Newton's second law", "m*g*sin(beta) = m*v^2/r"),
+                    "The road pushes harder than the weight here: only the vertical component of the normal "
+                    "force carries.",
+                    law("Equilibrium", "N = m*g"),
                     instead="Equilibrium",
                     where=(beta > 0) & (beta < HALF_PI),
                 ),
