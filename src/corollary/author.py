@@ -66,6 +66,20 @@ def unknown(name: str) -> sympy.Symbol:
     return unknowns(name)[0]
 
 
+def variable(name: str = "t") -> sympy.Symbol:
+    """What functions depend on, where it is no given: `t = variable("t")` is any time. (A given may be one as it is.)"""
+    symbol = sympy.Symbol(name, real=True)
+    known_by_name(name, symbol)
+    return symbol
+
+
+def function(name: str, of: sympy.Symbol) -> sympy.Expr:
+    """An unknown function, `v = function("v", t)`: laws may say `dv/dt`, `v(0)` and `int(v, t, 0, T)` of it."""
+    found = sympy.Function(name, real=True)(of)
+    known_by_name(name, found)
+    return found
+
+
 def vector(name: str, components: str = "x y") -> tuple[sympy.Symbol, ...]:
     """The components of an unknown vector: `vector("J")` is (J_x, J_y)."""
     found = unknowns(" ".join(f"{name}_{component}" for component in components.split()))

@@ -11,16 +11,16 @@ from corollary.formula.ast import Name, Relation, substitute
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import tree
 from corollary.formula.text import text
-from corollary.laws.law import Law, component, sides, symbols
+from corollary.laws.law import Law, by_name, equations, sides, symbols
 from corollary.units.unit import Dimension, unit
 
 
 def applied(law: Law) -> AppliedLaw:
     """The law with its letters replaced and nothing simplified."""
     here: list[Relation] = []
-    for index in range(law.components):
-        meaning = {letter: tree(value) for letter, value in component(law, index).items()}
-        left, right = (substitute(side, meaning) for side in (law.textbook.left, law.textbook.right))
+    for equation, letters in equations(law):
+        meaning = {letter: tree(by_name(value)) for letter, value in letters.items()}
+        left, right = (substitute(side, meaning) for side in (equation.left, equation.right))
         here.append(Relation("=", left, right))
     return AppliedLaw(law.name, law.source, law.holds, law.textbook, law.vectors, tuple(here))
 

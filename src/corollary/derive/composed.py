@@ -10,6 +10,7 @@ from corollary.derive.inverse import inverses
 from corollary.derive.solution import ClosedForms, Solution
 from corollary.derive.tried import Tried
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Quotient, Sum, names, substitute
+from corollary.formula.operators import has_operators
 
 Trees = tuple[Expr, ...]
 NO_LETTERS: Mapping[str, Expr] = {}
@@ -65,6 +66,7 @@ class Rules:
             for other in self.solution.unknowns
             for law in (*other.laws, *(law for route in other.routes for law in route.stated.laws))
             for relation in law.here
+            if not has_operators(relation)
         }
         for relation in laws:
             residual = Sum((relation.left, Negative(relation.right)))

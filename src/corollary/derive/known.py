@@ -7,13 +7,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, cast
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from corollary.derive.load import symbol_of
-from corollary.derive.solution import ClosedForms, SupposedValue
-from corollary.formula.ast import Expr, Number
+from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
+from corollary.formula.ast import Expr, Number, names
 from corollary.formula.ball import RationalPi, Undefined, evaluate
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree, tree
@@ -57,6 +58,37 @@ def at(expression: object, where: Point) -> Any:
     return substitute(as_expression(expression), where.values).evalf(DIGITS)
 
 
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function found: its formula in its own letter, in givens and in unknowns.
+
+    `form` is the kind of equation it solves ("": none), `place` somewhere it is taken, which measures what its letter does.
+    """
+
+    applied: sympy.Expr
+    formula: sympy.Expr
+    form: str
+    place: sympy.Expr
+
+    @property
+    def name(self) -> str:
+        return str(self.applied.func)
+
+    @property
+    def letter(self) -> sympy.Symbol:
+        """What it depends on."""
+        return cast(sympy.Symbol, self.applied.args[0])
+
+    def put_into(self, expression: Any) -> Any:
+        """The formula in place of the function, wherever it is taken."""
+        if not expression.has(self.applied.func):
+            return expression
+        return expression.replace(
+            lambda each: isinstance(each, AppliedUndef) and each.func == self.applied.func,
+            lambda each: self.formula.subs(self.letter, each.args[0]),
+        )
+
+
 class Known:
     """The givens, and each unknown as soon as it is found."""
 
@@ -65,6 +97,7 @@ class Known:
         self.formulas: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
         self.measured: set[sympy.Symbol] = set()
+        self.functions: list[Function] = []
         self.dimensions: dict[str, Dimension] = {
             given.symbol: given.unit.dimension for given in problem.givens
         }
@@ -97,6 +130,17 @@ class Known:
         for symbol in unknowns:
             self.formulas[symbol] = simplest(self.in_givens(root[symbol]))
 
+    def solved_function(self, each: Function) -> SolvedFunction:
+        """The function in our own terms; its dimension is that of its formula. Raises ValueError where that has none."""
+        letter, place = each.letter.name, tree(each.place)
+        if letter not in self.dimensions and names(place) <= self.dimensions.keys() | {"pi"}:
+            (self.dimensions[letter],) = self.dimensions_of((place,), None)
+        formula = tree(each.formula)
+        if names(formula) <= self.dimensions.keys() | {"pi"}:
+            (self.dimensions[each.name],) = self.dimensions_of((formula,), None)
+        measured = {name: self.dimensions[name] for name in (letter, each.name) if name in self.dimensions}
+        return SolvedFunction(each.name, letter, formula, each.form, measured)
+
     def suppose(self, value: SupposedValue) -> None:
         """Adds a value that no given has."""
         symbol = sympy.Symbol(value.stated.name, positive=True)
@@ -108,7 +152,13 @@ class Known:
 
     def in_givens(self, expression: Any) -> Any:
         """An expression or relation with all that has been found put in."""
-        return substitute(expression, self.formulas)
+        return substitute(self.with_functions(expression), self.formulas)
+
+    def with_functions(self, expression: Any) -> Any:
+        """The same with the formulas of functions found in their places, not yet derived or integrated."""
+        for each in self.functions:
+            expression = each.put_into(expression)
+        return expression
 
     def with_asides(self, expression: Any) -> Any:
         """The same with the unknowns put in, too, that laws needed and nobody asks for."""

@@ -10,12 +10,13 @@ from functools import lru_cache
 
 import sympy
 
-from corollary.derive.known import Point, Root, at
+from corollary.derive.functions import Pair, eliminated, functions_in
+from corollary.derive.known import Function, Known, Point, Root, at
 from corollary.derive.statements import Exchange, Mistake, Rejected, Sentence
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree
 from corollary.formula.latex import latex
-from corollary.laws.law import Law, sides, substitute, symbols
+from corollary.laws.law import Law, substitute, symbols
 from corollary.messages import N_
 
 
@@ -35,15 +36,26 @@ class Picked:
     refused: tuple[Sentence, ...]
 
 
-def roots(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: set[sympy.Symbol]) -> list[Root]:
-    """Every root of the laws in the unknowns. Raises NoRoot when a letter is strange, none exists, or one stays free."""
+def roots(
+    laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: Known
+) -> tuple[list[Root], tuple[Function, ...]]:
+    """Every root of the laws in the unknowns, and the functions found on the way.
+
+    Raises NoRoot when a letter is strange, none exists, or one stays free.
+    """
+    letters = known.letters | {each.args[0] for each in functions_in(laws).values()}
     for stated in laws:
-        if strange := symbols(stated) - known - set(unknowns):
+        if strange := symbols(stated) - letters - set(unknowns):
             raise NoRoot(f"{stated.name}: {_list(strange)} is neither given nor found before")
-    equations = [left - right for stated in laws for left, right in sides(stated)]
+    pairs, functions = eliminated(laws, unknowns, known)
+    return _roots(pairs, unknowns), functions
+
+
+def _roots(pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol]) -> list[Root]:
+    equations = [left - right for left, right in pairs]
     live = [equation for equation in equations if sympy.expand(equation) != 0]
     try:
-        found = stated_outright(laws, unknowns) or [
+        found = stated_outright(pairs, unknowns) or [
             dict(root) for root in _solved(tuple(live), tuple(unknowns))
         ]
     except NotImplementedError:
@@ -75,14 +87,13 @@ def _solved(
     return tuple(tuple(root.items()) for root in sympy.solve(list(equations), list(unknowns), dict=True))
 
 
-def stated_outright(laws: Sequence[Law], unknowns: Sequence[sympy.Symbol]) -> list[Root]:
+def stated_outright(pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol]) -> list[Root]:
     """The root when each law says just what one unknown is: `x = …`, one law for each, in known letters only."""
     root: dict[sympy.Symbol, sympy.Expr] = {}
-    for stated in laws:
-        for left, right in sides(stated):
-            if left not in unknowns or left in root or right.free_symbols & set(unknowns):
-                return []
-            root[left] = right  # type: ignore[index]
+    for left, right in pairs:
+        if left not in unknowns or left in root or right.free_symbols & set(unknowns):
+            return []
+        root[left] = right  # type: ignore[index]
     return [root] if len(root) == len(unknowns) else []
 
 

@@ -66,6 +66,20 @@ class SolvedRoute:
 
 
 @dataclass(frozen=True, slots=True)
+class SolvedFunction:
+    """A function that the laws of a step fix, such as v(t): its formula in its own letter, in givens and in earlier unknowns.
+
+    `form` is the kind of differential equation it solves ("": none); `dimensions` those of the function and of its letter, where known.
+    """
+
+    name: str
+    letter: str
+    formula: Expr
+    form: str
+    dimensions: Mapping[str, Dimension]
+
+
+@dataclass(frozen=True, slots=True)
 class Unknown:
     """Something found (one name for each component). `local` computes it from givens and earlier unknowns.
 
@@ -84,6 +98,7 @@ class Unknown:
     dimensions: tuple[Dimension, ...]
     scale: Expr | None
     note: Sentence | None
+    functions: tuple[SolvedFunction, ...] = ()
 
     @property
     def part(self) -> str:

@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
 
 import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
-from corollary.derive.known import Known, Root, at, forms, simplest, vanishes
+from corollary.derive.example import solved_example
+from corollary.derive.known import Function, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.parts import misfits, unsolved
@@ -22,6 +23,7 @@ from corollary.derive.solution import (
     Solution,
     SolvedChoice,
     SolvedExample,
+    SolvedFunction,
     SolvedNeglected,
     SolvedProof,
     SolvedRoute,
@@ -43,7 +45,7 @@ from corollary.derive.statements import (
 )
 from corollary.formula.ast import Expr, Relation
 from corollary.formula.from_sympy import relation, tree
-from corollary.laws.law import Law, as_expression, sides, substitute
+from corollary.laws.law import Law, as_expression, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.units.dimensional_analysis import Dimension
@@ -52,30 +54,11 @@ from corollary.units.unit import called, show
 
 def solve(bank: Bank, problem: Problem) -> Solution:
     """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
-    return with_paths(_Solver(problem, load(bank, problem)).solution())
+    return with_paths(Solver(problem, load(bank, problem)).solution())
 
 
-def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
-    """The laws checked: how many equations hold identically with every unknown put in, and which do not. Raises NotDerivable."""
-    solver = _Solver(problem, load(bank, problem))
-    solver.solution()
-    known, proven, left = solver.known, 0, []
-    for entry in solver.loaded.derivation.entries:
-        step = entry.bound if isinstance(entry, Neglected) else entry
-        if isinstance(step, Step):
-            for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
-                for one, other in sides(law):
-                    residual = known.with_asides(one - other)
-                    if vanishes(residual):
-                        proven += 1
-                    elif not residual.free_symbols & known.measured:
-                        sentence = f"{law.name} does not hold for the answers: {one} = {other}"
-                        left.append(str(solver.failing(sentence, step.statement.line)))
-    return proven, left
-
-
-class _Solver:
-    """Walks the entries once, in the author's order."""
+class Solver:
+    """Walks the entries of one problem once, in the author's order."""
 
     def __init__(self, problem: Problem, loaded: Loaded):
         self.problem, self.loaded, self.known = problem, loaded, Known(problem)
@@ -97,7 +80,7 @@ class _Solver:
                     case Choice():
                         choices[part] = self.choice(entry)
                     case Example():
-                        examples[part] = self.example(entry)
+                        examples[part] = solved_example(entry, self.known)
                     case Proof():
                         proofs[part] = applied_proof(entry)
                     case _:
@@ -135,7 +118,8 @@ class _Solver:
 
     def step(self, entry: Step) -> Unknown:
         known = self.known
-        picked = pick(self.roots(entry, entry.laws), known.points, entry.where, entry.rejected)
+        found, functions = self.roots_and_functions(entry, entry.laws)
+        picked = pick(found, known.points, entry.where, entry.rejected)
         local = forms(entry.unknowns, picked.root)
         routes = tuple(SolvedRoute(applied_route(route), self.route(entry, route)) for route in entry.routes)
         mistakes = tuple(self.wrong(entry, mistake, entry.where) for mistake in entry.mistakes)
@@ -153,7 +137,16 @@ class _Solver:
             dimensions=self.dimensions(entry, local.trees),
             scale=None if entry.scale is None else known.tree_in_givens(entry.scale),
             note=None,
+            functions=self.functions(entry, functions, picked.root),
         )
+
+    def functions(self, entry: Step, found: tuple[Function, ...], root: Root) -> tuple[SolvedFunction, ...]:
+        """The functions found in a step, with what else was found in it put in, known to all steps from here on."""
+        known = self.known
+        asides = {symbol: root[symbol] for symbol in entry.also}
+        closed = [replace(each, formula=substitute(each.formula, asides)) for each in found]
+        known.functions += closed
+        return tuple(map(known.solved_function, closed))
 
     def optimum(self, entry: Optimum) -> Unknown:
         known = self.known
@@ -220,8 +213,13 @@ class _Solver:
             raise NoRoot(f"the mistake {mistake.text!r}: {error}", mistake.line) from error
 
     def roots(self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]) -> list[Root]:
+        return self.roots_and_functions(entry, laws)[0]
+
+    def roots_and_functions(
+        self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]
+    ) -> tuple[list[Root], tuple[Function, ...]]:
         also = entry.also if isinstance(entry, Step) else ()
-        return roots(laws, [*entry.unknowns, *also], self.known.letters)
+        return roots(laws, [*entry.unknowns, *also], self.known)
 
     def dimensions(self, entry: Step | Optimum, trees: tuple[Expr, ...]) -> tuple[Dimension, ...]:
         """The dimension of each component; raises ValueError when it is not what the part asks for."""
@@ -245,44 +243,6 @@ class _Solver:
             holds = self.known.in_givens(sympy.sympify(condition))
             options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
         return Choice(entry.statement, options, entry.mistakes)
-
-    def example(self, entry: Example[sympy.Symbol, sympy.Expr, Law]) -> SolvedExample:
-        """Counts how many unknowns the laws leave free, for an example must leave room for the student's own."""
-        known = self.known
-        equations = [
-            sympy.simplify(known.in_givens(left - right)) for law in entry.laws for left, right in sides(law)
-        ]
-        unknowns = len(entry.unknowns)
-        free = unknowns - sympy.Matrix(equations).jacobian(list(entry.unknowns)).rank()
-        if free != entry.free:
-            raise NoRoot(f"{len(equations)} laws for {unknowns} unknowns leave {free} free, not {entry.free}")
-        return Example(
-            entry.statement,
-            _names(entry.unknowns),
-            tuple(map(applied, entry.laws)),
-            tuple((tuple(map(known.tree_in_givens, values)), why) for values, why in entry.apart),
-            entry.free,
-            known.tree_in_givens(entry.scale),
-            self.instance(entry, equations),
-        )
-
-    def instance(
-        self, entry: Example[sympy.Symbol, sympy.Expr, Law], equations: list[sympy.Expr]
-    ) -> tuple[Expr, ...] | None:
-        """One good example: the first unknowns set to simple shares of the scale, the others solved for."""
-        known, scale = self.known, self.known.in_givens(entry.scale)
-        chosen, others = entry.unknowns[: entry.free], list(entry.unknowns[entry.free :])
-        for share in (sympy.Rational(-1, 3), sympy.Rational(1, 2), sympy.Integer(2), sympy.Rational(1, 5)):
-            fixed: dict[sympy.Symbol, Any] = dict.fromkeys(chosen, share * scale)
-            left = [substitute(equation, fixed) for equation in equations]
-            for root in sympy.solve(left, others, dict=True) if others else [{}]:
-                whole = fixed | root
-                if all(
-                    symbol in whole and not whole[symbol].free_symbols - set(known.formulas)
-                    for symbol in entry.unknowns
-                ) and all(at(value, each).is_real for value in whole.values() for each in known.points):
-                    return tuple(tree(simplest(whole[symbol])) for symbol in entry.unknowns)
-        return None
 
     def neglected(self, entry: Neglected[Step, Supposed]) -> SolvedNeglected:
         try:

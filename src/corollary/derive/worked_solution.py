@@ -11,10 +11,12 @@ from corollary.derive.solution import (
     ClosedForms,
     SceneOutcome,
     Solution,
+    SolvedFunction,
     SolvedNeglected,
     Unknown,
 )
 from corollary.derive.statements import Code, Explain
+from corollary.derive.typeset_numbers import given_numbers, quantity
 from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ball import certified
 from corollary.formula.latex import latex, letter
@@ -23,15 +25,13 @@ from corollary.formula.syntax import author_formula
 from corollary.messages import catalogue
 from corollary.problem.given import Given
 from corollary.problem.part import Part
-from corollary.problem.variant import Variant, number
+from corollary.problem.variant import Variant
 from corollary.units.unit import Unit, si_unit
-from corollary.units.unit import latex as unit_latex
 from corollary.units.unit import unit as unit_of
 
 _ = catalogue(__name__)
 _law_name = catalogue("corollary.laws")
 
-FIGURES = 4  # one more than students' numbers have, so that a value can be used again without rounding anew
 WIDEST = 75  # letters: about what fits on a line of A4 between the margins
 FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
 DEGREES = unit_of("deg")
@@ -50,7 +50,7 @@ def worked_solution(
     `neglected` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
     """
     problem = solution.problem
-    known = _given_numbers(variant)
+    known = given_numbers(variant)
     lines = [_constant(given) for given in problem.givens if given.source]
     lines += [""] * bool(lines)
     for find, numbers in zip(solution.unknowns, values, strict=True):
@@ -58,7 +58,7 @@ def worked_solution(
         heading = _heading(part) if part else _("**First find {names}.**", names=_names(find))
         lines += [heading, "", *_unknown(find, numbers, part, known), ""]
         for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
-            known[name] = _quantity(value, si_unit(dimension), in_formula=True)
+            known[name] = quantity(value, si_unit(dimension), in_formula=True)
         for each, (most, share) in zip(solution.neglected, neglected, strict=True):
             if part and each.statement.part == part.id:
                 lines += [*_neglected(each, most, share, part, known), ""]
@@ -69,7 +69,7 @@ def worked_solution(
 
 def _constant(given: Given) -> str:
     """A constant of nature: its value, what it is, and where the value is from."""
-    value = _quantity(float(given.value), given.unit)
+    value = quantity(float(given.value), given.unit)
     return f"- ${letter(given.symbol)} = {value}$, {given.meaning} ({given.source})"
 
 
@@ -83,6 +83,8 @@ def _unknown(
     lines = [find.statement.because, ""]
     for law in find.laws:
         lines += [_law(law), ""]
+    for function in find.functions:
+        lines += [*_function(function), ""]
     if find.note:
         lines += [find.note.spoken(), ""]
     for reason in find.rejected:
@@ -94,6 +96,18 @@ def _unknown(
     if find.statement.check:
         lines += ["", _("*Check:* {check}", check=find.statement.check)]
     return lines
+
+
+def _function(function: SolvedFunction) -> list[str]:
+    """A function as it follows from the laws."""
+    found = rf"$${letter(function.name)}({letter(function.letter)}) = {latex(function.formula)}$$"
+    if not function.form:
+        return [_("So at any ${letter}$:", letter=letter(function.letter)), "", found]
+    solved = _(
+        "This differential equation ({form}) has one solution with these initial values; put back, it satisfies both:",
+        form=_(function.form),
+    )
+    return [solved, "", found]
 
 
 def _neglected(
@@ -152,7 +166,7 @@ def _result(
     lines: list[str] = []
     units = [part.unit if part else si_unit(dimension) for dimension in find.dimensions]
     for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
-        answer = _quantity(value, unit)
+        answer = quantity(value, unit)
         match find.local:
             case ClosedForms(trees):
                 in_givens = find.in_givens[place] if find.in_givens else None
@@ -189,7 +203,7 @@ def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> li
 
 def _degrees(value: float, unit: Unit) -> list[str]:
     """An angle in degrees, too: so it is measured, and so it may be answered."""
-    return [_quantity(value, DEGREES)] if unit == unit_of("rad") else []
+    return [quantity(value, DEGREES)] if unit == unit_of("rad") else []
 
 
 def without_repetition(steps: list[str]) -> list[str]:
@@ -235,7 +249,7 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
         lines += [example.statement.because, "", *(_law(law) + "\n" for law in example.laws)]
         if example.instance is not None:
             known = variant.exact
-            numbers = [_quantity(certified(tree, known).value, part.unit) for tree in example.instance]
+            numbers = [quantity(certified(tree, known).value, part.unit) for tree in example.instance]
             lines += [_("For example: {numbers}", numbers=f"$${', '.join(numbers)}$$")]
     if part.id in solution.proofs:
         proof = solution.proofs[part.id]
@@ -251,36 +265,6 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
             case _:
                 continue
     return [_heading(part), "", *lines, ""] if lines else []
-
-
-def _given_numbers(variant: Variant) -> dict[str, str]:
-    """Each given as it stands in a formula: number and unit."""
-    numbers: dict[str, str] = {}
-    for given in variant.problem.givens:
-        unit, value = given.unit, variant.values[given.symbol]
-        if unit.offset:  # a formula takes a temperature in kelvin
-            unit, value = si_unit(unit.dimension), unit.to_si(value)[0]
-        symbol = unit_latex(unit)
-        text = number(given, value).replace("−", "-")
-        mantissa, _, power = text.partition("e")
-        text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
-        numbers[given.symbol] = _bracketed(text + (rf"\,{symbol}" if symbol else ""), text)
-    return numbers
-
-
-def _quantity(value: float, unit: Unit, *, in_formula: bool = False) -> str:
-    number = unit.from_si(value)
-    text = decimal_text(number, FIGURES) if number else "0"
-    mantissa, _, power = text.partition("e")
-    text = rf"{mantissa}\cdot 10^{{{power}}}" if power else mantissa
-    symbol = unit_latex(unit)
-    whole = text + (rf"\,{symbol}" if symbol else "")
-    return _bracketed(whole, text) if in_formula else whole
-
-
-def _bracketed(whole: str, text: str) -> str:
-    """In brackets where a sign or a unit could be misread inside a product or a power."""
-    return rf"({whole})" if whole != text or text.startswith("-") else whole
 
 
 def _names(find: Unknown) -> str:

@@ -84,8 +84,9 @@ def function_words() -> dict[str, str]:
 
 
 def arity(function: str) -> int:
-    """How many numbers a function takes."""
-    return (ABBREVIATIONS.get(function) or FUNCTIONS[function]).arity
+    """How many numbers a function takes; 0 for what only laws may say, which takes any number of them."""
+    row = ABBREVIATIONS.get(function) or FUNCTIONS.get(function)
+    return row.arity if row else 0
 
 
 def of_angle(function: str) -> bool:
@@ -99,4 +100,6 @@ def applied(function: str, arguments: tuple[Expr, ...]) -> Expr:
         if function == "ln" and len(arguments) == 2:
             return Quotient(_ln(arguments[0]), _ln(arguments[1]))
         return Call(function, arguments)
-    return ABBREVIATIONS[function].formula(arguments)
+    return (
+        ABBREVIATIONS[function].formula(arguments) if function in ABBREVIATIONS else Call(function, arguments)
+    )

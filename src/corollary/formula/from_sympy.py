@@ -93,7 +93,7 @@ def _signed(term: sympy.Expr) -> Expr:
 def _product(expr: sympy.Mul) -> Expr:
     if expr.could_extract_minus_sign() and not isinstance(-expr, sympy.Add):
         return Negative(tree(cast(sympy.Expr, -expr)))
-    top, bottom = sympy.fraction(expr)
+    top, bottom = sympy.fraction(expr, exact=True)
     root, cofactor = _roots_together(top, bottom)
     if root is not None:
         return root if cofactor == 1 else _with_root(cofactor, root)

@@ -10,6 +10,7 @@ from typing import assert_never
 from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.numerals import decimal_text
+from corollary.formula.operators import OPERATORS
 from corollary.formula.symbols import WORDS
 
 COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds together
@@ -72,13 +73,15 @@ def _latex(tree: Expr, letters: Mapping[str, str]) -> tuple[str, int]:
             if bottom == Number(Fraction(180)) and top == Name("pi"):
                 return DEGREE, TIMES
             return rf"\frac{{{_latex(top, letters)[0]}}}{{{_latex(bottom, letters)[0]}}}", TIMES
-        case Power(Call(function, (argument,)), exponent) if FUNCTIONS[function].angle:
+        case Power(Call(function, (argument,)), exponent) if _of_angle(function):
             return (
                 f"{_named(function)}^{{{_latex(exponent, letters)[0]}}}{_argument(argument, letters)}",
                 TIMES,
             )
         case Power(base, exponent):
             return f"{within(base, ATOM)}^{{{_latex(exponent, letters)[0]}}}", RAISE
+        case Call(function, arguments) if function in OPERATORS:
+            return _operator(function, arguments, letters)
         case Call(function, arguments):
             return _call(function, arguments, letters)
         case Relation(sign, left, right):
@@ -119,9 +122,11 @@ def _product(factors: list[str]) -> str:
 def _bracketed(factor: Expr, letters: Mapping[str, str]) -> str:
     """A function with factors behind it shows where it ends; "" for other factors."""
     match factor:
-        case Call(function, (Name() as argument,)) if "#" not in FUNCTIONS[function].tex:
+        case Call(function, (Name() as argument,)) if (
+            function not in OPERATORS and "#" not in FUNCTIONS[function].tex
+        ):
             return f"{_named(function)}({_latex(argument, letters)[0]})"
-        case Power(Call(function, (Name() as argument,)), exponent) if FUNCTIONS[function].angle:
+        case Power(Call(function, (Name() as argument,)), exponent) if _of_angle(function):
             return f"{_named(function)}^{{{_latex(exponent, letters)[0]}}}({_latex(argument, letters)[0]})"
         case _:
             return ""
@@ -129,6 +134,36 @@ def _bracketed(factor: Expr, letters: Mapping[str, str]) -> str:
 
 def _named(function: str) -> str:
     return FUNCTIONS[function].tex or "\\" + function
+
+
+def _of_angle(function: str) -> bool:
+    return function not in OPERATORS and FUNCTIONS[function].angle
+
+
+def _operator(function: str, arguments: tuple[Expr, ...], letters: Mapping[str, str]) -> tuple[str, int]:
+    """A derivative, an integral, the value of a function somewhere, a product of vectors."""
+
+    def within(part: Expr, hold: int) -> str:
+        written, own = _latex(part, letters)
+        return written if own >= hold else rf"\left({written}\right)"
+
+    match function, arguments:
+        case "derivative", (of, by, order):
+            power = "" if order == Number(Fraction(1)) else f"^{{{_latex(order, letters)[0]}}}"
+            above, below = rf"\mathrm{{d}}{power}", rf"\mathrm{{d}}{_latex(by, letters)[0]}{power}"
+            if isinstance(of, Name):
+                return rf"\frac{{{above} {_latex(of, letters)[0]}}}{{{below}}}", TIMES
+            return rf"\frac{{{above}}}{{{below}}}\left({_latex(of, letters)[0]}\right)", TIMES
+        case "integral", (of, by, low, high):
+            ends = rf"_{{{_latex(low, letters)[0]}}}^{{{_latex(high, letters)[0]}}}"
+            return rf"\int{ends} {within(of, TIMES)} \,\mathrm{{d}}{_latex(by, letters)[0]}", ADD
+        case "value", (of, at):
+            return rf"{_latex(of, letters)[0]}\left({_latex(at, letters)[0]}\right)", ATOM
+        case "norm", (of,):
+            return rf"\left|{_latex(of, letters)[0]}\right|", ATOM
+        case _:
+            one, other = (within(argument, RAISE) for argument in arguments)
+            return one + (r" \cdot " if function == "dot" else r" \times ") + other, TIMES
 
 
 def _argument(argument: Expr, letters: Mapping[str, str]) -> str:

@@ -243,7 +243,7 @@ def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
     opened = line.take()
     found = [_formula(line, 0)]
     wanted = arity(function)
-    while line.next.kind == "comma" and (wanted > 1 or function == "ln"):
+    while line.next.kind == "comma" and (wanted != 1 or function == "ln"):
         line.take()
         found.append(_formula(line, 0))
     if line.next.kind == "end":
@@ -251,7 +251,7 @@ def _arguments(line: Line, function: str) -> tuple[Expr, ...]:
     if line.next.kind != "close":
         unexpected(line)
     line.take()
-    if len(found) != wanted and not (function == "ln" and len(found) == 2):
+    if wanted and len(found) != wanted and not (function == "ln" and len(found) == 2):
         refuse(
             _(
                 "{function} takes {wanted} numbers, not {given}",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
 
 from corollary.formula.abbreviations import function_words
@@ -56,13 +57,22 @@ def parse(
     return in_degrees(tree) if degrees and not isinstance(tree, ParseError) else tree
 
 
-def author_formula(text: str, names: Iterable[str] | None = None) -> Expr:
+def author_formula(text: str, names: Iterable[str] | None = None, *, operators: bool = False) -> Expr:
     """A formula, a law or a condition of an author: every product written with `*`, letters exactly as declared.
 
-    Raises ValueError with a sentence that quotes the text.
+    With `operators`, a letter with a bracket right behind it is called, as in `v(0)` or `int(F, t, 0, T)`. Raises ValueError
+    with a sentence that quotes the text.
     """
     declared = None if names is None else frozenset(names)
     read = tokens(text, partial(_author_run, declared=declared), longest=20 * LONGEST, most=20 * MOST_TOKENS)
+    if operators and not isinstance(read, ParseError):
+        behind = [*read[1:], read[-1]]
+        read = [
+            replace(each, kind="function")
+            if each.kind == "name" and following.kind == "open" and following.tight
+            else each
+            for each, following in zip(read, behind, strict=True)
+        ]
     tree = read if isinstance(read, ParseError) else formula(read, student=False)
     if isinstance(tree, ParseError):
         raise ValueError(f"formula {text!r}, {sentence(tree)}")

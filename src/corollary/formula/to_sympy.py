@@ -14,7 +14,10 @@ from corollary.formula.functions import FUNCTIONS
 
 
 def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
-    """The tree in sympy, with `meaning` for its letters. Raises KeyError for a letter without meaning."""
+    """The tree in sympy, with `meaning` for its letters; derivatives and integrals are left as they stand.
+
+    Raises KeyError for a letter without meaning.
+    """
     match tree:
         case Number(value):
             return sympy.Rational(value.numerator, value.denominator)
@@ -32,6 +35,15 @@ def expression(tree: Expr, meaning: Mapping[str, sympy.Expr]) -> sympy.Expr:
             return expression(top, meaning) / expression(bottom, meaning)
         case Power(base, exponent):
             return expression(base, meaning) ** expression(exponent, meaning)
+        case Call("derivative", (of, by, order)):
+            return sympy.Derivative(
+                expression(of, meaning), expression(by, meaning), int(expression(order, meaning))
+            )
+        case Call("integral", (of, *over)):
+            by, low, high = (expression(each, meaning) for each in over)
+            return sympy.Integral(expression(of, meaning), (by, low, high))
+        case Call("value", (of, at)):
+            return expression(of, meaning).func(expression(at, meaning))
         case Call(function, arguments):
             named = FUNCTIONS[function].sympy or function
             apply = getattr(sympy, named) if isinstance(named, str) else named

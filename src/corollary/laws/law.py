@@ -12,8 +12,17 @@ from functools import lru_cache
 from typing import Any, cast
 
 import sympy
+from sympy.core.function import AppliedUndef
 
 from corollary.formula.ast import Expr, Relation, names
+from corollary.formula.operators import (
+    VECTOR_OPERATORS,
+    bound_letters,
+    has_operators,
+    is_vector,
+    read_operators,
+    scalar_part,
+)
 from corollary.formula.syntax import author_formula
 from corollary.formula.to_sympy import expression
 
@@ -36,13 +45,20 @@ class Law:
     @property
     def components(self) -> int:
         """How many scalar equations the law states."""
-        lengths = {len(meaning) for meaning in self.letters.values() if isinstance(meaning, tuple)}
-        return lengths.pop() if lengths else 1
+        lengths = self.lengths
+        return next(iter(lengths.values())) if is_vector(self.textbook, lengths) else 1
+
+    @property
+    def lengths(self) -> dict[str, int]:
+        """How many components each letter has that stands for a vector here."""
+        return {
+            letter: len(meaning) for letter, meaning in self.letters.items() if isinstance(meaning, tuple)
+        }
 
     @property
     def vectors(self) -> frozenset[str]:
         """The textbook letters that stand for vectors here."""
-        return frozenset(letter for letter, meaning in self.letters.items() if isinstance(meaning, tuple))
+        return frozenset(self.lengths)
 
 
 _OWN_LETTERS: ContextVar[dict[str, Meaning] | None] = ContextVar("_OWN_LETTERS", default=None)
@@ -71,11 +87,13 @@ def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters
     A letter that is a given or an unknown of the problem means just that. Raises ValueError when a letter is neither and has
     no meaning, a meaning has no letter, or components do not match.
     """
-    relation = _relation(formula)
     here = {letter: _meaning(value) for letter, value in letters.items()}
     title, name = name, name or "wrong"
-    used = names(relation) - {"pi"}
     own = _OWN_LETTERS.get() or {}
+    relation = _with_operators(formula, own | here)
+    used = names(relation) - {"pi"}
+    integrated = bound_letters(relation) - here.keys() - own.keys()
+    here |= {letter: sympy.Symbol(letter, real=True) for letter in integrated}
     here |= {letter: own[letter] for letter in sorted(used - here.keys()) if letter in own}
     if missing := used - here.keys():
         raise ValueError(
@@ -87,7 +105,12 @@ def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters
         raise ValueError(f"{name}: {', '.join(sorted(extra))} does not occur in {formula!r}")
     if len({len(meaning) for meaning in here.values() if isinstance(meaning, tuple)}) > 1:
         raise ValueError(f"{name}: the vectors in {formula!r} have different numbers of components")
-    return Law(title, relation, here, source, holds)
+    stated = Law(title, relation, here, source, holds)
+    try:
+        equations(stated)
+    except ValueError as error:
+        raise ValueError(f"{name}: {formula!r}: {error}") from None
+    return stated
 
 
 def wrong(formula: str, **letters: object) -> Law:
@@ -110,9 +133,32 @@ def only_laws(stated: Iterable[Law]) -> tuple[Law, ...]:
 def sides(stated: Law) -> list[tuple[sympy.Expr, sympy.Expr]]:
     """Left and right side of each scalar equation, in the letters of the problem."""
     return [
-        (expression(stated.textbook.left, letters), expression(stated.textbook.right, letters))
-        for letters in (component(stated, i) for i in range(stated.components))
+        (expression(equation.left, letters), expression(equation.right, letters))
+        for equation, letters in equations(stated)
     ]
+
+
+def equations(stated: Law) -> list[tuple[Relation, dict[str, sympy.Expr]]]:
+    """Each scalar equation in the textbook's letters, and what they mean in it.
+
+    Products of vectors are written out; `r[1]` in them is the second component of r.
+    """
+    products = has_operators(stated.textbook, VECTOR_OPERATORS)
+    found: list[tuple[Relation, dict[str, sympy.Expr]]] = []
+    for index in range(stated.components):
+        left, right = (
+            scalar_part(side, index, stated.lengths) for side in (stated.textbook.left, stated.textbook.right)
+        )
+        letters = component(stated, index)
+        if products:
+            letters |= {
+                f"{letter}[{place}]": part
+                for letter, meaning in stated.letters.items()
+                if isinstance(meaning, tuple)
+                for place, part in enumerate(meaning)
+            }
+        found.append((Relation("=", left, right), letters))
+    return found
 
 
 def component(stated: Law, index: int) -> dict[str, sympy.Expr]:
@@ -129,7 +175,21 @@ def symbols(stated: Law) -> frozenset[sympy.Symbol]:
     for meaning in stated.letters.values():
         for part in meaning if isinstance(meaning, tuple) else (meaning,):
             found |= {symbol for symbol in part.free_symbols if isinstance(symbol, sympy.Symbol)}
-    return frozenset(found)
+    integrated = {sympy.Symbol(letter, real=True) for letter in bound_letters(stated.textbook)}
+    return frozenset(found - integrated)
+
+
+def by_name(meaning: sympy.Expr) -> sympy.Expr:
+    """A meaning as it is written: a function by its name alone."""
+    called = {
+        each: sympy.Symbol(str(each.func), real=True) for each in cast(Any, meaning).atoms(AppliedUndef)
+    }
+    return cast(Any, meaning).xreplace(called) if called else meaning
+
+
+def is_function(meaning: object) -> bool:
+    """Whether a letter stands for a function, such as v(t)."""
+    return isinstance(meaning, AppliedUndef)
 
 
 def as_expression(value: object) -> sympy.Expr:
@@ -148,9 +208,25 @@ def _meaning(value: object) -> Meaning:
     return as_expression(value)  # authors' own Python objects only: numbers and sympy expressions
 
 
+def _with_operators(formula: str, letters: Mapping[str, Meaning]) -> Relation:
+    """The law with its derivatives and the like, by what its letters mean."""
+    relation = _relation(formula)
+    called = {
+        letter
+        for letter, meaning in letters.items()
+        if is_function(meaning) or (isinstance(meaning, tuple) and all(map(is_function, meaning)))
+    }
+    try:
+        read = read_operators(relation, letters.keys(), called)
+    except ValueError as error:
+        raise ValueError(f"formula {formula!r}: {error}") from None
+    assert isinstance(read, Relation)
+    return read
+
+
 @lru_cache(maxsize=512)
 def _relation(formula: str) -> Relation:
-    tree: Expr = author_formula(formula)
+    tree: Expr = author_formula(formula, operators=True)
     if not isinstance(tree, Relation) or tree.sign != "=":
         raise ValueError(f"a law is an equation; {formula!r} has no = sign")
     return tree

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from corollary.derive.put_back import unproven
 from corollary.derive.solution import Solution
-from corollary.derive.solve import unproven
 from corollary.formula.ast import names
 from corollary.formula.errors import ParseError, sentence
+from corollary.formula.operators import measured
 from corollary.problem.bank import Bank
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.verify.checked import Tally
@@ -24,6 +25,8 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
     for find in solution.unknowns:
         dimensions |= dict(zip(find.names, find.dimensions, strict=True))
+        for function in find.functions:
+            dimensions |= function.dimensions
     path = bank.solution(solution.problem)
     for left in solution.neglected:
         dimensions |= dict(zip(left.bound.names, left.bound.dimensions, strict=True))
@@ -31,9 +34,9 @@ def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     for find in (*solution.unknowns, *(left.bound for left in solution.neglected)):
         for law in (*find.laws, *(law for route in find.routes for law in route.stated.laws)):
             for relation in law.here:
-                if names(relation) - {"pi"} - dimensions.keys():
+                if names(measured(relation)) - {"pi"} - dimensions.keys():
                     continue  # an unknown met only inside a step: its dimension follows from the law itself
-                found = dimension_of(relation, dimensions)
+                found = dimension_of(measured(relation), dimensions)
                 tally.count("dimensions")
                 if isinstance(found, ParseError):
                     tally.complain(f"{path.name}:{find.statement.line}: {law.name}: {sentence(found)}")

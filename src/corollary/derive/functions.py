@@ -1,0 +1,264 @@
+"""Laws with derivatives and integrals made into equations between numbers: the functions in them are found, and put back."""
+
+# pyright: reportMissingTypeArgument=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownMemberType=false, reportUnknownParameterType=false, reportUnknownVariableType=false, reportArgumentType=false, reportAttributeAccessIssue=false, reportAssignmentType=false, reportReturnType=false, reportGeneralTypeIssues=false, reportIndexIssue=false, reportCallIssue=false, reportOperatorIssue=false
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from corollary.derive.differential import NotSolved, general, generic
+from corollary.derive.known import Function, Known, at, simplest
+from corollary.derive.sampled import holds, numbered
+from corollary.laws.law import Law, sides, substitute
+
+Pair = tuple[sympy.Expr, sympy.Expr]
+"""The two sides of an equation."""
+
+QUADRATURE = 1e-9  # relative: an integral in formulas against one by quadrature
+
+
+def is_differential(pairs: Sequence[Pair]) -> bool:
+    """Whether equations hold functions, derivatives or integrals."""
+    return any(side.has(AppliedUndef, sympy.Derivative, sympy.Integral) for pair in pairs for side in pair)
+
+
+def eliminated(
+    laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: Known
+) -> tuple[list[Pair], tuple[Function, ...]]:
+    """Equations between numbers that are left when the functions in laws are found, and these. Raises ValueError where they cannot be."""
+    pairs = [pair for law in laws for pair in sides(law)]
+    if not is_differential(pairs):
+        return pairs, ()
+    return _Elimination(laws, pairs, unknowns, known).result()
+
+
+def put_back(expression: sympy.Expr, functions: Sequence[Function]) -> sympy.Expr:
+    """The expression with the functions put in, derived and integrated."""
+    for each in functions:
+        expression = each.put_into(expression)
+    return generic(expression.doit())
+
+
+class _Elimination:
+    """Functions are found one after the other: stated outright, from a differential equation, or by algebra from one another."""
+
+    def __init__(
+        self, laws: Sequence[Law], pairs: Sequence[Pair], unknowns: Sequence[sympy.Symbol], known: Known
+    ):
+        self.known, self.unknowns = known, set(unknowns)
+        self.laws, self.own = laws, functions_in(laws)
+        self.pairs = [(self._said(left), self._said(right)) for left, right in pairs]
+        self.functions: list[Function] = []
+        self.places = [place for pair in self.pairs for side in pair for place in self._places(side)]
+
+    def result(self) -> tuple[list[Pair], tuple[Function, ...]]:
+        waiting = {
+            each.func: self.own[each.func] for pair in self.pairs for side in pair for each in _taken(side)
+        }
+        while waiting:
+            found = self._outright(waiting) or self._solved(waiting) or self._by_algebra(waiting)
+            if found is None:
+                names = ", ".join(sorted(f"{each}" for each in waiting.values()))
+                raise ValueError(
+                    f"these laws do not tell {names}; state one differential equation for each function"
+                )
+            del waiting[found.applied.func]
+            self.functions = [
+                replace(each, formula=put_back(each.formula, [found])) for each in self.functions
+            ] + [found]
+            self.pairs = [(found.put_into(left), found.put_into(right)) for left, right in self.pairs]
+        return self._left(), tuple(self.functions)
+
+    def _said(self, side: sympy.Expr) -> sympy.Expr:
+        """With the functions known already, and what was found in givens where that is derived or integrated."""
+        side = self.known.with_functions(side)
+        for node in side.atoms(sympy.Derivative, sympy.Integral):
+            inside, over = node.args[0], node.args[1][0]
+            if not inside.has(over):
+                closed = self.known.in_givens(inside)
+                if isinstance(node, sympy.Derivative) and not closed.has(over):
+                    raise ValueError(
+                        f"{inside} does not depend on {over}, so that its derivative says nothing; "
+                        f'make it a function: {inside} = function("{inside}", {over})'
+                    )
+                side = side.xreplace({node: node.func(closed, *node.args[1:])})
+        return side
+
+    def _outright(self, waiting: Mapping[Any, sympy.Expr]) -> Function | None:
+        """`x = A*cos(w*t)`, `v = dx/dt`: a function alone on one side, and not on the other."""
+        for index, (left, right) in enumerate(self.pairs):
+            for one, other in ((left, right), (right, left)):
+                if (
+                    one in waiting.values()
+                    and other not in self.unknowns
+                    and not any(each.func == one.func for each in _taken(other))
+                ):
+                    del self.pairs[index]
+                    return Function(
+                        one, other.doit() if not other.has(AppliedUndef) else other, "", self._place(one)
+                    )
+        return None
+
+    def _solved(self, waiting: Mapping[Any, sympy.Expr]) -> Function | None:
+        """A differential equation of one function, with its initial values."""
+        for index, (left, right) in enumerate(self.pairs):
+            residual = left - right
+            free = {each.func for each in self._free(residual)} & waiting.keys()
+            if len(free) != 1 or {each.func for each in _taken(residual)} - free:
+                continue
+            y = waiting[free.pop()]
+            if not residual.has(sympy.Derivative):
+                continue
+            del self.pairs[index]
+            return self._with_conditions(residual, y)
+        return None
+
+    def _with_conditions(self, residual: sympy.Expr, y: sympy.Expr) -> Function:
+        x = y.args[0]
+        conditions = [pair for pair in self.pairs if self._is_condition(pair, y)]
+        conditions.sort(key=lambda pair: bool((pair[0] - pair[1]).free_symbols & self.unknowns))
+        start = next(
+            (place for pair in conditions for side in pair for place in self._places(side)), sympy.S.Zero
+        )
+        try:
+            solution = general(residual.doit(), y, x, start, self._sign)
+        except NotSolved as error:
+            raise ValueError(f"the differential equation for {y.func} cannot be solved: {error}") from None
+        order = len(solution.values)
+        if len(conditions) < order:
+            raise ValueError(
+                f"the differential equation for {y.func} is of order {order} and needs {order} "
+                f"initial value{'s' * (order > 1)}, such as {y.func}(0) = …; stated {'is' if len(conditions) == 1 else 'are'} {len(conditions)}"
+            )
+        used = conditions[:order]
+        function = Function(y, solution.formula, solution.form, start)
+        equations = [put_back(left - right, [function]) for left, right in used]
+        roots = sympy.solve(equations, list(solution.values), dict=True)
+        if len(roots) != 1 or len(roots[0]) != order:
+            raise ValueError(f"the initial values of {y.func} do not fix it")
+        self.pairs = [pair for pair in self.pairs if not any(pair is each for each in used)]
+        found = Function(y, simplest(solution.formula.subs(roots[0])), solution.form, self._place(y))
+        for equation in (residual, *(left - right for left, right in used)):
+            if not self._holds(put_back(equation, [found])):
+                raise ValueError(
+                    f"the solution found for {y.func} does not satisfy {equation} = 0; state the law in another form"
+                )
+        return found
+
+    def _is_condition(self, pair: Pair, y: sympy.Expr) -> bool:
+        """Whether an equation is about one function at places that are known, and about no other."""
+        both = pair[0] - pair[1]
+        taken = _taken(both)
+        places = [place for side in pair for place in self._places(side)]
+        return (
+            bool(places)
+            and not self._free(both)
+            and {each.func for each in taken} == {y.func}
+            and not any(
+                place.free_symbols & (self.unknowns | {y.args[0]} - self.known.letters) for place in places
+            )
+        )
+
+    def _by_algebra(self, waiting: Mapping[Any, sympy.Expr]) -> Function | None:
+        """A function that stands underived in an equation with others."""
+        for index, (left, right) in enumerate(self.pairs):
+            residual = left - right
+            derived = {each.func for node in residual.atoms(sympy.Derivative) for each in _taken(node)}
+            for each in sorted(self._free(residual), key=str):
+                if each.func not in waiting or each.func in derived:
+                    continue
+                roots = sympy.solve(residual, each)
+                if len(roots) == 1:
+                    del self.pairs[index]
+                    return Function(each, roots[0], "", self._place(each))
+        return None
+
+    def _left(self) -> list[Pair]:
+        """The equations that found no function, between numbers."""
+        left: list[Pair] = []
+        letters = letters_in(self.laws, self.known)
+        for pair in self.pairs:
+            sides = tuple(generic(side.doit()) for side in pair)
+            for before, after in zip(pair, sides, strict=True):
+                if after.has(sympy.Integral, sympy.Derivative):
+                    raise ValueError(f"{before} has no closed form")
+                if before.has(sympy.Integral):
+                    self._check_quadrature(before, after)
+            if strange := (sides[0] - sides[1]).free_symbols & letters:
+                if self._holds(sides[0] - sides[1]):
+                    continue  # it only repeats what has been found
+                name = next(iter(strange))
+                raise ValueError(f"{name} is no number here; say where, as in {self.functions[0].name}(0)")
+            left.append((sides[0], sides[1]))
+        if len(left) < len(self.unknowns) and (solved := [each for each in self.functions if each.form]):
+            raise ValueError(
+                f"too few laws; say besides how {solved[0].name} begins, such as {solved[0].name}(0) = …"
+            )
+        return left
+
+    def _free(self, side: sympy.Expr) -> set[sympy.Expr]:
+        """Functions at any time: not at a place, nor under an integral from one to another."""
+        dull = {node: sympy.Dummy() for node in side.atoms(sympy.Integral, sympy.Subs)}
+        return {each for each in _taken(side.xreplace(dull)) if each == self.own[each.func]}
+
+    def _places(self, side: sympy.Expr) -> list[sympy.Expr]:
+        """Where functions are taken, and between which limits integrated."""
+        taken = sorted(_taken(side), key=str)
+        values = [each.args[0] for each in taken if each != self.own[each.func]]
+        points = [place for node in side.atoms(sympy.Subs) for place in node.point]
+        limits = [limit for node in side.atoms(sympy.Integral) for limit in node.limits[0][1:]]
+        return [*values, *points, *limits]
+
+    def _place(self, y: sympy.Expr) -> sympy.Expr:
+        """Somewhere a function is taken that is not zero, if it is anywhere."""
+        return next((place for place in self.places if place != 0 and place.is_finite), y.args[0])
+
+    def _sign(self, expression: sympy.Expr) -> int | None:
+        """The same at all sample points, or None."""
+        simple = sympy.factor(expression)
+        if simple == 0 or simple.is_zero:
+            return 0
+        if simple.is_positive or simple.is_negative:
+            return 1 if simple.is_positive else -1
+        signs: set[int] = set()
+        for point in self.known.points:
+            number = at(self.known.in_givens(simple), point)
+            if not number.is_real:
+                return None
+            signs.add(int(sympy.sign(number)))
+        return signs.pop() if len(signs) == 1 else None
+
+    def _holds(self, residual: sympy.Expr) -> bool:
+        return holds(residual, self.known, letters_in(self.laws, self.known), self.places)
+
+    def _check_quadrature(self, before: sympy.Expr, after: sympy.Expr) -> None:
+        """An integral in formulas is what quadrature gives. Raises ValueError where it is not."""
+        point = self.known.points[0]
+        one, other = (
+            substitute(numbered(self.known.in_givens(each), point), point.values).evalf(15)
+            for each in (before, after)
+        )
+        if not abs(one - other) <= QUADRATURE * abs(other):
+            raise ValueError(f"{before} was found to be {after}, which it is not; state it in another form")
+
+
+def functions_in(laws: Sequence[Law]) -> dict[Any, sympy.Expr]:
+    """The functions that letters of laws mean, as they were named: v(t) by v."""
+    meanings = (meaning for law in laws for meaning in law.letters.values())
+    parts = (part for meaning in meanings for part in (meaning if isinstance(meaning, tuple) else (meaning,)))
+    return {each.func: each for part in parts for each in _taken(part)}
+
+
+def letters_in(laws: Sequence[Law], known: Known) -> set[sympy.Symbol]:
+    """What the functions in laws depend on, where it is no given."""
+    return {each.args[0] for each in functions_in(laws).values()} - known.letters
+
+
+def _taken(side: sympy.Expr) -> set[sympy.Expr]:
+    """Functions, wherever they are taken."""
+    return side.atoms(AppliedUndef)
