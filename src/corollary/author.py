@@ -42,6 +42,11 @@ from corollary.derive.statements import (
 )
 from corollary.grading.programs import member
 from corollary.laws.law import Law, as_expression, known_by_name, only_laws
+from corollary.laws.letters import function as function
+from corollary.laws.letters import unknown as unknown
+from corollary.laws.letters import unknowns as unknowns
+from corollary.laws.letters import variable as variable
+from corollary.laws.letters import vector as vector
 from corollary.scenes.scene import Scene
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
@@ -51,41 +56,6 @@ HALF_PI = sympy.pi / 2
 def derivation(*entries: Entry) -> Derivation:
     """The whole solution, in the order in which things are found."""
     return Derivation(entries)
-
-
-def unknowns(names: str) -> tuple[sympy.Symbol, ...]:
-    """Real unknowns, by their letters: `dp, J = unknowns("dp J")`."""
-    found = tuple(sympy.Symbol(name, real=True) for name in names.split())
-    for symbol in found:
-        known_by_name(symbol.name, symbol)
-    return found
-
-
-def unknown(name: str) -> sympy.Symbol:
-    """One real unknown."""
-    return unknowns(name)[0]
-
-
-def variable(name: str = "t") -> sympy.Symbol:
-    """What functions depend on, where it is no given: `t = variable("t")` is any time. (A given may be one as it is.)"""
-    symbol = sympy.Symbol(name, real=True)
-    known_by_name(name, symbol)
-    return symbol
-
-
-def function(name: str, of: sympy.Symbol) -> sympy.Expr:
-    """An unknown function, `v = function("v", t)`: laws may say `dv/dt`, `v(0)` and `int(v, t, 0, T)` of it."""
-    found = sympy.Function(name, real=True)(of)
-    known_by_name(name, found)
-    return found
-
-
-def vector(name: str, components: str = "x y") -> tuple[sympy.Symbol, ...]:
-    """The components of an unknown vector: `vector("J")` is (J_x, J_y)."""
-    found = unknowns(" ".join(f"{name}_{component}" for component in components.split()))
-    if set(components.split()) <= {"x", "y", "z"}:  # `vector("v", "A B")` are two bodies, no vector
-        known_by_name(name, found)
-    return found
 
 
 def step(

@@ -41,8 +41,8 @@ def general(equation: sympy.Expr, y: sympy.Expr, x: sympy.Symbol, start: sympy.E
     highest = sympy.Derivative(y, x) if order == 1 else sympy.Derivative(y, (x, order))
     if order not in (1, 2):
         raise NotSolved(f"its {order}rd derivative is in the law; derivatives up to the second can be solved")
-    plain, rate, top = sympy.Dummy("y", real=True), sympy.Dummy("v", real=True), sympy.Dummy("a", real=True)
-    bare = equation.xreplace({highest: top}).xreplace({sympy.Derivative(y, x): rate}).xreplace({y: plain})
+    unknown, rate, top = sympy.Dummy("y", real=True), sympy.Dummy("v", real=True), sympy.Dummy("a", real=True)
+    bare = equation.xreplace({highest: top}).xreplace({sympy.Derivative(y, x): rate}).xreplace({y: unknown})
     roots = sympy.solve(bare, top)
     if len(roots) != 1:
         raise NotSolved(
@@ -51,9 +51,9 @@ def general(equation: sympy.Expr, y: sympy.Expr, x: sympy.Symbol, start: sympy.E
     right = sympy.expand(roots[0])
     values = (sympy.Dummy("y0", real=True), sympy.Dummy("v0", real=True))[:order]
     known = (
-        _first_order(right, plain, x, start, values[0], sign)
+        _first_order(right, unknown, x, start, values[0], sign)
         if order == 1
-        else _second_order(right, plain, rate, x, start, values, sign)
+        else _second_order(right, unknown, rate, x, start, values, sign)
     )
     if known is not None:
         return General(known[0], values, known[1])

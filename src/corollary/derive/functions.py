@@ -12,7 +12,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from corollary.derive.differential import NotSolved, general, generic
-from corollary.derive.known import Function, Known, at, simplest
+from corollary.derive.known import FoundFunction, Known, at, simplest
 from corollary.derive.sampled import holds, numbered
 from corollary.laws.law import Law, sides, substitute
 
@@ -29,7 +29,7 @@ def is_differential(pairs: Sequence[Pair]) -> bool:
 
 def eliminated(
     laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: Known
-) -> tuple[list[Pair], tuple[Function, ...]]:
+) -> tuple[list[Pair], tuple[FoundFunction, ...]]:
     """Equations between numbers that are left when the functions in laws are found, and these. Raises ValueError where they cannot be."""
     pairs = [pair for law in laws for pair in sides(law)]
     if not is_differential(pairs):
@@ -37,7 +37,7 @@ def eliminated(
     return _Elimination(laws, pairs, unknowns, known).result()
 
 
-def put_back(expression: sympy.Expr, functions: Sequence[Function]) -> sympy.Expr:
+def put_back(expression: sympy.Expr, functions: Sequence[FoundFunction]) -> sympy.Expr:
     """The expression with the functions put in, derived and integrated."""
     for each in functions:
         expression = each.put_into(expression)
@@ -52,13 +52,16 @@ class _Elimination:
     ):
         self.known, self.unknowns = known, set(unknowns)
         self.laws, self.own = laws, functions_in(laws)
-        self.pairs = [(self._said(left), self._said(right)) for left, right in pairs]
-        self.functions: list[Function] = []
+        self.pairs = [(self._with_known(left), self._with_known(right)) for left, right in pairs]
+        self.functions: list[FoundFunction] = []
         self.places = [place for pair in self.pairs for side in pair for place in self._places(side)]
 
-    def result(self) -> tuple[list[Pair], tuple[Function, ...]]:
+    def result(self) -> tuple[list[Pair], tuple[FoundFunction, ...]]:
         waiting = {
-            each.func: self.own[each.func] for pair in self.pairs for side in pair for each in _taken(side)
+            each.func: self.own[each.func]
+            for pair in self.pairs
+            for side in pair
+            for each in _functions_of(side)
         }
         while waiting:
             found = self._outright(waiting) or self._solved(waiting) or self._by_algebra(waiting)
@@ -74,42 +77,42 @@ class _Elimination:
             self.pairs = [(found.put_into(left), found.put_into(right)) for left, right in self.pairs]
         return self._left(), tuple(self.functions)
 
-    def _said(self, side: sympy.Expr) -> sympy.Expr:
+    def _with_known(self, side: sympy.Expr) -> sympy.Expr:
         """With the functions known already, and what was found in givens where that is derived or integrated."""
         side = self.known.with_functions(side)
         for node in side.atoms(sympy.Derivative, sympy.Integral):
             inside, over = node.args[0], node.args[1][0]
             if not inside.has(over):
-                closed = self.known.in_givens(inside)
-                if isinstance(node, sympy.Derivative) and not closed.has(over):
+                in_givens = self.known.in_givens(inside)
+                if isinstance(node, sympy.Derivative) and not in_givens.has(over):
                     raise ValueError(
                         f"{inside} does not depend on {over}, so that its derivative says nothing; "
                         f'make it a function: {inside} = function("{inside}", {over})'
                     )
-                side = side.xreplace({node: node.func(closed, *node.args[1:])})
+                side = side.xreplace({node: node.func(in_givens, *node.args[1:])})
         return side
 
-    def _outright(self, waiting: Mapping[Any, sympy.Expr]) -> Function | None:
+    def _outright(self, waiting: Mapping[Any, sympy.Expr]) -> FoundFunction | None:
         """`x = A*cos(w*t)`, `v = dx/dt`: a function alone on one side, and not on the other."""
         for index, (left, right) in enumerate(self.pairs):
             for one, other in ((left, right), (right, left)):
                 if (
                     one in waiting.values()
                     and other not in self.unknowns
-                    and not any(each.func == one.func for each in _taken(other))
+                    and not any(each.func == one.func for each in _functions_of(other))
                 ):
                     del self.pairs[index]
-                    return Function(
+                    return FoundFunction(
                         one, other.doit() if not other.has(AppliedUndef) else other, "", self._place(one)
                     )
         return None
 
-    def _solved(self, waiting: Mapping[Any, sympy.Expr]) -> Function | None:
+    def _solved(self, waiting: Mapping[Any, sympy.Expr]) -> FoundFunction | None:
         """A differential equation of one function, with its initial values."""
         for index, (left, right) in enumerate(self.pairs):
             residual = left - right
             free = {each.func for each in self._free(residual)} & waiting.keys()
-            if len(free) != 1 or {each.func for each in _taken(residual)} - free:
+            if len(free) != 1 or {each.func for each in _functions_of(residual)} - free:
                 continue
             y = waiting[free.pop()]
             if not residual.has(sympy.Derivative):
@@ -118,7 +121,7 @@ class _Elimination:
             return self._with_conditions(residual, y)
         return None
 
-    def _with_conditions(self, residual: sympy.Expr, y: sympy.Expr) -> Function:
+    def _with_conditions(self, residual: sympy.Expr, y: sympy.Expr) -> FoundFunction:
         x = y.args[0]
         conditions = [pair for pair in self.pairs if self._is_condition(pair, y)]
         conditions.sort(key=lambda pair: bool((pair[0] - pair[1]).free_symbols & self.unknowns))
@@ -136,13 +139,13 @@ class _Elimination:
                 f"initial value{'s' * (order > 1)}, such as {y.func}(0) = …; stated {'is' if len(conditions) == 1 else 'are'} {len(conditions)}"
             )
         used = conditions[:order]
-        function = Function(y, solution.formula, solution.form, start)
+        function = FoundFunction(y, solution.formula, solution.form, start)
         equations = [put_back(left - right, [function]) for left, right in used]
         roots = sympy.solve(equations, list(solution.values), dict=True)
         if len(roots) != 1 or len(roots[0]) != order:
             raise ValueError(f"the initial values of {y.func} do not fix it")
         self.pairs = [pair for pair in self.pairs if not any(pair is each for each in used)]
-        found = Function(y, simplest(solution.formula.subs(roots[0])), solution.form, self._place(y))
+        found = FoundFunction(y, simplest(solution.formula.subs(roots[0])), solution.form, self._place(y))
         for equation in (residual, *(left - right for left, right in used)):
             if not self._holds(put_back(equation, [found])):
                 raise ValueError(
@@ -153,29 +156,29 @@ class _Elimination:
     def _is_condition(self, pair: Pair, y: sympy.Expr) -> bool:
         """Whether an equation is about one function at places that are known, and about no other."""
         both = pair[0] - pair[1]
-        taken = _taken(both)
+        found_here = _functions_of(both)
         places = [place for side in pair for place in self._places(side)]
         return (
             bool(places)
             and not self._free(both)
-            and {each.func for each in taken} == {y.func}
+            and {each.func for each in found_here} == {y.func}
             and not any(
                 place.free_symbols & (self.unknowns | {y.args[0]} - self.known.letters) for place in places
             )
         )
 
-    def _by_algebra(self, waiting: Mapping[Any, sympy.Expr]) -> Function | None:
+    def _by_algebra(self, waiting: Mapping[Any, sympy.Expr]) -> FoundFunction | None:
         """A function that stands underived in an equation with others."""
         for index, (left, right) in enumerate(self.pairs):
             residual = left - right
-            derived = {each.func for node in residual.atoms(sympy.Derivative) for each in _taken(node)}
+            derived = {each.func for node in residual.atoms(sympy.Derivative) for each in _functions_of(node)}
             for each in sorted(self._free(residual), key=str):
                 if each.func not in waiting or each.func in derived:
                     continue
                 roots = sympy.solve(residual, each)
                 if len(roots) == 1:
                     del self.pairs[index]
-                    return Function(each, roots[0], "", self._place(each))
+                    return FoundFunction(each, roots[0], "", self._place(each))
         return None
 
     def _left(self) -> list[Pair]:
@@ -204,18 +207,18 @@ class _Elimination:
     def _free(self, side: sympy.Expr) -> set[sympy.Expr]:
         """Functions at any time: not at a place, nor under an integral from one to another."""
         dull = {node: sympy.Dummy() for node in side.atoms(sympy.Integral, sympy.Subs)}
-        return {each for each in _taken(side.xreplace(dull)) if each == self.own[each.func]}
+        return {each for each in _functions_of(side.xreplace(dull)) if each == self.own[each.func]}
 
     def _places(self, side: sympy.Expr) -> list[sympy.Expr]:
-        """Where functions are taken, and between which limits integrated."""
-        taken = sorted(_taken(side), key=str)
-        values = [each.args[0] for each in taken if each != self.own[each.func]]
+        """Where functions are evaluated, and between which limits integrated."""
+        found_here = sorted(_functions_of(side), key=str)
+        values = [each.args[0] for each in found_here if each != self.own[each.func]]
         points = [place for node in side.atoms(sympy.Subs) for place in node.point]
         limits = [limit for node in side.atoms(sympy.Integral) for limit in node.limits[0][1:]]
         return [*values, *points, *limits]
 
     def _place(self, y: sympy.Expr) -> sympy.Expr:
-        """Somewhere a function is taken that is not zero, if it is anywhere."""
+        """Somewhere a function is evaluated that is not zero, if it is anywhere."""
         return next((place for place in self.places if place != 0 and place.is_finite), y.args[0])
 
     def _sign(self, expression: sympy.Expr) -> int | None:
@@ -251,7 +254,7 @@ def functions_in(laws: Sequence[Law]) -> dict[Any, sympy.Expr]:
     """The functions that letters of laws mean, as they were named: v(t) by v."""
     meanings = (meaning for law in laws for meaning in law.letters.values())
     parts = (part for meaning in meanings for part in (meaning if isinstance(meaning, tuple) else (meaning,)))
-    return {each.func: each for part in parts for each in _taken(part)}
+    return {each.func: each for part in parts for each in _functions_of(part)}
 
 
 def letters_in(laws: Sequence[Law], known: Known) -> set[sympy.Symbol]:
@@ -259,6 +262,6 @@ def letters_in(laws: Sequence[Law], known: Known) -> set[sympy.Symbol]:
     return {each.args[0] for each in functions_in(laws).values()} - known.letters
 
 
-def _taken(side: sympy.Expr) -> set[sympy.Expr]:
-    """Functions, wherever they are taken."""
+def _functions_of(side: sympy.Expr) -> set[sympy.Expr]:
+    """Functions, wherever they are evaluated."""
     return side.atoms(AppliedUndef)

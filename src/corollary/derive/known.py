@@ -59,7 +59,7 @@ def at(expression: object, where: Point) -> Any:
 
 
 @dataclass(frozen=True, slots=True)
-class Function:
+class FoundFunction:
     """A function found: its formula in its own letter, in givens and in unknowns.
 
     `form` is the kind of equation it solves ("": none), `place` somewhere it is taken, which measures what its letter does.
@@ -97,7 +97,7 @@ class Known:
         self.formulas: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
         self.measured: set[sympy.Symbol] = set()
-        self.functions: list[Function] = []
+        self.functions: list[FoundFunction] = []
         self.dimensions: dict[str, Dimension] = {
             given.symbol: given.unit.dimension for given in problem.givens
         }
@@ -130,7 +130,7 @@ class Known:
         for symbol in unknowns:
             self.formulas[symbol] = simplest(self.in_givens(root[symbol]))
 
-    def solved_function(self, each: Function) -> SolvedFunction:
+    def solved_function(self, each: FoundFunction) -> SolvedFunction:
         """The function in our own terms; its dimension is that of its formula. Raises ValueError where that has none."""
         letter, place = each.letter.name, tree(each.place)
         if letter not in self.dimensions and names(place) <= self.dimensions.keys() | {"pi"}:

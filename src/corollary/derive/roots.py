@@ -11,7 +11,7 @@ from functools import lru_cache
 import sympy
 
 from corollary.derive.functions import Pair, eliminated, functions_in
-from corollary.derive.known import Function, Known, Point, Root, at
+from corollary.derive.known import FoundFunction, Known, Point, Root, at
 from corollary.derive.statements import Exchange, Mistake, Rejected, Sentence
 from corollary.formula.ast import Name, Relation
 from corollary.formula.from_sympy import NoTree, relation, tree
@@ -38,7 +38,7 @@ class Picked:
 
 def roots(
     laws: Sequence[Law], unknowns: Sequence[sympy.Symbol], known: Known
-) -> tuple[list[Root], tuple[Function, ...]]:
+) -> tuple[list[Root], tuple[FoundFunction, ...]]:
     """Every root of the laws in the unknowns, and the functions found on the way.
 
     Raises NoRoot when a letter is strange, none exists, or one stays free.

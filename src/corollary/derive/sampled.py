@@ -11,7 +11,7 @@ import sympy
 
 from corollary.derive.known import Known, Point, at, vanishes
 
-CLOSE = sympy.Float("1e-20")  # of the terms of an equation, each known to 30 digits
+RESIDUAL = sympy.Float("1e-20")  # of the terms of an equation, each known to 30 digits
 FREE = (sympy.Rational(3, 7), sympy.Rational(8, 5), sympy.Rational(11, 13), sympy.Rational(17, 9))
 """Numbers for letters that have none yet."""
 SHARES = (sympy.Rational(1, 3), sympy.Integer(1))
@@ -28,17 +28,17 @@ def holds(
 
     `letters` are those of functions: they are tried at the `places` where the laws take these, and at a third of them.
     """
-    closed = known.in_givens(residual)
-    if sympy.expand(closed) == 0 or (sympy.count_ops(closed) < SHORT and vanishes(closed)):
+    in_givens = known.in_givens(residual)
+    if sympy.expand(in_givens) == 0 or (sympy.count_ops(in_givens) < SHORT and vanishes(in_givens)):
         return True
-    terms = sympy.Add.make_args(sympy.expand(closed, deep=False))
+    terms = sympy.Add.make_args(sympy.expand(in_givens, deep=False))
     moments = [known.in_givens(place) for place in places if place != 0][:3] or [FREE[0]]
     for point in known.points:
         for moment in moments:
             for share in SHARES:
                 now = {letter: share * numbered(moment, point) for letter in letters}
                 numbers = [at(numbered(term.xreplace(now), point), point) for term in terms]
-                if not abs(sum(numbers)) <= CLOSE * sum(map(abs, numbers)):
+                if not abs(sum(numbers)) <= RESIDUAL * sum(map(abs, numbers)):
                     return False
     return True
 

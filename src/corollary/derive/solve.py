@@ -11,7 +11,7 @@ from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
 from corollary.derive.example import solved_example
-from corollary.derive.known import Function, Known, Root, forms, simplest
+from corollary.derive.known import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.parts import misfits, unsolved
@@ -140,13 +140,15 @@ class Solver:
             functions=self.functions(entry, functions, picked.root),
         )
 
-    def functions(self, entry: Step, found: tuple[Function, ...], root: Root) -> tuple[SolvedFunction, ...]:
+    def functions(
+        self, entry: Step, found: tuple[FoundFunction, ...], root: Root
+    ) -> tuple[SolvedFunction, ...]:
         """The functions found in a step, with what else was found in it put in, known to all steps from here on."""
         known = self.known
         asides = {symbol: root[symbol] for symbol in entry.also}
-        closed = [replace(each, formula=substitute(each.formula, asides)) for each in found]
-        known.functions += closed
-        return tuple(map(known.solved_function, closed))
+        final = [replace(each, formula=substitute(each.formula, asides)) for each in found]
+        known.functions += final
+        return tuple(map(known.solved_function, final))
 
     def optimum(self, entry: Optimum) -> Unknown:
         known = self.known
@@ -217,7 +219,7 @@ class Solver:
 
     def roots_and_functions(
         self, entry: Step | Optimum | Simulated, laws: tuple[Law, ...]
-    ) -> tuple[list[Root], tuple[Function, ...]]:
+    ) -> tuple[list[Root], tuple[FoundFunction, ...]]:
         also = entry.also if isinstance(entry, Step) else ()
         return roots(laws, [*entry.unknowns, *also], self.known)
 
