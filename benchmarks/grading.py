@@ -32,8 +32,8 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from rich.console import Console
 from rich.table import Table
 
-from corollary.course.workers import cores
 from corollary.formula.value import Exact, Real, Value
+from corollary.processes import cores
 from corollary.sandbox.job import Cell, Job
 from corollary.sandbox.notebook import Notebook, notebook_of
 from corollary.sandbox.runner import Runner

@@ -9,15 +9,14 @@ from typing import Any
 
 from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
-from corollary.cli.progress import steps
+from corollary.cli.progress import bar
 from corollary.problem.bank import Bank, doubles, files, home, home_of_file, open_bank
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
-from corollary.verify.programs import unstarted
-from corollary.verify.verify import verify
+from corollary.verify.side_by_side import verify_each
 
 
 def run(
@@ -41,9 +40,10 @@ def run(
 
         return run_extremes(todo, broken, scenes=not codes, as_json=as_json)
     found: list[Checked] = []
-    with unstarted() as runner:
-        for place, problem in steps(todo, lambda each: each[1].code, "verifying"):
-            found.append(verify(place, problem, variants, runner))
+    with bar("verifying", len(todo)) as progress, verify_each(todo, variants) as checked:
+        for each in checked:
+            progress(each.code)
+            found.append(each)
     ok = not broken and all(each.ok for each in found)
     if as_json:
         answer(

@@ -3,26 +3,22 @@
 from __future__ import annotations
 
 import gc
-import signal
-import sys
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
-from multiprocessing import get_context
-from threading import Thread
 from typing import TypeVar
 
 from corollary.atomic import write_whole
-from corollary.course.workers import cores, end_with_parent
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant
+from corollary.processes import begin, cores, way_to_start
 from corollary.records.files import Course
 
 T = TypeVar("T")
@@ -102,9 +98,9 @@ def makers(
         return
     for problem in problem_set.problems:
         solutions.of(problem)  # once, before there are processes that would each do it
-    # A fork has the solutions already; elsewhere than on Linux the system's own libraries do not survive one.
-    method = get_context("fork" if sys.platform == "linux" else "spawn")
-    with ProcessPoolExecutor(most, mp_context=method, initializer=_start, initargs=(here,)) as here.pool:
+    with ProcessPoolExecutor(
+        most, mp_context=way_to_start(), initializer=_start, initargs=(here,)
+    ) as here.pool:
         try:
             yield here
         finally:
@@ -115,9 +111,7 @@ _at_work: list[Makers] = []  # of a worker process
 
 
 def _start(context: Makers) -> None:
-    """In a new process: Ctrl-C ends it at once, and it does not outlive the one that made it."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-    Thread(target=end_with_parent, daemon=True).start()
+    begin()
     gc.freeze()  # what was there before stays: looking through it again and again would be a fifth of the time
     gc.set_threshold(100_000, 50, 100)
     _at_work.append(Makers(context.course, context.problem_set, context.solutions))

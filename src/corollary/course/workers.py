@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import sys
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
 from itertools import islice
-from multiprocessing import get_context, parent_process
-from multiprocessing.connection import wait as wait_for
-from threading import Thread
 
 from corollary.grading.submission import GradingContext, Submission
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
+from corollary.processes import begin, cores, way_to_start
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 
@@ -25,11 +20,6 @@ AHEAD = 2  # submissions at a time for each worker: enough that none is idle, fe
 WORTH_A_WORKER = 6  # a warm process takes about as long to start as marking this many
 
 _at_work: list[tuple[GradingContext, Runner]] = []  # of a worker process: what it marks with
-
-
-def cores() -> int:
-    """How many this program may use."""
-    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
 
 def here(jobs: int | None, count: int) -> Execute:
@@ -103,9 +93,7 @@ def _alone(context: GradingContext, submission: Submission) -> GradedSubmission:
 
 
 def _pool(context: GradingContext, jobs: int) -> ProcessPoolExecutor:
-    # A fork has the solutions already; elsewhere than on Linux the system's own libraries do not survive one.
-    method = get_context("fork" if sys.platform == "linux" else "spawn")
-    return ProcessPoolExecutor(jobs, mp_context=method, initializer=_begin, initargs=(context,))
+    return ProcessPoolExecutor(jobs, mp_context=way_to_start(), initializer=_begin, initargs=(context,))
 
 
 def _submit(pool: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Pending:
@@ -121,18 +109,8 @@ def _submit(pool: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Pen
 
 
 def _begin(context: GradingContext) -> None:
-    """In a new worker: Ctrl-C ends it at once, and it does not outlive the process that made it, however that one ends."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-    Thread(target=end_with_parent, daemon=True).start()
+    begin()
     _at_work.append((context, context.runner()))
-
-
-def end_with_parent() -> None:
-    """Waits for the end of the process that made this one, and ends this one."""
-    parent = parent_process()
-    if parent is not None:
-        wait_for([parent.sentinel])
-        os._exit(1)
 
 
 def _grade(submission: Submission) -> GradedSubmission:

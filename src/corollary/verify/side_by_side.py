@@ -1,0 +1,61 @@
+"""Many problems verified on all cores of this machine, in their order; each process runs programs with a runner of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.processes import begin, cores, way_to_start
+from corollary.sandbox.folders import remove_abandoned
+from corollary.sandbox.runner import Runner
+from corollary.verify.checked import Checked
+from corollary.verify.programs import unstarted
+from corollary.verify.verify import verify
+
+Todo = Sequence[tuple[Bank, Problem]]
+
+_at_work: list[tuple[Todo, int, Runner]] = []  # of a worker process
+
+
+@contextmanager
+def verify_each(todo: Todo, count: int, jobs: int | None = None) -> Generator[Iterator[Checked]]:
+    """Each problem over `count` variants, in at most so many processes (None: one for each core); few need no second one."""
+    most = min(jobs or cores(), len(todo))
+    with unstarted() as runner:
+
+        def here(place: int) -> Checked:
+            return verify(*todo[place], count, runner)
+
+        if most < 2:
+            yield map(here, range(len(todo)))
+            return
+        pool = ProcessPoolExecutor(
+            most, mp_context=way_to_start(), initializer=_begin, initargs=(todo, count)
+        )
+        try:
+            yield _in_order([pool.submit(_there, place) for place in range(len(todo))], here)
+        finally:
+            pool.shutdown(cancel_futures=True)
+            remove_abandoned()  # a process of a pool ends without a word: the folder of its runner is left
+
+
+def _in_order(begun: Sequence[Future[Checked]], here: Callable[[int], Checked]) -> Iterator[Checked]:
+    for place, future in enumerate(begun):
+        try:
+            yield future.result()
+        except BrokenProcessPool:  # a process was killed: what it was at is done here, and what was to come
+            yield here(place)
+
+
+def _begin(todo: Todo, count: int) -> None:
+    begin()
+    _at_work.append((todo, count, Runner()))
+
+
+def _there(place: int) -> Checked:
+    todo, count, runner = _at_work[0]
+    return verify(*todo[place], count, runner)

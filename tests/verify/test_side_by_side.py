@@ -1,0 +1,45 @@
+"""Problems verified in several processes are the same, and in the same order, as in one; a process that is killed loses none."""
+
+from __future__ import annotations
+
+import os
+import signal
+
+import pytest
+
+from corollary.problem.bank import find, open_bank
+from corollary.verify import side_by_side
+from corollary.verify.checked import Checked
+
+CODES = ("X12.2", "X12.5", "E12.3.1")
+BANK = open_bank(None)
+TODO = [(BANK, find(BANK, code)) for code in CODES]
+
+
+def found(jobs: int) -> list[Checked]:
+    with side_by_side.verify_each(TODO, 4, jobs) as checked:
+        return list(checked)
+
+
+@pytest.fixture(scope="module")
+def one_by_one() -> list[Checked]:
+    return found(1)
+
+
+def test_many_processes_find_what_one_does(one_by_one: list[Checked]) -> None:
+    assert [each.code for each in one_by_one] == list(CODES)
+    assert found(2) == one_by_one
+
+
+def test_a_process_that_is_killed_loses_no_problem(
+    monkeypatch: pytest.MonkeyPatch, one_by_one: list[Checked]
+) -> None:
+    here, real = os.getpid(), side_by_side.verify
+
+    def killed_at_the_second(bank, problem, count, runner):
+        if os.getpid() != here and problem.code == CODES[1]:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return real(bank, problem, count, runner)
+
+    monkeypatch.setattr(side_by_side, "verify", killed_at_the_second)
+    assert found(2) == one_by_one
