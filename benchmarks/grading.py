@@ -33,7 +33,7 @@ from rich.console import Console
 from rich.table import Table
 
 from corollary.formula.value import Exact, Real, Value
-from corollary.processes import cores
+from corollary.parallel import cores
 from corollary.sandbox.job import Cell, Job
 from corollary.sandbox.notebook import Notebook, notebook_of
 from corollary.sandbox.runner import Runner

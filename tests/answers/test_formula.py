@@ -7,11 +7,14 @@ from pathlib import Path
 
 import pytest
 
+from corollary.answers.answer import Formulas, Unclear
 from corollary.answers.formula import fitting, formula
 from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type
 from corollary.formula.ast import Expr
 from corollary.formula.errors import ParseError
 from corollary.formula.text import text
+from corollary.formula.value import Text
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit
 
@@ -43,3 +46,20 @@ def test_words_around_a_formula_are_left_out():
         found = formula(typed, QUESTION)
         assert isinstance(found, Expr)
         assert text(found) == "m*v"
+
+
+@pytest.mark.parametrize(
+    ("its_unit", "meant"), [("m/(s*kg)", "v*cos(2)/m"), ("kg*m/s", None), ("m^2/s^2", None)]
+)
+def test_an_answer_with_two_readings_is_taken_as_what_fits_or_asked_about(its_unit, meant):
+    part = replace(PROBLEM.part("a"), answer_types=("expression",), unit=unit(its_unit))
+    found = answer_type("expression").read(Text("v cos 2/m"), question_of(PROBLEM, part))
+    assert isinstance(found, Formulas if meant else Unclear)
+    assert not meant or text(found.trees[0]) == meant
+
+
+def test_what_is_wrongly_written_is_not_read_in_another_way():
+    part = replace(PROBLEM.part("a"), answer_types=("expression",))
+    found = answer_type("expression").read(Text("m v)"), question_of(PROBLEM, part))
+    assert isinstance(found, Unclear)
+    assert "bracket" in found.why

@@ -43,6 +43,7 @@ SINGLE = [
     ("X12.5", "a", True, "unread", ""),
     ("X12.5", "a", float("nan"), "unread", "not a number"),
     ("X12.5", "a", 10**400, "wrong", ""),
+    ("S12.5nc", "b", "78.4°", "slip", "Sine and cosine have changed places"),
     ("X12.5", "c", "0.86 N", "mistaken", "divide the impulse by the time"),
     ("X12.5", "c", "0.86 kg m", "mistaken", "divide the impulse by the time"),
     ("X12.5", "c", "43 N", "mistaken", "half of the mean force"),

@@ -15,11 +15,11 @@ from pathlib import Path
 from corollary import user_cache
 from corollary.course.course_health import of_course
 from corollary.nbgrader.health import nbgrader_findings
+from corollary.parallel import cores
 from corollary.plug_ins import PlugInFault, load, plug_ins
 from corollary.problem.bank import UnknownCode, chapter_bank, files, open_bank
 from corollary.problem.dates import machine_zone, zone_named
 from corollary.problem.diagnostic import Finding, Malformed
-from corollary.processes import cores
 from corollary.records.files import Course, NotACourse
 from corollary.records.origin import set_of
 from corollary.records.settings import FILE, Settings

@@ -15,10 +15,10 @@ from corollary.atomic import write_whole
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
+from corollary.parallel import begin, cores, way_to_start
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant
-from corollary.processes import begin, cores, way_to_start
 from corollary.records.files import Course
 
 T = TypeVar("T")

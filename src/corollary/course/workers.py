@@ -10,7 +10,7 @@ from itertools import islice
 
 from corollary.grading.submission import GradingContext, Submission
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
-from corollary.processes import begin, cores, way_to_start
+from corollary.parallel import begin, cores, way_to_start
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 

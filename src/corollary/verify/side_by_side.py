@@ -7,9 +7,9 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 
+from corollary.parallel import begin, cores, way_to_start
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
-from corollary.processes import begin, cores, way_to_start
 from corollary.sandbox.folders import remove_abandoned
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked
