@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, SCENES, SETS, STUDENTS, TARGETS
+from corollary.cli.completion import CODES_AND_SETS, SCENES, SETS, STUDENTS, TARGETS
 from corollary.cli.ending import run
 from corollary.cli.left_out import completed
 from corollary.cli.parameters import (
@@ -130,8 +130,8 @@ _command(
 )
 _command(
     "verify",
-    "Proves problems and solutions right, or says what is wrong.",
-    all_when_left_out("codes", "[CODE]...", "Problems to verify", CODES),
+    "Proves problems and solutions right, or says what is wrong; of a set also what differs between the problems of a pool.",
+    all_when_left_out("codes", "[CODE|SET]...", "Problems, or sets, to verify", CODES_AND_SETS),
     BANK,
     VARIANTS,
     JSON,

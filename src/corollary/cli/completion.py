@@ -89,3 +89,4 @@ def _topics(options: dict[str, Any]) -> Iterable[str]:
 CODES, SETS, STUDENTS = _completes(_codes), _completes(_sets), _completes(_students)
 SCENES, TARGETS, TOPICS = _completes(_scenes), _completes(_targets), _completes(_topics)
 FORMATS = _completes(_formats)
+CODES_AND_SETS = _completes(lambda options: [*_codes(options), *_sets(options)])

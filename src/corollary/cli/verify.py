@@ -1,21 +1,25 @@
-"""`corollary verify`: problems and solutions proven right."""
+"""`corollary verify`: problems and solutions proven right, and sets of them checked."""
 
 from __future__ import annotations
 
 import sys
 import time
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
 from corollary.cli.progress import bar
-from corollary.problem.bank import Bank, doubles, files, home, home_of_file, open_bank
+from corollary.problem.bank import Bank, bank_of, doubles, files, home, home_of_file, open_bank
 from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
+from corollary.problem.front_matter import split
 from corollary.problem.problem import Problem
+from corollary.problem.problem_set import find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
+from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 
 
@@ -34,7 +38,19 @@ def run(
         from corollary.cli.watch import follow
 
         return follow(*home_of_file(bank, codes[0]), variants)
-    todo, broken = _problems(codes, bank)
+    names = {code: place for code in codes if (place := _bank_of_set(code, bank)) is not None}
+    todo, broken = _problems([code for code in codes if code not in names], bank, bool(names))
+    sets = list[CheckedSet]()
+    for name, place in names.items():
+        try:
+            problem_set = find_set(place, name)
+        except Malformed as error:
+            broken += map(str, error.complaints)
+            continue
+        sets.append(check_set(problem_set, f"{problem_set.name}.md"))
+        known = {problem.path for _, problem in todo}
+        members = [problem.as_written for problem in problem_set.problems]
+        todo += [(bank_of(problem), problem) for problem in members if problem.path not in known]
     if extremes:
         from corollary.cli.verify_extremes import run_extremes
 
@@ -50,18 +66,33 @@ def run(
             {
                 "ok": ok,
                 "problems": [_record(each) for each in found],
+                **({"sets": [asdict(each) for each in sets]} if names else {}),
                 "malformed": broken,
                 "seconds": round(time.perf_counter() - start, 2),
             }
         )
     else:
-        _table(found, broken, time.perf_counter() - start)
+        _table(found, broken, time.perf_counter() - start, [note for each in sets for note in each.notes])
     return HOLDS if ok else FAILS
 
 
-def _problems(codes: list[str], bank: Path | None) -> tuple[list[tuple[Bank, Problem]], list[str]]:
+def _bank_of_set(name: str, bank: Path | None) -> Bank | None:
+    """The bank in which a set of this name is looked for; None for what is the name of no set, but of a problem."""
+    if name.endswith(".md"):
+        path = Path(name).resolve()
+        if not path.is_file() or "problems" not in split(path)[0].entries:
+            return None
+        above = [each.parent for each in path.parents if each.name == "problems"]
+        return Bank(above[0]) if bank is None and above else open_bank(bank)
+    place = open_bank(bank)
+    return place if name in set_names(place) else None
+
+
+def _problems(
+    codes: list[str], bank: Path | None, only_these: bool
+) -> tuple[list[tuple[Bank, Problem]], list[str]]:
     """The problems asked for, all without a code, each with its bank; and what is wrong with files that cannot be read."""
-    if codes:
+    if codes or only_these:
         return [home(bank, code) for code in codes], []
     place, todo, broken = open_bank(bank), list[tuple[Bank, Problem]](), list[str]()
     for path in files(place):
@@ -81,10 +112,11 @@ def _record(checked: Checked) -> dict[str, Any]:
         "why_redrawn": dict(checked.why),
         "checks": checked.checks,
         "complaints": list(checked.complaints),
+        "notes": list(checked.notes),
     }
 
 
-def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
+def _table(found: list[Checked], broken: list[str], seconds: float, of_sets: list[str]) -> None:
     from rich.table import Table
 
     table = Table(title="Verified", box=None, padding=(0, 2, 0, 0), pad_edge=False)
@@ -106,6 +138,8 @@ def _table(found: list[Checked], broken: list[str], seconds: float) -> None:
     out.print(table)
     for sentence in (*broken, *(sentence for each in found for sentence in each.complaints)):
         print(sentence, file=sys.stderr)
+    for sentence in (*of_sets, *(sentence for each in found for sentence in each.notes)):
+        print(f"note: {sentence}", file=sys.stderr)
     total = sum(sum(each.checks.values()) for each in found)
     bad = len(broken) + sum(not each.ok for each in found)
     out.print(

@@ -48,6 +48,7 @@ def verified(place: Bank, path: Path, variants: int, now: str) -> None:
                 left = ", ".join(SLOW[SLOW.index(stage) :])
                 _print(f"{_so_far(whole, start)} so far; still running: {left}")
         _new(whole, printed)
+    _print(*(f"note: {note}" for note in whole.tally.notes))
     ended = "" if whole.tally.complaints else f", {whole.walked.refused:.0%} of the draws redrawn: all hold"
     _print(f"{_so_far(whole, start)}{ended}")
 

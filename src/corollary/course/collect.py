@@ -8,14 +8,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from corollary.course.hand_in_time import dated
-from corollary.course.latest import Past, settled
+from corollary.course.latest import Past, counting, settled
 from corollary.course.lms_times import Times, read_times
 from corollary.course.owner import LATER, Found, directory_of, identified
 from corollary.messages import few
 from corollary.problem.dates import machine_zone
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
-from corollary.records.collected import OLDER, Arrival, keep, read_arrivals, remember, writable
+from corollary.records.collected import OLDER, UNUSABLE, Arrival, keep, read_arrivals, remember, writable
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.settings import read_settings
@@ -74,13 +74,19 @@ def collect(
         by_student.setdefault(each.student, []).append(each)
     there = submissions(course, name)
     for student, theirs in by_student.items():
-        *others, latest = sorted(theirs, key=lambda each: each.order)
+        earlier = [each for each in before if each.student == student]
+        count, beyond = counting(sorted(theirs, key=lambda each: each.order), earlier, problem_set.tries)
+        why = f"is one more than the {problem_set.tries} tries that the set allows; what came before counts"
+        arrivals += [each.arrival(UNUSABLE, why) for each in beyond]
+        if not count:
+            continue
+        *others, latest = count
         for each in reversed(others):
             why = each.why_before(latest)
             if each.content != latest.content and why != LATER:
                 conflicts.append(f"{student}: {writable(each.member.name)} {why}: that one is taken")
             arrivals.append(each.arrival(OLDER, why))
-        past = Past([each for each in before if each.student == student], deadlines.of(student))
+        past = Past(earlier, deadlines.of(student))
         arrivals.append(settled(course, name, latest, there.get(student), past, moved, dry_run))
         if not dry_run:
             for each in theirs:

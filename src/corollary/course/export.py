@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from corollary.atomic import write_whole
@@ -37,12 +38,12 @@ def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[S
     Raises NotDerivable and NoVariant.
     """
     assigned: dict[str, list[Variant]] = {owner.id: [] for owner in owners}
-    for problem in problem_set.problems:
-        used: set[int] = set()
-        for owner in owners:
-            variant = solutions.assign_variant(problem, b"", owner.id, used).variant
-            used |= set() if variant.index is None else {variant.index}
-            assigned[owner.id].append(variant)
+    used: dict[str, set[int]] = {problem.code: set() for problem in problem_set.problems}
+    for owner in owners:
+        for problem in problem_set.problems_of(b"", owner.id):
+            variant = solutions.assign_variant(problem, b"", owner.id, used[problem.code]).variant
+            used[problem.code] |= set() if variant.index is None else {variant.index}
+            assigned[owner.id].append(replace(variant, problem=problem))
     return [worksheet(problem_set, owner, assigned[owner.id]) for owner in owners]
 
 

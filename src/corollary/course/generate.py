@@ -120,21 +120,21 @@ def _deal(
     by: Makers, record: Assigned, students: Sequence[str], progress: Callable[[str], None]
 ) -> dict[str, int]:
     """Numbers of their own for these students, into the record; how many draws were rejected, by code. Raises NoVariant."""
-    problems, redrawn = by.problem_set.problems, dict[str, int]()
-    used = [set(_in_use(record, problem)) for problem in problems]
-    places = [record.place(problem, by.problem_set.weight(problem)) for problem in problems]
+    problem_set, redrawn = by.problem_set, dict[str, int]()
+    used = {problem.code: set(_in_use(record, problem)) for problem in problem_set.problems}
+    places = {each.code: record.place(each, problem_set.weight(each)) for each in problem_set.problems}
     for drawn in by.draw(students):
         progress(f"numbers of {drawn.student}")
         row = record.students.setdefault(drawn.student, {})
-        for problem, in_use, place, (index, rejected) in zip(
-            problems, used, places, drawn.draws, strict=True
-        ):
+        problems = problem_set.problems_of(by.course.key, drawn.student)
+        for problem, (index, rejected) in zip(problems, drawn.draws, strict=True):
+            in_use = used[problem.code]
             if index in in_use:  # somebody has it: the next draw that is free
                 found = by.solutions.assign_variant(problem, by.course.key, drawn.student, in_use)
                 variant, rejected = found.variant, found.redrawn
             else:
                 variant = chapter(problem) if index is None else at(problem, index)
-            row[problem.code] = numbers_of(variant, place)
+            row[problem.code] = numbers_of(variant, places[problem.code])
             redrawn[problem.code] = redrawn.get(problem.code, 0) + rejected
             in_use |= set() if variant.index is None else {variant.index}
     return redrawn

@@ -56,6 +56,22 @@ class Past:
         return since > when and not (guessed and not earlier)
 
 
+def counting(
+    theirs: Sequence[Found], before: Sequence[Arrival], tries: int | None
+) -> tuple[list[Found], list[Found]]:
+    """A student's notebooks, the earliest first, parted into those that count and those beyond the tries that a set allows;
+    the same notebook once more is no other try. `before` is what was collected of the student earlier."""
+    tried = {each.digest for each in before if each.outcome in (*COUNTED, OLDER)}
+    count, beyond = list[Found](), list[Found]()
+    for each in theirs:
+        digest = digest_of(each.content)
+        within = tries is None or digest in tried or len(tried) < tries
+        if within:
+            tried.add(digest)
+        (count if within else beyond).append(each)
+    return count, beyond
+
+
 def settled(
     course: Course, name: str, latest: Found, there: Path | None, past: Past, moved: list[str], dry_run: bool
 ) -> Arrival:

@@ -29,7 +29,7 @@ WORTH_A_POOL = 24  # fewer are done sooner than processes start
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A student's first admissible draw of each problem, in the set's order: its place in the grid (None: the chapter's
+    """A student's first admissible draw of each of their problems, in their order: its place in the grid (None: the chapter's
     numbers, there are no others), and how many draws were rejected before it."""
 
     student: str
@@ -127,7 +127,7 @@ def _draw(by: Makers, students: Sequence[str]) -> list[Drawn]:
             student,
             tuple(
                 (found.variant.index, found.redrawn)
-                for problem in by.problem_set.problems
+                for problem in by.problem_set.problems_of(by.course.key, student)
                 for found in [by.solutions.assign_variant(problem, by.course.key, student, ())]
             ),
         )
@@ -136,8 +136,9 @@ def _draw(by: Makers, students: Sequence[str]) -> list[Drawn]:
 
 
 def _write(by: Makers, sheets: Sequence[ToWrite]) -> list[str]:
+    todays = {problem.code: problem for problem in by.problem_set.problems}
     for each in sheets:
-        variants = [Variant(problem, *each.numbers[problem.code]) for problem in by.problem_set.problems]
+        variants = [Variant(todays[code], *numbers) for code, numbers in each.numbers.items()]
         path = by.course.notebook("release", each.student.id, by.problem_set.name)
         write_whole(path, file_text(notebook(worksheet(by.problem_set, each.student, variants))))
     return [each.student.id for each in sheets]

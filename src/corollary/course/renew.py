@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -45,7 +45,8 @@ def renewals(
     roster: Collection[str],
 ) -> Renewals:
     """For the students of these ids. Numbers stay wherever they could be drawn today. Raises NoVariant and NotDerivable."""
-    todays = {(each.code, fingerprint(each)) for each in problem_set.problems}
+    prints = {each.code: _print(each) for each in problem_set.problems}
+    codes = {student: _codes(course, problem_set, record, student) for student in record.students}
     dated = otherwise_dated(problem_set, record)
     outdated = [
         student
@@ -53,7 +54,11 @@ def renewals(
         if student in roster
         and (
             student in dated
-            or {(edition.code, edition.statement) for edition in map(record.edition, row.values())} != todays
+            or {
+                (each.code, each.statement, tuple(part.id for part in each.parts))
+                for each in map(record.edition, row.values())
+            }
+            != {(code, *prints[code]) for code in codes[student]}
         )
     ]
     answered = submissions(course, problem_set.name)
@@ -61,7 +66,8 @@ def renewals(
     rows: dict[str, Row] = {student: {} for student in outdated if student not in answered}
     other: dict[str, list[str]] = {student: [] for student in rows}
     for problem in problem_set.problems:
-        stay = {student: _stays(solutions, problem, sheets[student]) for student in rows}
+        whose = {student: row for student, row in rows.items() if problem.code in codes[student]}
+        stay = {student: _stays(solutions, problem, sheets[student]) for student in whose}
         used = {
             place
             for student, sheet in sheets.items()
@@ -69,17 +75,35 @@ def renewals(
             and (variant := sheet.variant(problem)) is not None
             and (place := index_of(problem, _in_units_of(problem, variant))) is not None
         } | {variant.index for variant in stay.values() if variant is not None and variant.index is not None}
-        for student, row in rows.items():
+        for student, row in whose.items():
             variant = stay[student]
             if variant is None:
                 variant = solutions.assign_variant(problem, course.key, student, used).variant
                 used |= set() if variant.index is None else {variant.index}
                 other[student].append(problem.code)
             row[problem.code] = numbers_of(variant, places[problem.code])
+    in_order = {student: {code: row[code] for code in codes[student]} for student, row in rows.items()}
     return Renewals(
-        tuple(Renewal(student, row, tuple(other[student])) for student, row in rows.items()),
+        tuple(Renewal(student, row, tuple(other[student])) for student, row in in_order.items()),
         tuple(student for student in outdated if student in answered),
     )
+
+
+def _print(problem: Problem) -> tuple[str, tuple[str, ...]]:
+    """What is another when a sheet of it would be: the file, and the parts that the set asks for."""
+    return fingerprint(problem), tuple(part.id for part in problem.parts)
+
+
+def _codes(course: Course, problem_set: ProblemSet, record: Assigned, student: str) -> tuple[str, ...]:
+    """The problems that a student has today: those they were dealt, as long as the set deals so many of each pool."""
+    dealt = [record.edition(numbers).code_now for numbers in record.students[student].values()]
+    if not problem_set.is_dealt(dealt):
+        return tuple(problem.code for problem in problem_set.problems_of(course.key, student))
+    return tuple(dealt if problem_set.shuffled else sorted(dealt, key=_order(problem_set)))
+
+
+def _order(problem_set: ProblemSet) -> Callable[[str], int]:
+    return [problem.code for problem in problem_set.problems].index
 
 
 def _stays(solutions: Solutions, problem: Problem, sheet: AssignedSheet) -> Variant | None:

@@ -17,7 +17,7 @@ from corollary.derive.load import load, source
 from corollary.derive.parts import unsolved
 from corollary.derive.serialize import NotSerializable, from_data, to_data
 from corollary.derive.solution import Solution
-from corollary.problem.bank import Bank, chapter_bank
+from corollary.problem.bank import Bank, bank_of, chapter_bank
 from corollary.problem.problem import Problem
 from corollary.version import __version__
 
@@ -88,7 +88,7 @@ def _text(solution: Solution) -> bytes:
 def _origin(bank: Bank, problem: Problem) -> str:
     """Tells apart whatever could be solved differently: the problem as read, its solution, our own programs, the algebra."""
     brought = (
-        "" if bank == chapter_bank() else plug_ins.state(PLUG_INS)
+        "" if bank_of(problem) == chapter_bank() else plug_ins.state(PLUG_INS)
     )  # the chapter's own bank needs none of them
     return hashlib.sha256(
         b"\0".join((_programs(), brought.encode(), repr(problem).encode(), source(bank, problem)))

@@ -117,7 +117,7 @@ def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
     Marks from two states must not meet in one gradebook unnoticed, and a process that lives long must not mark by solutions
     that have changed. Raises NotDerivable.
     """
-    about = (problem_set.scheme, problem_set.weights, __version__)
+    about = (problem_set.scheme, problem_set.weights, __version__, *_adapted(problem_set))
     digest = hashlib.sha256(repr(about).encode())
     for problem in problem_set.problems:
         for content in (problem.path.read_bytes(), solutions.source(problem)):
@@ -129,10 +129,22 @@ def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, by
     """What `state_of` is a digest of, thing by thing, under the names that people read. Raises NotDerivable."""
     found = {
         "what the set gives for a verdict": repr(problem_set.scheme).encode(),
-        "the weights of the problems": repr(problem_set.weights).encode(),
+        "the weights of the problems": repr((problem_set.weights, *_adapted(problem_set))).encode()
+        if _adapted(problem_set)
+        else repr(problem_set.weights).encode(),
         "the version of the program": __version__.encode(),
     }
     for problem in problem_set.problems:
         found[f"the problem {problem.code}"] = problem.path.read_bytes()
         found[f"the solution of {problem.code}"] = solutions.source(problem)
     return found
+
+
+def _adapted(problem_set: ProblemSet) -> list[tuple[str, float]]:
+    """The parts that the set asks for, and their points, where these are not those of the problem's file."""
+    return [
+        (problem.answer_name(part), part.points)
+        for problem in problem_set.problems
+        if problem.written is not None
+        for part in problem.parts
+    ]

@@ -69,8 +69,8 @@ class Bank:
         return self.solution_beside(problem.path)
 
     def solution_beside(self, path: Path) -> Path:
-        """Where the solution of the problem in a file must lie."""
-        home = next((bank for bank in self.each if bank.problems in path.parents), self)
+        """Where the solution of the problem in a file must lie; a set may take problems of other banks than this."""
+        home = next((bank for bank in self.each if bank.problems in path.parents), None) or _bank_above(path)
         return (home.folder / "solutions" / path.relative_to(home.problems)).with_suffix(".py")
 
 
@@ -270,8 +270,12 @@ def home_of_file(folder: Path | None, code: str) -> tuple[Bank, Path]:
 
 
 def bank_of(problem: Problem) -> Bank:
-    """The bank a problem was read from: the folder above its problems/, beside which its solutions/ lie."""
-    above = [parent.parent for parent in problem.path.parents if parent.name == "problems"]
+    """The bank a problem was read from: the folder above its problems/, beside which its solutions/ lie. Raises UnknownCode."""
+    return _bank_above(problem.path)
+
+
+def _bank_above(path: Path) -> Bank:
+    above = [parent.parent for parent in path.parents if parent.name == "problems"]
     if not above:
-        raise UnknownCode(f"{problem.path} lies in no bank: it is not below a folder problems/")
+        raise UnknownCode(f"{path} lies in no bank: it is not below a folder problems/")
     return Bank(next((folder for folder in above if (folder / "solutions").is_dir()), above[0]))

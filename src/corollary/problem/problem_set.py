@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 from datetime import datetime
-from fractions import Fraction
 from pathlib import Path
 
 from corollary.messages import did_you_mean
-from corollary.problem.bank import Bank, UnknownCode, find
+from corollary.problem.bank import Bank, UnknownCode
 from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.front_matter import Reader, TableNode, TextNode, split
+from corollary.problem.front_matter import Reader, TableNode, split
 from corollary.problem.problem import Problem
+from corollary.problem.sampling import digest
+from corollary.problem.set_problems import Pool, read_problems
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
 USUAL = Usual()
@@ -35,7 +37,9 @@ class Scheme:
 
 @dataclass(frozen=True, slots=True)
 class ProblemSet:
-    """`weights` multiply the points of each problem's parts; `due` and `opens` are moments with a zone, or None."""
+    """`weights` multiply the points of each problem's parts; `due` and `opens` are moments with a zone, or None. `problems` has
+    those of all `pools`, of which a student gets some; `shuffled`: each in an order of their own. `tries` is how many hand-ins
+    count, None for any number."""
 
     name: str
     title: str
@@ -47,6 +51,9 @@ class ProblemSet:
     reveal: Reveal
     opens: datetime | None = None
     rubric: bool = False
+    pools: tuple[Pool, ...] = ()
+    shuffled: bool = False
+    tries: int | None = None
 
     def weight(self, problem: Problem) -> float:
         """1 for a problem that is no longer in the set."""
@@ -55,11 +62,38 @@ class ProblemSet:
 
     @property
     def out_of(self) -> float:
-        return sum(
-            part.points * weight
-            for problem, weight in zip(self.problems, self.weights, strict=True)
-            for part in problem.parts
+        """What a sheet is out of; at most, where the problems of a pool differ."""
+        points = {problem.code: self.points(problem) for problem in self.problems}
+        best = sum(
+            sum(sorted((points.pop(code) for code in pool.codes), reverse=True)[: pool.count])
+            for pool in self.pools
         )
+        return best + sum(points.values())
+
+    def points(self, problem: Problem) -> float:
+        """What a problem is out of."""
+        return sum(part.points for part in problem.parts) * self.weight(problem)
+
+    def problems_of(self, key: bytes, student: str) -> tuple[Problem, ...]:
+        """What a student gets when the set is generated: of each pool as many as it deals, by the course's key."""
+
+        def rank(word: str, code: str) -> int:
+            return digest(key, word, self.name, student, code)
+
+        left_out = {
+            code
+            for pool in self.pools
+            for code in sorted(pool.codes, key=lambda code: rank("pool", code))[pool.count :]
+        }
+        chosen = [problem for problem in self.problems if problem.code not in left_out]
+        return tuple(sorted(chosen, key=lambda each: rank("order", each.code)) if self.shuffled else chosen)
+
+    def is_dealt(self, codes: Collection[str]) -> bool:
+        """Whether these problems, and no other, may be a student's: all that are in no pool, and of each pool what it deals."""
+        pooled = {code for pool in self.pools for code in pool.codes}
+        return {code for code in codes if code not in pooled} == {
+            problem.code for problem in self.problems if problem.code not in pooled
+        } and all(len(set(pool.codes) & set(codes)) == pool.count for pool in self.pools)
 
 
 def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
@@ -107,8 +141,12 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
         front.complain(
             rubric_line, f"rubric: {rubric}: say yes (feedback shows it once the set is due) or no"
         )
+    order, order_line = front.line_of("order", "fixed")
+    if order not in {"fixed", "shuffled"}:
+        front.complain(order_line, f"order: {order}: say fixed (as listed) or shuffled (for each student)")
+    tries = _tries(front)
     scheme = _scheme(path, front.table_of("credit"), complaints)
-    chosen = _problems(bank, front)
+    listed = read_problems(bank, front)
     front.finish()
     if not front.list_of("problems"):
         complaints.append(
@@ -116,10 +154,29 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
         )
     if complaints:
         raise Malformed(complaints)
-    problems, weights = zip(*chosen, strict=True)
     return ProblemSet(
-        path.stem, title, body.strip(), problems, weights, due, scheme, REVEAL[reveal], opens, rubric == "yes"
+        path.stem,
+        title,
+        body.strip(),
+        listed.problems,
+        listed.weights,
+        due,
+        scheme,
+        REVEAL[reveal],
+        opens,
+        rubric == "yes",
+        listed.pools,
+        order == "shuffled",
+        tries,
     )
+
+
+def _tries(front: Reader) -> int | None:
+    text, line = front.line_of("tries", "")
+    if text and not re.fullmatch(r"[1-9]\d{0,3}", text):
+        front.complain(line, f"tries: {text}: say how many hand-ins count, such as 3, or leave it out")
+        return None
+    return int(text) if text else None
 
 
 def _date(front: Reader, name: str, usual: Usual) -> datetime | None:
@@ -128,32 +185,6 @@ def _date(front: Reader, name: str, usual: Usual) -> datetime | None:
     if text and found is None:
         front.complain(line, f"{name}: {text} is no moment; {HOW_TO_WRITE}")
     return found
-
-
-def _problems(bank: Bank, front: Reader) -> list[tuple[Problem, float]]:
-    chosen: list[tuple[Problem, float]] = []
-    for node in front.list_of("problems"):
-        weight: Fraction | None = Fraction(1)
-        if isinstance(node, TableNode):
-            row = Reader(front.path, node, "a problem of the set", front.complaints)
-            code, weight = row.text("code"), row.fraction("weight", "1")
-            row.finish()
-        elif isinstance(node, TextNode):
-            code = node.text
-        else:
-            front.complain(node.line, "a problem of the set is a code, or {code: X12.5, weight: 2}")
-            continue
-        try:
-            problem = find(bank, code)
-        except (UnknownCode, Malformed) as error:
-            front.complain(node.line, str(error))
-            continue
-        if any(problem.code == other.code for other, _ in chosen):
-            front.complain(node.line, f"{code} is in the set twice")
-        if weight is not None and not 0 <= weight <= 1000:
-            front.complain(node.line, f"{code} has weight: {weight}; give a number from 0 to 1000")
-        chosen.append((problem, float(1 if weight is None else weight)))
-    return chosen
 
 
 def _scheme(path: Path, table: TableNode, complaints: list[Diagnostic]) -> Scheme:

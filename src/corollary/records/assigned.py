@@ -37,7 +37,8 @@ from corollary.records.renames import NotSettled, Rename, proposed, settled
 
 @dataclass(frozen=True, slots=True)
 class AssignedSheet:
-    """What one student was given, as far as the set still has it: a variant of each problem, in the order of the set.
+    """What one student was given, as far as the set still has it: a variant of each problem, in the order of the set, or in
+    that in which they were dealt where the set is shuffled.
 
     `removed` are the problems of which something is gone, with the parts that are. `identity` is a text that is another one
     when the numbers are, or what was asked, or what it is called; `numbers` and `names` tell the last from the others.
@@ -121,7 +122,8 @@ def sheets(course: Course, problem_set: ProblemSet, record: Assigned) -> dict[st
             for numbers in row.values()
             if (problem := problems[numbers.edition]) is not None
         ]
-        variants.sort(key=lambda variant: order[variant.problem.as_written.code])
+        if not problem_set.shuffled:
+            variants.sort(key=lambda variant: order[variant.problem.as_written.code])
         gone = tuple(
             Variant(
                 problem,

@@ -98,7 +98,12 @@ def as_handed_out(today: Problem, edition: Edition, old: Problem | None) -> Prob
     never asked is left out; a given that was added is there, and one that is gone stays for the sake of the words. Points are
     today's. The same object as `today` when nothing has changed.
     """
-    if edition.renamed == Renamed() and edition.statement == fingerprint(today):
+    asked = [part.id for part in edition.parts]
+    if (
+        edition.renamed == Renamed()
+        and edition.statement == fingerprint(today)
+        and asked == [part.id for part in today.parts]
+    ):
         return today
     parts_before = {edition.part_now(part.id): part for part in edition.parts}
     givens_before = {edition.given_now(symbol): symbol for symbol in edition.units}
@@ -123,7 +128,7 @@ def as_handed_out(today: Problem, edition: Edition, old: Problem | None) -> Prob
         name=today.name,
         topic=today.topic,
         path=today.path,
-        written=today,
+        written=today.as_written,
         renamed=tuple(renamed.items()),
     )
 
@@ -133,7 +138,8 @@ def parts_gone(edition: Edition, have: Collection[str], old: Problem | None) -> 
     words = old or Problem(
         edition.code, edition.code, edition.code, "", "", "", (), (), (), "", "", Path(), 0
     )
-    parts = [part for part in words.parts if part.id not in have] or [
+    asked = {each.id for each in edition.parts}
+    parts = [part for part in words.parts if part.id in asked and part.id not in have] or [
         Part(each.id, each.title, "", ("explain",), PURE, each.points, (), (), "", 0)
         for each in edition.parts
         if each.id not in have

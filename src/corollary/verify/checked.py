@@ -1,4 +1,4 @@
-"""What verification found: counts of what was checked, and complaints with file and line."""
+"""What verification found: counts of what was checked, complaints and notes with file and line."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ class Tally:
 
     counts: dict[str, int] = field(default_factory=dict[str, int])
     complaints: list[str] = field(default_factory=list[str])
+    notes: list[str] = field(default_factory=list[str])
 
     def count(self, what: str, number: int = 1) -> None:
         self.counts[what] = self.counts.get(what, 0) + number
@@ -20,6 +21,10 @@ class Tally:
     def complain(self, sentence: str) -> None:
         if len(self.complaints) < MOST:
             self.complaints.append(sentence)
+
+    def note(self, sentence: str) -> None:
+        """Says what may be meant so, and then is no fault."""
+        self.notes.append(sentence)
 
     def check(self, holds: bool, what: str) -> bool:
         """Counts a check and hands its outcome on: what does not hold is complained of by who knows why."""
@@ -29,7 +34,8 @@ class Tally:
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """One problem, verified. `redrawn` is the share of draws that may not be assigned, `why` their most common reasons."""
+    """One problem, verified. `redrawn` is the share of draws that may not be assigned, `why` their most common reasons; `notes` are what
+    an author may want to know, and no fault."""
 
     code: str
     variants: int
@@ -38,6 +44,7 @@ class Checked:
     why: tuple[tuple[str, int], ...]
     checks: dict[str, int]
     complaints: tuple[str, ...]
+    notes: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:

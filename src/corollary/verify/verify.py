@@ -90,6 +90,7 @@ class Verification:
             tuple(common),
             tally.counts,
             tuple(tally.complaints),
+            tuple(tally.notes),
         )
 
 

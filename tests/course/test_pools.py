@@ -1,0 +1,208 @@
+"""Sets of several banks, pools, parts and points of a set's own, and orders of each student's own: from the set to the marks."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from corollary.cli.commands import app
+from corollary.course.generate import generate
+from corollary.grading.solutions import Solutions
+from corollary.problem.problem_set import find_set
+from corollary.problem.roster import Student
+from corollary.records.assigned import read_assigned
+from corollary.records.files import open_course
+
+from .changing_bank import ChangingBank, Text
+
+CLASS = [Student(f"s{number}") for number in range(10)]
+POOL = "title: A week\nproblems:\n  - X1.1\n  - {any: 2, of: [X1.2, X1.3, X1.4]}\n"
+
+
+def run(*words: object) -> tuple[int, Any, str]:
+    done = CliRunner().invoke(app, [*map(str, words), "--json"], catch_exceptions=False)
+    return done.exit_code, json.loads(done.stdout) if done.stdout else {}, done.stderr
+
+
+@pytest.fixture
+def balls(tmp_path: Path) -> ChangingBank:
+    """Four problems alike."""
+    bank = ChangingBank(tmp_path)
+    bank.write(*(Text(code=f"X1.{number}") for number in range(1, 5)))
+    return bank
+
+
+def as_set(balls: ChangingBank, front: str) -> None:
+    (balls.bank.sets / "week.md").write_text(f"---\n{front}---\nBalls.\n")
+
+
+def dealt(balls: ChangingBank) -> dict[str, list[str]]:
+    """The codes of each student's sheet, in its order, from the record."""
+    sheets = read_assigned(open_course(balls.course), balls.problem_set)
+    return {student: [each.problem.code for each in sheet.variants] for student, sheet in sheets.items()}
+
+
+def test_each_student_gets_some_of_a_pool_by_the_courses_key(balls: ChangingBank) -> None:
+    as_set(balls, POOL)
+    made = generate(balls.course, balls.problem_set, CLASS, Solutions(balls.bank))
+    sheets = dealt(balls)
+    for student, codes in sheets.items():
+        assert codes == sorted(codes)
+        assert codes[0] == "X1.1"
+        assert len(codes) == 3
+        assert codes == [each.code for each in balls.problem_set.problems_of(made.course.key, student)]
+        cells = json.loads(made.notebooks[student].read_text())["cells"]
+        asked = {cell["id"].removesuffix("_statement") for cell in cells if cell["id"].endswith("_statement")}
+        assert asked == {code.replace(".", "_") for code in codes}
+    # All four are met: that ten students all miss one of three has a chance of one in 20 000.
+    assert len({code for codes in sheets.values() for code in codes}) == 4
+    generate(balls.course, balls.problem_set, CLASS, Solutions(balls.bank))
+    assert dealt(balls) == sheets
+    assert balls.problem_set.out_of == 9
+
+
+def test_another_key_deals_others(balls: ChangingBank) -> None:
+    as_set(balls, POOL)
+    found = {
+        key: [tuple(p.code for p in balls.problem_set.problems_of(key, each.id)) for each in CLASS]
+        for key in (b"one", b"two")
+    }
+    assert found[b"one"] != found[b"two"]
+    assert {len(set(codes)) for codes in found.values()} == {3}
+
+
+def test_a_shuffled_sheet_keeps_its_order(balls: ChangingBank) -> None:
+    as_set(balls, "title: A week\norder: shuffled\nproblems: [X1.1, X1.2, X1.3, X1.4]\n")
+    made = generate(balls.course, balls.problem_set, CLASS, Solutions(balls.bank))
+    orders = dealt(balls)
+    assert len({tuple(codes) for codes in orders.values()}) > 4
+    for student, codes in orders.items():
+        cells = json.loads(made.notebooks[student].read_text())["cells"]
+        ids = [cell["id"] for cell in cells if cell["id"].endswith("_statement")]
+        assert ids == [f"{code.replace('.', '_')}_statement" for code in codes]
+
+
+def test_a_pool_is_marked_out_of_what_was_asked(balls: ChangingBank) -> None:
+    as_set(balls, POOL)
+    made = balls.generate("ada", "ben")
+    balls.hand_in(made, "ada")
+    done = balls.grade(made.course)
+    record = done.records["ada"]
+    assert len(record.rows) == 9
+    assert sum(row.points for row in record.rows) == 9
+    assert {row.problem for row in record.rows} == set(dealt(balls)["ada"])
+    (one,) = done.report.handed_in
+    assert (one.points, one.out_of) == (9, 9)
+
+
+def test_a_set_asks_for_some_parts_and_gives_its_own_points(balls: ChangingBank) -> None:
+    as_set(
+        balls,
+        "title: A week\nproblems:\n  - {code: X1.1, parts: [a, c], points: {c: 5}, weight: 2}\n  - X1.2\n",
+    )
+    assert balls.problem_set.out_of == 15
+    made = balls.generate("ada")
+    text = made.notebooks["ada"].read_text()
+    assert "X1_1_a" in text
+    assert "X1_1_b" not in text
+    assert "X1_2_b" in text
+    balls.hand_in(made, "ada")
+    done = balls.grade(made.course)
+    points = {(row.problem, row.part): row.points for row in done.records["ada"].rows}
+    assert points == {
+        ("X1.1", "a"): 2,
+        ("X1.1", "c"): 10,
+        ("X1.2", "a"): 1,
+        ("X1.2", "b"): 1,
+        ("X1.2", "c"): 1,
+    }
+    # A part that the set asks for later was never asked of those who have their sheet.
+    as_set(balls, "title: A week\nproblems:\n  - {code: X1.1, weight: 2}\n  - X1.2\n")
+    sheet = read_assigned(open_course(balls.course), balls.problem_set)["ada"]
+    assert [part.id for part in sheet.variants[0].problem.parts] == ["a", "c"]
+    assert not sheet.removed
+
+
+def test_renewed_sheets_keep_what_was_dealt(balls: ChangingBank) -> None:
+    as_set(balls, POOL)
+    roster = balls.folder / "roster.csv"
+    roster.write_text("id\n" + "\n".join(each.id for each in CLASS) + "\n")
+    words = ("generate", "week", "--roster", roster, "--course", balls.course, "--bank", balls.bank.folder)
+    assert run(*words)[0] == 0
+    before = dealt(balls)
+    assert run(*words, "--renew", "--yes")[1]["renewed"] == []
+    as_set(balls, POOL.replace("any: 2", "any: 1"))
+    status, document, _ = run(*words, "--renew", "--yes")
+    assert status == 0
+    assert len(document["renewed"]) == len(CLASS)
+    after = dealt(balls)
+    assert all(len(codes) == 2 and codes[0] == "X1.1" for codes in after.values())
+    assert all(set(codes) <= set(before[student]) for student, codes in after.items())
+
+
+def test_problems_of_several_banks(balls: ChangingBank, tmp_path: Path) -> None:
+    for front in ("- chapter/X12.4", "- {code: X12.4, bank: chapter}"):
+        as_set(balls, f"title: A week\nproblems:\n  - X1.1\n  {front}\n")
+        codes = [problem.code for problem in balls.problem_set.problems]
+        assert codes == ["X1.1", "X12.4"]
+    made = balls.generate("ada")
+    balls.hand_in(made, "ada")
+    done = balls.grade(made.course)
+    assert {row.verdict for row in done.records["ada"].rows} == {"right"}
+    as_set(balls, "title: A week\nbank: chapter\nproblems: [X12.4, bank/X1.1]\n")  # by its folder's name
+    assert [problem.code for problem in balls.problem_set.problems] == ["X12.4", "X1.1"]
+    other = tmp_path / "elsewhere.md"
+    other.write_text(
+        "---\ntitle: Both\nproblems: [bank/X1.1, chapter/X12.4]\n---\n"
+    )  # a folder beside the set
+    assert len(find_set(Solutions(balls.bank).bank, str(other)).problems) == 2
+
+
+def test_verify_a_set_compares_the_problems_of_a_pool(balls: ChangingBank) -> None:
+    as_set(balls, POOL.replace("X1.4]", "{code: X1.4, weight: 3}]"))
+    path = balls.bank.problems / "topic" / "ball1.md"
+    path.write_text(path.read_text().replace("title:", "difficulty: 2\ntitle:", 1))
+    path = balls.bank.problems / "topic" / "ball2.md"
+    path.write_text(path.read_text().replace("title:", "difficulty: 4\ntitle:", 1))
+    status, document, _said = run("verify", "week", "--bank", balls.bank.folder, "--variants", 5)
+    assert status == 0
+    assert document["ok"] is True
+    assert [each["code"] for each in document["problems"]] == ["X1.1", "X1.2", "X1.3", "X1.4"]
+    (checked,) = document["sets"]
+    assert checked["out_of"] == 15
+    assert checked["pools"] == [
+        {"deals": 2, "codes": ["X1.2", "X1.3", "X1.4"], "points": [3, 3, 9], "difficulties": [2, 4, 0]}
+    ]
+    for words in (
+        "week.md:5: the problems of this pool have unequal points (X1.2 3, X1.3 3, X1.4 9)",
+        "week.md:5: the problems of this pool are unequally difficult (X1.2 2, X1.3 4)",
+        "week.md:5: X1.4 of this pool: nothing says how difficult",
+    ):
+        assert any(words in note for note in checked["notes"]), checked["notes"]
+    as_set(balls, "title: A week\nproblems: [X1.1, X9.9]\n")
+    status, document, _said = run("verify", "week", "--bank", balls.bank.folder)
+    assert status == 1
+    assert "week.md:3: no problem is called X9.9" in document["malformed"][0]
+
+
+def test_only_so_many_tries_count(balls: ChangingBank, tmp_path: Path) -> None:
+    as_set(balls, "title: A week\ntries: 2\nproblems: [X1.1]\n")
+    made = balls.generate("ada")
+    sheet = made.notebooks["ada"].read_text()
+    taken = made.course.notebook("submitted", "ada", "week")
+    said: list[str] = []
+    for day, answer in enumerate(("1", "2", "2", "3"), 1):
+        source = tmp_path / f"day{day}" / "ada" / "week.ipynb"
+        source.parent.mkdir(parents=True)
+        source.write_text(sheet.replace("X1_1_a = None", f"X1_1_a = {answer}"))
+        os.utime(source, (day * 86400, day * 86400))
+        _status, document, _ = run("collect", "week", source.parent.parent, "--course", balls.course)
+        said.append(next(name for name in ("accepted", "unchanged", "unusable") if document[name]))
+    assert said == ["accepted", "accepted", "unchanged", "unusable"]
+    assert "one more than the 2 tries" in document["unusable"][0]["why"]
+    assert "X1_1_a = 2" in taken.read_text()
