@@ -4,19 +4,17 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Mapping, Sequence
 from itertools import dropwhile
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.simulation import NONE, Seen, Simulation
+from corollary.derive.spoken import frame_of_word, line_of_word
 from corollary.derive.statements import (
-    SOLUTION,
     Choice,
     Code,
     Derivation,
@@ -73,7 +71,7 @@ def step(
 ) -> Step:
     """Finds something because of laws; `answers` names the part it answers, `where` says which root is meant."""
     return Step(
-        Statement(answers, because, _line(), check),
+        Statement(answers, because, line_of_word(), check),
         _tuple(unknowns),
         only_laws(laws),
         tuple(also),
@@ -89,12 +87,12 @@ def mistake(
     text: str, *laws: Law, instead: str = "", where: Boolean | bool | None = None
 ) -> Mistake[Exchange]:
     """What a student is told who put these laws in the place of one law of the step; `where` chooses among several roots."""
-    return Mistake(text, Exchange(only_laws(laws), instead, where), _line())
+    return Mistake(text, Exchange(only_laws(laws), instead, where), line_of_word())
 
 
 def route(because: str, *laws: Law) -> Route[Law]:
     """Another way to the same unknown."""
-    return Route(because, only_laws(laws), _line())
+    return Route(because, only_laws(laws), line_of_word())
 
 
 def reject(reason: str, **roots: object) -> Rejected:
@@ -118,7 +116,7 @@ def optimum(
 ) -> Optimum:
     """The value of `over`, between the bounds (included), at which `of` is largest (or smallest)."""
     low, high = map(as_expression, between)
-    words = Statement(answers, because, _line(), check)
+    words = Statement(answers, because, line_of_word(), check)
     return Optimum(words, _tuple(unknowns), of, over, (low, high), largest, tuple(mistakes))
 
 
@@ -135,7 +133,7 @@ def simulated(
 ) -> Simulated:
     """Unknowns that are measured in a run of a ready-made scene."""
     formulas = {name: as_expression(value) for name, value in settings.items()}
-    words = Statement(answers, because, _line(), check)
+    words = Statement(answers, because, line_of_word(), check)
     return Simulated(words, _tuple(unknowns), scene, formulas, observe, tuple(mistakes))
 
 
@@ -143,7 +141,7 @@ def choice(
     part: str, because: str, *, mistakes: Mapping[str, str] | None = None, **options: Boolean | bool
 ) -> Choice[Boolean | bool]:
     """Each option with the condition under which it is the right one; exactly one may hold."""
-    return Choice(Statement(part, because, _line()), options, mistakes or {})
+    return Choice(Statement(part, because, line_of_word()), options, mistakes or {})
 
 
 def example(
@@ -157,7 +155,7 @@ def example(
 ) -> Example[sympy.Symbol, sympy.Expr, Law]:
     """Any numbers that satisfy the laws and are none of the `apart` ones; `free` unknowns must stay free, which is checked."""
     away = tuple((tuple(map(as_expression, values)), why) for values, why in apart)
-    words = Statement(part, because, _line())
+    words = Statement(part, because, line_of_word())
     return Example(words, _tuple(unknowns), only_laws(laws), away, free, as_expression(scale))
 
 
@@ -170,7 +168,7 @@ def code(
     example: str,
 ) -> Code:
     """A code part: `inputs(given, draw)` lists keyword arguments, `judge(given, called)` says what is wrong with the calls, or None."""
-    return Code(Statement(part, because, _line()), inputs, judge, example)
+    return Code(Statement(part, because, line_of_word()), inputs, judge, example)
 
 
 def plot(
@@ -182,7 +180,7 @@ def plot(
     with_calls: bool = False,
 ) -> Plot:
     """A plot part: `judge(given, axes)` says what is missing, or None; with calls `judge(given, axes, called)`."""
-    return Plot(Statement(part, because, _line()), judge, example, with_calls)
+    return Plot(Statement(part, because, line_of_word()), judge, example, with_calls)
 
 
 def file(name: str) -> str:
@@ -190,7 +188,7 @@ def file(name: str) -> str:
 
     The imports it opens with are left out: every notebook has made them (numpy as np, matplotlib.pyplot as plt).
     """
-    path = Path(_frame().f_code.co_filename).parent / name
+    path = Path(frame_of_word().f_code.co_filename).parent / name
     lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
     return "".join(dropwhile(lambda line: not line.strip() or line.startswith("import "), lines))
 
@@ -211,7 +209,12 @@ def proof(
     wrong = tuple(Mistake(each.text, each.rule.laws, each.line) for each in mistakes)
     (target,) = only_laws((target,))
     return Proof(
-        Statement(part, because, _line()), only_laws(laws), target, tuple(lines), wrong, only_laws(given)
+        Statement(part, because, line_of_word()),
+        only_laws(laws),
+        target,
+        tuple(lines),
+        wrong,
+        only_laws(given),
     )
 
 
@@ -238,19 +241,23 @@ def supposed(name: str, text: str, why: str) -> tuple[sympy.Symbol, Supposed]:
 
 def explain(part: str, *rubric: str, answer: str) -> Explain:
     """A part for a person to mark: what earns credit, and what a full answer says."""
-    return Explain(Statement(part, "", _line()), rubric, answer)
+    return Explain(Statement(part, "", line_of_word()), rubric, answer)
 
 
-def printed(part: str, text: str, where: str) -> Printed:
-    """What the chapter prints: `printed("a", "2.28 kg m/s", "(12.31)")`; several components are parted by semicolons."""
-    return Printed(Statement(part, "", _line()), text, where)
+def printed(part: str, text: str, where: str, *, erratum: str = "") -> Printed:
+    """What the chapter prints: `printed("a", "2.28 kg m/s", "(12.31)")`; several components are parted by semicolons.
+
+    A formula, the letter of an option, and an order of magnitude (`"~10^3 N"`) may be printed, too. `erratum` puts what is
+    known to be wrong on record.
+    """
+    return Printed(Statement(part, "", line_of_word()), text, where, erratum)
 
 
 def simulate(
     scene: str | Scene, settings: Mapping[str, object] = NONE, *, neglected: float = 0.0, **expect: Seen
 ) -> Simulation:
     """In a solution's scene function: run this ready-made scene, or a composed one, and find these values (SI)."""
-    return Simulation(scene, settings, expect, neglected, _line())
+    return Simulation(scene, settings, expect, neglected, line_of_word())
 
 
 def __getattr__(name: str) -> Any:
@@ -263,21 +270,3 @@ def __getattr__(name: str) -> Any:
 
 def _tuple(unknowns: Unknowns) -> tuple[sympy.Symbol, ...]:
     return unknowns if isinstance(unknowns, tuple) else (unknowns,)
-
-
-def _line() -> int:
-    """The line of the author's own word in the solution."""
-    return _frame().f_lineno
-
-
-def _frame() -> FrameType:
-    """The innermost frame of a solution's file, even where a word is spoken by a function of another file; else the caller's."""
-    caller: FrameType | None = sys._getframe()  # pyright: ignore[reportPrivateUsage]
-    while caller is not None and caller.f_globals.get("__name__") == __name__:
-        caller = caller.f_back
-    frame = caller
-    while frame is not None and not str(frame.f_globals.get("__name__", "")).startswith(SOLUTION):
-        frame = frame.f_back
-    found = frame or caller
-    assert found is not None  # a word is always spoken by somebody
-    return found

@@ -155,6 +155,67 @@ def test_a_printed_value_that_cannot_be_read(verified, good):
     )
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("~1 kg m/s", ""),
+        ("~10 kg m/s", "is of another order of magnitude"),
+        ("m*v", ""),
+        ("2*m*v", "the derivation gives m*v"),
+        ("1.6 kg m/s", "they differ by one in the last figure"),
+        ("1.7 kg m/s", "the derivation gives 1.5 in SI"),
+        ("2 kg m/s", ""),  # 1.5 to one figure
+    ],
+)
+def test_what_may_be_printed(verified, good, text, said):
+    checked = verified(good.replace("1.5 kg m/s", text))
+    assert bool(checked.complaints) == bool(said), checked.complaints
+    assert all(said in each and each.startswith("cart.py:12: (1.1) prints") for each in checked.complaints)
+
+
+@pytest.mark.parametrize(("printed", "holds"), [("150 kg m/s", True), ("154 kg m/s", False)])
+def test_a_zero_at_the_end_may_count_or_not(verified, good, problem, printed, holds):
+    heavy = problem.replace("value: 0.5, from: 0.2", "value: 50.8, from: 0.2")  # 152.4
+    checked = verified(good.replace("1.5 kg m/s", printed), problem=heavy)
+    assert (not checked.complaints) == holds
+
+
+def test_what_an_author_may_want_to_know(verified, good, problem):
+    """The force has one mistake and then two of one value, the momentum none; nothing needs s, and 9 kg is never dealt."""
+    more = problem.replace("value: 0.5", "value: 9").replace(
+        "require:", "  s: {is: way, value: 2, unit: m}\nrequire:"
+    )
+    twice = good.replace(
+        "F=F, p=p, t=t))])", 'F=F, p=p, t=t)),\n                   mistake("Times.", wrong("F = t*p"))])'
+    )
+    checked = verified(twice.replace('printed("a", "1.5 kg m/s", "(1.1)"),', ""), problem=more)
+    assert checked.ok, checked.complaints
+    assert list(checked.notes) == [
+        "cart.md:5: value: 9 of m lies outside from: 0.2 to: 0.9; nobody gets it",
+        "cart.md:8: the given s is used in no answer; leave it out, unless it is there to be left aside",
+        "cart.py:9: part a foresees no mistake; say at least two",
+        "cart.py:12: this mistake gives the same value as 'You multiplied.'; students are told that",
+    ]
+
+
+def test_one_mistake_is_few(verified, good):
+    assert "cart.py:10: part b foresees one mistake; say at least two" in verified(good).notes
+
+
+def test_an_erratum_is_on_record_and_one_that_is_none_is_said(verified, good):
+    known = good.replace('"1.5 kg m/s", "(1.1)"', '"1.9 kg m/s", "(1.1)", erratum="v is 3.8 there"')
+    checked = verified(known)
+    assert checked.ok
+    assert checked.notes[0].startswith(
+        "cart.py:12: on record as an erratum (v is 3.8 there): (1.1) prints 1.9"
+    )
+
+
+def test_an_erratum_that_is_none(verified, good):
+    agreed = good.replace('"(1.1)"', '"(1.1)", erratum="I thought so"')
+    met(verified(agreed), "(1.1) agrees with the derivation for part a; leave erratum= out", 12)
+
+
 def test_a_mistake_that_is_no_mistake(verified, good):
     """Everywhere on the grid it gives the truth: nothing may be dealt."""
     checked = verified(good.replace('"F = p*t"', '"F = p*t/t^2"'))

@@ -22,6 +22,8 @@ from corollary.verify.checked import Checked
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 
+MOST_NOTES = 20  # of a whole bank: they are no faults, and must not hide any
+
 
 def run(
     codes: list[str],
@@ -138,8 +140,12 @@ def _table(found: list[Checked], broken: list[str], seconds: float, of_sets: lis
     out.print(table)
     for sentence in (*broken, *(sentence for each in found for sentence in each.complaints)):
         print(sentence, file=sys.stderr)
-    for sentence in (*of_sets, *(sentence for each in found for sentence in each.notes)):
+    notes = [*of_sets, *(sentence for each in found for sentence in each.notes)]
+    for sentence in notes[:MOST_NOTES]:
         print(f"note: {sentence}", file=sys.stderr)
+    if len(notes) > MOST_NOTES:
+        more = len(notes) - MOST_NOTES
+        print(f"note: and {counted(more, 'note')} more; verify one problem, or with --json", file=sys.stderr)
     total = sum(sum(each.checks.values()) for each in found)
     bad = len(broken) + sum(not each.ok for each in found)
     out.print(

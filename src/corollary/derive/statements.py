@@ -235,11 +235,13 @@ class Explain:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A value the chapter prints for its own numbers, as printed; verification rounds ours to its figures."""
+    """What the chapter prints for its own numbers, as printed; verification rounds ours to its figures. `erratum` says why what
+    is printed is wrong, where it is known to be."""
 
     statement: Statement
     text: str
     where: str
+    erratum: str = ""
 
 
 @dataclass(frozen=True, slots=True)

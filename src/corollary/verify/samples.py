@@ -1,29 +1,20 @@
-"""Each answer type's own samples judged as they are named, and the chapter's printed values reproduced."""
+"""Each answer type's own samples judged as they are named, and the claims of proofs shown."""
 
 from __future__ import annotations
-
-import math
 
 from corollary.answers.evaluation import number
 from corollary.answers.proof.argument import sufficient
 from corollary.answers.proof.judging import grounds_of
-from corollary.answers.quantity import read_quantity
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
-from corollary.answers.tolerance import coarse
 from corollary.answers.verdict import word
-from corollary.derive.solution import Solution
-from corollary.derive.statements import Printed
-from corollary.formula.errors import ParseError
 from corollary.formula.text import text
 from corollary.grading.expected import expected_of
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
-from corollary.grading.key import Key, make_key, named
-from corollary.problem.bank import Bank
+from corollary.grading.key import Key, named
 from corollary.problem.part import Part
-from corollary.problem.variant import chapter
 from corollary.verify.checked import Tally
 
 NOT_RIGHT = ("wrong", "slip", "mistaken")
@@ -80,39 +71,3 @@ def _truth(key: Key, part: Part) -> Truth | None:
         return key.truths[part.id].values
     in_givens = key.find(key.truths[part.id]).in_givens
     return text(in_givens[0]) if in_givens else None
-
-
-def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
-    """What the chapter prints for its own numbers, rounded to the figures it prints."""
-    path = bank.solution(solution.problem)
-    for entry in solution.entries:
-        if not isinstance(entry, Printed):
-            continue
-        key = make_key(solution, chapter(solution.problem))
-        part = solution.problem.part(entry.statement.part)
-        if part.id in key.choices:
-            letter = entry.text.strip("() ").lower()
-            if not tally.check(letter == key.choices[part.id], "printed values"):
-                tally.complain(
-                    f"{path.name}:{entry.statement.line}: {entry.where} prints ({letter}) for part {part.id}; "
-                    f"the derivation gives ({key.choices[part.id]})"
-                )
-            continue
-        wanted = key.truths[entry.statement.part].values
-        where = f"{path.name}:{entry.statement.line}"
-        for value, printed in zip(wanted, entry.text.split(";"), strict=True):
-            read = read_quantity(printed.strip(), part.unit)
-            if isinstance(read, ParseError):
-                tally.complain(f"{where}: the printed value {printed!r} cannot be read: {read.why}")
-                continue
-            ratio, pi = read.si
-            unit = read.unit or part.unit
-            size, zero = unit.si, float(unit.offset)
-            met = coarse(
-                (float(ratio) * math.pi**pi - zero,), (read.figures,), (value - zero,), (size,), (0.0,)
-            ) or (ratio == 0 and value == 0)
-            if not tally.check(bool(met), "printed values"):
-                tally.complain(
-                    f"{where}: {entry.where} prints {printed.strip()} for part {entry.statement.part}; "
-                    f"the derivation gives {value:.6g} in SI"
-                )

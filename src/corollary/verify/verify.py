@@ -18,8 +18,10 @@ from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.laws import check_dimensions, check_laws
+from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
-from corollary.verify.samples import check_claims, check_printed, check_samples
+from corollary.verify.remarks import remark
+from corollary.verify.samples import check_claims, check_samples
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
 
 SLOW = ("laws put back", "variants", "scenes", "programs")
@@ -58,6 +60,7 @@ class Verification:
             yield "samples"
             check_samples(own, tally)
             check_printed(bank, solution, tally)
+            remark(bank, own, tally)
             for stage in SLOW:
                 yield stage
                 match stage:

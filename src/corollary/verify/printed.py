@@ -1,0 +1,112 @@
+"""What a book prints, held against the derivation: options, formulas, orders of magnitude, and values to the figures printed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from corollary.answers.quantity import Reading, read_quantity
+from corollary.answers.tolerance import coarse, last_place
+from corollary.answers.verdict import Right, Unread
+from corollary.derive.solution import Solution
+from corollary.derive.statements import Printed
+from corollary.formula.errors import ParseError
+from corollary.formula.text import text
+from corollary.formula.value import Items, Text
+from corollary.grading.judge import judge
+from corollary.grading.key import Key, make_key
+from corollary.problem.bank import Bank
+from corollary.problem.part import Part
+from corollary.problem.sampling import sample
+from corollary.problem.variant import chapter
+from corollary.verify.checked import Tally
+
+ABOUT = "~"  # before an order of magnitude
+HALF_AN_ORDER = 0.5  # of the decimal logarithm: 4e2 is of the order of 10^3, 3e2 of 10^2
+ELSEWHERE = (
+    3  # variants on which a printed formula is tried besides: at one set of numbers a wrong one may be right
+)
+
+
+def check_printed(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Complains of what is printed otherwise than it is derived, unless it is on record as an erratum; and of an erratum that
+    is none."""
+    path = bank.solution(solution.problem)
+    for entry in solution.entries:
+        if not isinstance(entry, Printed):
+            continue
+        key, where = make_key(solution, chapter(solution.problem)), f"{path.name}:{entry.statement.line}"
+        part = solution.problem.part(entry.statement.part)
+        differences = list(_differences(key, part, entry))
+        if not entry.erratum:
+            tally.check(not differences, "printed values")
+            for each in differences:
+                tally.complain(f"{where}: {each}")
+        elif tally.check(bool(differences), "errata"):
+            for each in differences:
+                tally.note(f"{where}: on record as an erratum ({entry.erratum}): {each}")
+        else:
+            tally.complain(
+                f"{where}: {entry.where} agrees with the derivation for part {part.id}; leave erratum= out"
+            )
+
+
+def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
+    """A sentence for each thing that is not as the derivation has it."""
+    if part.id in key.choices:
+        letter = entry.text.strip("() ").lower()
+        if letter != key.choices[part.id]:
+            yield (
+                f"{entry.where} prints ({letter}) for part {part.id}; the derivation gives ({key.choices[part.id]})"
+            )
+        return
+    readings = [
+        read_quantity(each.strip().removeprefix(ABOUT).strip(), part.unit) for each in entry.text.split(";")
+    ]
+    if all(isinstance(each, ParseError) for each in readings):
+        yield from _formula(key, part, entry)
+        return
+    for value, printed, read in zip(key.truths[part.id].values, entry.text.split(";"), readings, strict=True):
+        if isinstance(read, ParseError):
+            yield f"the printed value {printed!r} cannot be read: {read.why}"
+        elif said := _off(value, printed.strip(), read, part):
+            yield f"{entry.where} prints {printed.strip()} for part {part.id}; {said}"
+
+
+def _off(value: float, printed: str, read: Reading, part: Part) -> str:
+    """What the derivation gives for a printed quantity, where that is something else."""
+    ratio, pi = read.si
+    unit = read.unit or part.unit
+    size, zero = unit.si, float(unit.offset)
+    mine, theirs = value - zero, float(ratio) * math.pi**pi - zero
+    derived = f"the derivation gives {value:.6g} in SI"
+    if mine == theirs:
+        return ""
+    if printed.startswith(ABOUT):
+        near = mine * theirs > 0 and abs(math.log10(mine / theirs)) <= HALF_AN_ORDER
+        return "" if near else f"{derived}, which is of another order of magnitude"
+    figures = range(max(1, read.least), max(1, read.figures) + 1)  # 110 has two or three
+    if any(coarse((theirs,), (count,), (mine,), (size,), (0.0,)) for count in figures):
+        return ""
+    if read.figures and theirs and abs(mine - theirs) <= 1.5 * last_place(theirs, read.figures, size):
+        return f"{derived}: they differ by one in the last figure"
+    return derived
+
+
+def _formula(key: Key, part: Part, entry: Printed) -> Iterator[str]:
+    """The formula judged as a student's answer, with the numbers of the problem and with others."""
+    texts = tuple(Text(each.strip()) for each in entry.text.split(";"))
+    answer = texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
+    others = [
+        make_key(key.solution, each) for each in sample(key.solution.problem, ELSEWHERE, salt="printed")
+    ]
+    for each in (key, *others):
+        ((verdict, *_), _) = judge(each, {part.id: answer})[part.id]
+        if isinstance(verdict, Unread):
+            yield f"the printed value {entry.text!r} cannot be read: {verdict.why}"
+            return
+        if not isinstance(verdict, Right) or verdict.leniently:
+            trees = key.find(key.truths[part.id]).in_givens or ()
+            derived = f"the derivation gives {', '.join(map(text, trees)) or 'something else'}"
+            yield f"{entry.where} prints {entry.text} for part {part.id}; {derived}"
+            return

@@ -1,0 +1,110 @@
+"""What an author may want to know of a problem that holds: data nobody needs, and mistakes that are too few or tell nothing apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from corollary.answers.expected import Values
+from corollary.derive.solution import ClosedForms, SceneOutcome, Solution, Unknown
+from corollary.derive.statements import Code, Plot
+from corollary.formula.ast import names
+from corollary.formula.ball import Undefined
+from corollary.grading.key import Key
+from corollary.grading.replay import WhatIf, replay
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.verify.checked import Tally
+
+ENOUGH = 2  # mistakes of a quantity: with one alone, everything else that is wrong is a surprise
+SAME = 1e-9  # relative
+
+
+def remark(bank: Bank, key: Key, tally: Tally) -> None:
+    """Notes on the givens and on the mistakes; `key` is that of the problem's own numbers."""
+    solution = key.solution
+    file, path = solution.problem.path.name, bank.solution(solution.problem).name
+    for line, sentence in (*_outside(solution.problem), *_unused(solution)):
+        tally.note(f"{file}:{line}: {sentence}")
+    for line, sentence in (*_few(solution), *_alike(key)):
+        tally.note(f"{path}:{line}: {sentence}")
+
+
+def _outside(problem: Problem) -> Iterator[tuple[int, str]]:
+    for given in problem.givens:
+        first, last = sorted((given.grid.first, given.grid.last))
+        if not first <= given.value <= last:
+            numbers = (f"{float(number):g}" for number in (given.value, first, last))
+            value, low, high = numbers
+            yield (
+                given.line,
+                f"value: {value} of {given.symbol} lies outside from: {low} to: {high}; nobody gets it",
+            )
+
+
+def _unused(solution: Solution) -> Iterator[tuple[int, str]]:
+    """Givens that no law, no formula and no program has."""
+    if any(isinstance(entry, Code | Plot) for entry in solution.entries):
+        return  # judges are programs, and may use any given
+    laws = [law for find in solution.unknowns for law in find.laws]
+    laws += [law for proof in solution.proofs.values() for law in (*proof.laws, proof.target)]
+    laws += [law for example in solution.examples.values() for law in example.laws]
+    used = {name for law in laws for relation in law.here for name in names(relation)}
+    for find in (*solution.unknowns, *(each.bound for each in solution.neglected)):
+        used |= _letters(find)
+    for choice in solution.choices.values():
+        used |= {
+            name for held in choice.options.values() if not isinstance(held, bool) for name in names(held)
+        }
+    for given in solution.problem.givens:
+        if given.symbol not in used:
+            yield (
+                given.line,
+                f"the given {given.symbol} is used in no answer; leave it out, unless it is there to be left aside",
+            )
+
+
+def _letters(find: Unknown) -> set[str]:
+    trees = [*(find.in_givens or ()), *(tree for law in find.laws for tree in law.here)]
+    match find.local:
+        case ClosedForms(own):
+            trees += own
+        case SceneOutcome(_, settings, _):
+            trees += settings.values()
+        case _:
+            pass
+    return {name for tree in trees for name in names(tree)}
+
+
+def _few(solution: Solution) -> Iterator[tuple[int, str]]:
+    """Parts for which fewer mistakes are foreseen than it takes to tell students apart; those on the way to a part count."""
+    foreseen = 0
+    for find in solution.unknowns:
+        foreseen += len(find.mistakes)
+        if find.part:
+            if foreseen < ENOUGH:
+                has = "one mistake" if foreseen else "no mistake"
+                yield find.statement.line, f"part {find.part} foresees {has}; say at least two"
+            foreseen = 0
+
+
+def _alike(key: Key) -> Iterator[tuple[int, str]]:
+    """Mistakes of one unknown that give the same value: whoever makes either is told the first."""
+    for place, find in enumerate(key.solution.unknowns):
+        met: list[tuple[str, Values]] = []
+        for mistake in find.mistakes:
+            try:
+                values = replay(key.solution, key.variant.exact, WhatIf(rules={place: mistake.rule}), place)[
+                    place
+                ]
+            except Undefined:
+                continue
+            for text, other in met:
+                if math.dist(values, other) <= SAME * math.hypot(*values, *other):
+                    yield (
+                        mistake.line,
+                        f"this mistake gives the same value as {text!r}; students are told that",
+                    )
+                    break
+            else:
+                met.append((mistake.text, values))
