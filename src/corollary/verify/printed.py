@@ -69,8 +69,8 @@ def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
     for value, printed, read in zip(key.truths[part.id].values, entry.text.split(";"), readings, strict=True):
         if isinstance(read, ParseError):
             yield f"the printed value {printed!r} cannot be read: {read.why}"
-        elif said := _off(value, printed.strip(), read, part):
-            yield f"{entry.where} prints {printed.strip()} for part {part.id}; {said}"
+        elif derived := _off(value, printed.strip(), read, part):
+            yield f"{entry.where} prints {printed.strip()} for part {part.id}; {derived}"
 
 
 def _off(value: float, printed: str, read: Reading, part: Part) -> str:
