@@ -221,22 +221,21 @@ FAMILIES = (
     Family(
         "two spheres, half of them grazing",
         "spheres",
-        "mpmath, 100 digits",
+        "mpmath, 70 digits",
         spheres,
         of_spheres,
-        share=0.15,
-        digits=100,
+        share=0.1,
+        digits=70,
     ),
-    Family("two spheres, damped", "spheres", "finest steps", damped_spheres, finer("spheres"), share=0.4),
+    Family("two spheres, damped", "spheres", "finest steps", damped_spheres, finer("spheres")),
     Family(
         "ball on a floor, damped",
         "ball_on_floor",
         "finest steps",
         damped_ball,
         finer("ball_on_floor"),
-        share=0.4,
     ),
-    Family("cradle of three, any masses", "cradle", "finest steps", three, finer("cradle"), share=0.4),
+    Family("cradle of three, any masses", "cradle", "finest steps", three, finer("cradle")),
 )
 
 

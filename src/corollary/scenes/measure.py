@@ -104,8 +104,10 @@ def measured(
         )
     # Where motion fades, each step forgets the errors of those before, and two runs say nothing of each other's: what is off in the end is
     # as much as a step is allowed to be, in the mean square of all components, absolutely and relatively.
+    # A slight touch is over within a few steps, which may be off by as much as they are allowed to be in both runs alike.
     fine = max(tolerance / FINER, FINEST)
-    step_off = fine * (2.0 * math.sqrt(len(right.state)) if right.fades else 0.2)
+    touches = sum(h.what.startswith("touch") for h in right.happenings)
+    step_off = fine * max(2.0 * math.sqrt(len(right.state)) if right.fades else 0.2, math.sqrt(touches))
     same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)

@@ -52,12 +52,13 @@ class Event:
     """Where the law of motion changes: `value` of a state (smooth) changes its sign.
 
     A step ends just beyond. With `turn`, which gives the new velocity of `body`, the event acts in no time at all where `value` falls
-    through zero.
+    through zero. Where `value` is a speed (m/s), its sign says nothing of what is too slow to be told from rest.
     """
 
     value: Callable[[State], float]
     body: int = -1
     turn: Callable[[State], Sequence[float]] | None = None
+    of_speed: bool = False
 
 
 class Force(ABC):

@@ -7,12 +7,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Force, Scene, velocity
+from corollary.scenes.scene import Event, Force, Scene, velocity
 
 
 @dataclass(frozen=True, slots=True)
 class Drag(Force):
-    """-(linear + quadratic |v|) v on one body, in kg/s and kg/m; v is relative to the `wind` (m/s)."""
+    """-(linear + quadratic |v|) v on one body, in kg/s and kg/m; v is relative to the `wind` (m/s).
+
+    |v| v is not smooth where the body turns: a step that ran over it would lose its order and not know its error, so one ends there.
+    """
 
     body: int
     linear: float = 0.0
@@ -22,11 +25,21 @@ class Drag(Force):
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State
     ) -> Iterator[tuple[int, list[float]]]:
-        own = velocity(scene, state, self.body)
-        wind = self.wind or (0.0,) * scene.axes
-        relative = [v - w for v, w in zip(own, wind, strict=True)]
-        pull = self.linear + self.quadratic * math.hypot(*relative)
+        relative = self._relative(scene, state)
+        speed = math.hypot(*relative)
+        if scene.axes == 1 and (before := self._relative(scene, since)[0]):
+            speed = math.copysign(1.0, before) * relative[0]  # the smooth law of this side, until the event
+        pull = self.linear + self.quadratic * speed
         yield self.body, [-pull * v for v in relative]
+
+    def events(self, scene: Scene) -> Iterator[Event]:
+        if self.quadratic:
+            for axis in range(scene.axes):
+                yield Event(lambda y, axis=axis: self._relative(scene, y)[axis], of_speed=True)
+
+    def _relative(self, scene: Scene, state: State) -> list[float]:
+        wind = self.wind or (0.0,) * scene.axes
+        return [v - w for v, w in zip(velocity(scene, state, self.body), wind, strict=True)]
 
     @property
     def bodies(self) -> tuple[int, ...]:

@@ -25,6 +25,11 @@ ENDED, STICKS, TOO_SOFT, TOO_LONG = 0, 1, 2, 3
 # Rows of the room to work in: the slopes of the stages, then these.
 AFTER, STATE = STAGES, STAGES + 1
 ROOM = STAGES + 2
+# The first step goes with the eighth root of the tolerance, the order of the method: two runs that began alike would share the errors
+# of their first steps, and their difference would not show them.
+FIRST_STEP, LONGEST_FIRST = 5.6, 0.5
+# Into so many parts a step is divided in which a force may rise between two falls.
+PARTS = 4
 # Centres nearer than this share of the reach: no contact law means anything there, and the turning, which grows as the inverse
 # square of the distance, would leave doubles less than the twelve digits that are promised.
 NEAREST = 1e-3
@@ -99,13 +104,15 @@ def sticks(y, groups):
 
 
 @kernel
-def top_of(before, after, growth, h, y, groups, by_root, room):
-    """The state within a step where the rate (or, with `growth`, the growth of the force) falls through zero, into room[STATE].
+def top_of(left, before, after, growth, h, y, groups, by_root, room):
+    """The state where the rate (or, with `growth`, the growth of the force) falls through zero, into room[STATE].
+
+    It is looked for within a step of length h, beyond its part `left`.
 
     A maximum is flat, so half the digits of its place give all those of its height. Illinois: an end that stays twice counts half.
     Gives the evaluations spent.
     """
-    state, left, right, held, place, spent = room[STATE], 0.0, 1.0, 0, 1.0, 0
+    state, right, held, place, spent = room[STATE], 1.0, 0, 1.0, 0
     for _ in range(12):
         last, place = place, left + (right - left) * before / (before - after)
         step(place * h, y, room, state, groups, by_root)
@@ -128,7 +135,8 @@ def follow(y, groups, tolerance, most, room):
     """
     _, s, _, _, _, thickness = groups
     after, state = room[AFTER], room[STATE]
-    top_force, top_overlap, spent, h = force(y, groups), whole(y[W], s), 0, 0.1
+    top_force, top_overlap, spent = force(y, groups), whole(y[W], s), 0
+    h = min(FIRST_STEP * tolerance**0.125, LONGEST_FIRST)
     for _ in range(most):
         if sticks(y, groups):
             return STICKS, top_overlap, top_force, spent
@@ -146,14 +154,23 @@ def follow(y, groups, tolerance, most, room):
             h *= min(0.5, factor(size))
             continue
         if y[P] > 0.0 >= after[P]:
-            spent += top_of(y[P], after[P], False, length, y, groups, by_root, room)
+            spent += top_of(0.0, y[P], after[P], False, length, y, groups, by_root, room)
             top_overlap = whole(state[W], s)
         if max(top_overlap, whole(after[W], s)) * thickness > 1.0 - NEAREST:
             return TOO_SOFT, top_overlap, top_force, spent
-        rising, falling = force_growth(y, groups), force_growth(after, groups)
-        if rising > 0.0 >= falling:
-            spent += top_of(rising, falling, True, length, y, groups, by_root, room)
-            top_force = max(top_force, force(state, groups))
+        rising, falling, parts = force_growth(y, groups), force_growth(after, groups), 1
+        if y[P] > 0.0 >= max(rising, falling):
+            # The drag fades first and the spring takes over: within one long step the force may fall, rise, and fall again.
+            parts = PARTS
+        for i in range(1, parts + 1):
+            here, growth = i * length / parts, falling
+            if i < parts:
+                step(here, y, room, state, groups, by_root)
+                growth, spent = force_growth(state, groups), spent + EVALUATIONS
+            if rising > 0.0 >= growth:
+                spent += top_of((i - 1) / i, rising, growth, True, here, y, groups, by_root, room)
+                top_force = max(top_force, force(state, groups))
+            rising = growth
         for i in range(SIZE):
             y[i] = after[i]
         if by_root:

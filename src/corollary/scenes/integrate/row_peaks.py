@@ -10,6 +10,9 @@ push, slope, step, TIME = law.push, law.slope, law.step, law.TIME
 whole, falls_through_zero = stages.whole, stages.falls_through_zero
 EVALUATIONS, STAGES = stages.EVALUATIONS, stages.STAGES
 
+# Into so many parts a step is divided in which a force may rise between two falls.
+PARTS = 4
+
 
 @kernel
 def largest_overlap(j, variable, power, x, h, start, ends, first, last, touching, row, room):
@@ -56,6 +59,17 @@ def force_growth(y, base, j, row):
 
 
 @kernel
+def growth_within(j, place, variable, power, x, h, start, first, last, touching, row, room):
+    """How fast the force of damped contact j grows after a part of a step; the state there goes into room[STAGES + 4]."""
+    here, state, w = room[STAGES + 3], room[STAGES + 4], x + place * h
+    step(variable, power, x, place * h, start, room, state, first, last, touching, row)
+    if variable != TIME:
+        state[2 * variable + 1] = whole(w, power)
+    slope(TIME, 1, 0.0, state, here, first, last, touching, row)
+    return force_growth(state, here, j, row)
+
+
+@kernel
 def largest_force(j, variable, power, x, h, start, y, after, base, first, last, touching, row, room):
     """The largest force of damped contact j within a step from y to `after` (zero if it is at an end); and the evaluations spent.
 
@@ -63,23 +77,31 @@ def largest_force(j, variable, power, x, h, start, y, after, base, first, last, 
     """
     here, state = room[STAGES + 3], room[STAGES + 4]
     slope(TIME, 1, 0.0, after, here, first, last, touching, row)
-    rising, falling, spent = force_growth(y, base, j, row), force_growth(after, here, j, row), 1
-    if not rising > 0.0 >= falling:
-        return 0.0, spent
-    left, right, held, place = 0.0, 1.0, 0, 1.0
-    for _ in range(12):
-        before, place = place, left + (right - left) * rising / (rising - falling)
-        w = x + place * h
-        step(variable, power, x, place * h, start, room, state, first, last, touching, row)
-        if variable != TIME:
-            state[2 * variable + 1] = whole(w, power)
-        spent += EVALUATIONS
-        slope(TIME, 1, 0.0, state, here, first, last, touching, row)
-        growth = force_growth(state, here, j, row)
-        if growth == 0.0 or abs(place - before) < 1e-9:
-            break
-        if growth > 0.0:
-            left, rising, falling, held = place, growth, falling * (0.5 if held > 0 else 1.0), 1
-        else:
-            right, falling, rising, held = place, growth, rising * (0.5 if held < 0 else 1.0), -1
-    return damped_force(state, j, row), spent
+    begins, ends, spent = force_growth(y, base, j, row), force_growth(after, here, j, row), 1
+    parts, hardest = 1, 0.0
+    if y[2 * j] - y[2 * j + 2] > 0.0 >= max(begins, ends):
+        # The dashpot fades first and the spring takes over: within one long step the force may fall, rise, and fall again.
+        parts = PARTS
+    for i in range(1, parts + 1):
+        rising, falling = begins, ends
+        if i < parts:
+            falling = growth_within(
+                j, i / parts, variable, power, x, h, start, first, last, touching, row, room
+            )
+            spent += EVALUATIONS
+        begins = falling
+        if not rising > 0.0 >= falling:
+            continue
+        left, right, held, place = (i - 1) / parts, i / parts, 0, i / parts
+        for _ in range(12):
+            before, place = place, left + (right - left) * rising / (rising - falling)
+            growth = growth_within(j, place, variable, power, x, h, start, first, last, touching, row, room)
+            spent += EVALUATIONS
+            if growth == 0.0 or abs(place - before) < 1e-9:
+                break
+            if growth > 0.0:
+                left, rising, falling, held = place, growth, falling * (0.5 if held > 0 else 1.0), 1
+            else:
+                right, falling, rising, held = place, growth, rising * (0.5 if held < 0 else 1.0), -1
+        hardest = max(hardest, damped_force(state, j, row))
+    return hardest, spent

@@ -57,8 +57,13 @@ class Guards:
                     lambda t, y, c=constraint: c.gap(t, y) + 16.0 * math.ulp(sizes.long),
                 )
         for j, (side, event) in enumerate(zip(mode.sides, system.events, strict=True)):
+            slow = sizes.rest if event.of_speed else 0.0
+            # A hit may have turned a speed since.
+            if event.of_speed and event.value(since):
+                side = math.copysign(1.0, event.value(since))
             self._add(
-                Guard("event", j, "an event"), lambda t, y, side=side, event=event: side * event.value(y)
+                Guard("event", j, "an event"),
+                lambda t, y, side=side, event=event, slow=slow: side * event.value(y) + slow,
             )
         for k, status in enumerate(mode.rubbed):
             if isinstance(status, tuple):

@@ -1,0 +1,180 @@
+"""Motions whose stated errors once were too small: where a drag turns, where a contact is young, where a force has two maxima."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from corollary.scenes.catalogue import run
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.plan import play
+from corollary.scenes.run import Observable as O
+from corollary.scenes.scene import Body, Scene
+
+G = 9.8
+
+
+def thrown_up(m, c, v, until):
+    """Speed and height of a stone thrown up against quadratic drag, after its highest point: tangent and hyperbolic tangent."""
+    vt = math.sqrt(m * G / c)
+    fall = until - vt / G * math.atan(v / vt)
+    top = vt * vt / (2.0 * G) * math.log1p((v / vt) ** 2)
+    return -vt * math.tanh(G * fall / vt), top - vt * vt / G * math.log(math.cosh(G * fall / vt))
+
+
+@pytest.mark.parametrize(
+    ("m", "c", "v", "until"),
+    [
+        (1.5480590454304788, 0.48208262863026446, 5.751906264420681, 0.7879728538566795),
+        (1.3671272214182628, 0.4837854071468006, 3.9689467564226026, 1.3633677203268038),
+        (0.9675683362480886, 0.1390100599015407, 11.61201815431267, 2.3373263175714687),
+    ],
+)
+@pytest.mark.parametrize("angle", [None, 0.5 * math.pi, 0.5 * math.pi - 1e-9])
+def test_quadratic_drag_where_a_stone_turns(m, c, v, until, angle):
+    speed, height = thrown_up(m, c, v, until)
+    place, start = (
+        ((0.0,), (v,)) if angle is None else ((0.0, 0.0), (v * math.cos(angle), v * math.sin(angle)))
+    )
+    scene = Scene((Body(m, place, start),), (Weight(G), Drag(0, quadratic=c)), until=until)
+    found = play(scene, {O.VELOCITIES, O.TRAJECTORY}, times=(until,))
+    for name, truth in (("velocities", speed), ("trajectory", height)):
+        value, error = found.observed[name][-1], found.errors[name][-1]
+        assert abs(value - truth) <= error <= 1e-8
+
+
+def test_in_a_steady_wind_drag_fades_without_an_end_of_turns():
+    until, c, b, wind = 400.0, 0.3, 0.5, 4.0
+    drag = Drag(0, linear=b, quadratic=c, wind=(wind,))
+    found = play(
+        Scene((Body(1.0, (0.0,), (-3.0,)),), (drag,), until=until),
+        {O.VELOCITIES, O.TRAJECTORY},
+        times=(until,),
+    )
+    # u' = -(b + c u) u, u against the wind: the way is the integral of du/(b + c u).
+    lag = math.log1p(c / b * (wind + 3.0)) / c
+    assert abs(found.observed["velocities"][0] - wind) <= found.errors["velocities"][0] <= 1e-8
+    assert (
+        abs(found.observed["trajectory"][0] - (wind * until - lag)) <= found.errors["trajectory"][0] <= 1e-6
+    )
+    assert found.evaluations < 20_000
+
+
+def test_a_bounce_turns_a_drag_as_well():
+    from corollary.scenes.forces.wall import HardWall
+
+    # Without weight: v' = -(c/m) v^2, so the way between walls is m/c ln(v0/v).
+    m, c, v, until = 0.5, 0.2, 3.0, 1.0
+    wall = 0.9
+    before = m / c * math.expm1(c / m * wall) / v
+    hit = v * math.exp(-c / m * wall)
+    left = until - before
+    after = hit / (1.0 + c / m * hit * left)
+    scene = Scene((Body(m, (0.0,), (v,)),), (Drag(0, quadratic=c), HardWall((-1.0,), -wall)), until=until)
+    found = play(scene, {O.VELOCITIES, O.TRAJECTORY}, times=(until,))
+    assert abs(found.observed["velocities"][0] + after) <= found.errors["velocities"][0] <= 1e-8
+    back = wall - m / c * math.log1p(c / m * hit * left)
+    assert abs(found.observed["trajectory"][0] - back) <= found.errors["trajectory"][0] <= 1e-8
+
+
+def test_young_contacts_do_not_share_the_error_of_their_first_step():
+    masses, v = (0.25793190475695393, 0.7442497016098485, 0.9041289369399508), 2.701994747316124
+    bodies = tuple(
+        Body(m, (x,), (v * (x == 0.0),), 0.05) for m, x in zip(masses, (0.0, 1.0, 2.0), strict=True)
+    )
+    contacts = (
+        Contact(137678.08976956995, 1.5, chosen=((0, 1),)),
+        Contact(625100.0343507349, 1.0, chosen=((1, 2),)),
+    )
+    a, b, c = masses
+    u = 2.0 * a / (a + b) * v
+    truth = (a - b) / (a + b) * v, (b - c) / (b + c) * u, 2.0 * b / (b + c) * u
+    found = play(Scene(bodies, contacts), {O.VELOCITIES}).measured["velocities"]
+    for value, error, true in zip(found.value, found.error, truth, strict=True):
+        assert abs(value - true) <= error <= 1e-8
+
+
+def test_discs_that_graze_with_a_third_far_off():
+    ma, mb, far, b, v = (
+        0.7509328056347105,
+        0.8385904351960018,
+        1.6757038699622016,
+        0.09982981756529931,
+        2.751867866016127,
+    )
+    alone = {
+        "mA": ma,
+        "mB": mb,
+        "R": 0.05,
+        "k": 20224.775122783594,
+        "eta": 0.0,
+        "dx": far,
+        "dy": b,
+        "vA": (v, 0.0),
+    }
+    truth = (*run("spheres", alone).observed["velocities"], 0.0, -1.0)  # a quadrature, in ball arithmetic
+    bodies = (
+        Body(ma, (0.0, 0.0), (v, 0.0), 0.05),
+        Body(mb, (far, b), (0.0, 0.0), 0.05),
+        Body(1.0, (0.0, -500.0), (0.0, -1.0), 0.05),
+    )
+    found = play(Scene(bodies, (Contact(20224.775122783594, 1.5),)), {O.VELOCITIES}).measured["velocities"]
+    for value, error, true in zip(found.value, found.error, truth, strict=True):
+        assert abs(value - true) <= error <= 1e-8
+
+
+def damped_peak(given):
+    """The largest force of two damped spheres: the relative motion in the plane by DOP853, sampled densely."""
+    reach, k, q, eta = 2.0 * given["R"], given["k"], given["q"], given["eta"]
+    mu, v, b = given["mA"] * given["mB"] / (given["mA"] + given["mB"]), given["vA"][0], given["dy"]
+    r0 = np.array([math.sqrt((reach - b) * (reach + b)), b])
+
+    def force(y):
+        r = np.hypot(y[0], y[1])
+        return k * np.maximum(reach - r, 0.0) ** q * y[:2] / r - eta * y[2:]
+
+    def parts(_, y):
+        return math.hypot(y[0], y[1]) - reach
+
+    parts.terminal, parts.direction = True, 1.0
+    start = np.array([*r0, -v, 0.0])
+    found = solve_ivp(
+        lambda _, y: np.concatenate([y[2:], force(y) / mu]),
+        (0.0, 10.0 * reach / v),
+        start,
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-15,
+        max_step=1e-5 * reach / v * 100.0,
+        events=parts,
+        dense_output=True,
+    )
+    states = found.sol(np.linspace(0.0, float(found.t[-1]), 20_001))
+    return float(np.hypot(*force(states)).max())
+
+
+@pytest.mark.parametrize("eta", [0.0001795425661067084, 0.0001, 0.00019])
+def test_the_force_of_a_damped_graze_falls_rises_and_falls_again(eta):
+    given = {
+        "mA": 0.25248642803116483, "mB": 0.14948184952565444, "R": 0.02, "q": 2.0, "k": 20000.0, "eta": eta, "dx": 0.1,
+        "dy": 0.03998924220622724, "vA": (1.2554226926754175, 0.0),
+    }  # fmt: skip
+    peak = damped_peak(given)
+    assert peak >= eta * given["vA"][0]
+    assert run("spheres", given, 1e-9).observed["peak_force"] == pytest.approx(peak, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("masses", "q", "gaps", "what"),
+    [
+        ((50.14842915010929, 13.158625363211009, 0.017346232807232218), 2.0, 0.0, "duration"),
+        ((22.405077998574715, 23.165296837618484, 0.1926924869373283), 2.0, 1e-4, "peak_force"),
+    ],
+)
+def test_two_runs_of_a_cradle_do_not_share_the_error_of_their_first_steps(masses, q, gaps, what):
+    given = {"N": 3.0, "masses": masses, "q": q, "gaps": gaps}
+    rough, fine = run("cradle", given, 1e-9), run("cradle", given, 1e-14)
+    assert abs(rough.observed[what] - fine.observed[what]) <= rough.errors[what]
