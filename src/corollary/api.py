@@ -91,15 +91,20 @@ def judge(
     return grade(of, judge_parts(of, values, run_programs(of, values)), reveal=reveal)
 
 
-def play(scene: str, *, tolerance: float = 1e-12, **settings: float | tuple[float, ...]) -> Run:
+def play(
+    scene: str, *, tolerance: float = 1e-12, conditions: bool = True, **settings: float | tuple[float, ...]
+) -> Run:
     """A ready-made scene, played with the least model that answers; settings are in SI, those left out the chapter's.
 
-    `tolerance` is relative to the scene's natural scale. Raises BadSetting when a setting is unknown or unphysical,
-    GuardFailed when momentum or energy is not kept.
+    `tolerance` is relative to the scene's natural scale. Each value has its condition, and `warnings` announce a grazing hit, an edge
+    or chaos, for a run more for each setting; without `conditions` they are left out. Raises BadSetting when a setting is unknown or
+    unphysical, GuardFailed when momentum or energy is not kept.
     """
     from corollary.scenes.catalogue import run
+    from corollary.scenes.condition import with_conditions
 
-    return run(scene, settings, tolerance)
+    found = run(scene, settings, tolerance)
+    return with_conditions(found, tolerance) if conditions else found
 
 
 def ensemble(scene: str, *, tolerance: float = 1e-9, **settings: Any) -> Ensemble:

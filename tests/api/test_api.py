@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import subprocess
 import sys
@@ -93,3 +94,17 @@ def test_a_scene_of_unknown_name_or_setting() -> None:
         corollary.play("ferris_wheel")
     with pytest.raises(corollary.BadSetting):
         corollary.play("cradle", colour=3.0)
+
+
+def test_a_scene_says_how_strongly_its_values_hang_on_the_settings() -> None:
+    # The overlap of a head-on hit is A^(1/(q + 1)) with A = (q + 1) (m/2) v^2/(2 k): most it hangs on q. That of one that grazes by a
+    # part p of the reach hangs on the offset as 1/(2 p).
+    log_of_a = math.log(2.5 * 0.05 / 2e4)
+    head_on = corollary.play("cradle", N=2, q=1.5)
+    assert head_on.measured["largest_overlap"].condition == pytest.approx(
+        1.5 * (1.0 - log_of_a) / 2.5**2, rel=1e-5
+    )
+    grazing = corollary.play("spheres", eta=0.0, dy=0.04 * (1.0 - 3e-7), q=1.0, k=1e12)
+    assert grazing.measured["largest_overlap"].condition == pytest.approx(0.5 / 3e-7, rel=0.3)
+    assert any("a grazing hit" in warning for warning in grazing.warnings)
+    assert corollary.play("cradle", conditions=False, N=2).measured["duration"].condition is None

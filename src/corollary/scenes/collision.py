@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.integrate import both_ways, regularised
+from corollary.scenes.progress import part
 from corollary.scenes.row import RowOfBodies, RowResult, energy, natural_units
 from corollary.scenes.run import GuardFailed, Model
 
@@ -86,10 +87,10 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
     compiled = both_ways.wanted()
-    coarse, fine = (
-        regularised.collide(line, allowed, compiled=compiled)
-        for allowed in (max(tolerance, 1e-14), max(tolerance / 30.0, 1e-15))
-    )
+    with part(0.0, 0.4):
+        coarse = regularised.collide(line, max(tolerance, 1e-14), compiled=compiled)
+    with part(0.4, 1.0):
+        fine = regularised.collide(line, max(tolerance / 30.0, 1e-15), compiled=compiled)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."

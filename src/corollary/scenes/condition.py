@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from corollary.scenes.catalogue import SCENES, run
+from corollary.scenes.progress import part
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, components
 
 MOVED = 1e-7  # as a share of a setting: small, and still far above what rounding does to values
@@ -23,9 +24,11 @@ def with_conditions(found: Run, tolerance: float) -> Run:
     """
     most = dict.fromkeys(found.measured, 0.0)
     warnings: list[str] = []
-    for name, moved in _moved(found):
+    every = list(_moved(found))
+    for i, (name, moved) in enumerate(every):
         try:
-            other = run(found.scene, moved, tolerance)
+            with part(i / len(every), (i + 1) / len(every)):
+                other = run(found.scene, moved, tolerance)
         except (BadSetting, GuardFailed):
             continue
         if other.outcome != found.outcome:

@@ -12,6 +12,7 @@ from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.lookup import contact_span, flat
 from corollary.scenes.motion.observe import look, outcome, state_at
 from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.progress import part
 from corollary.scenes.run import (
     BadSetting,
     GuardFailed,
@@ -42,9 +43,13 @@ def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Traj
     """A coarser run, a finer one, and a coarser one of slightly other data; none if that cannot be followed."""
     tolerance = min(tolerance, COARSEST)
     fine = max(tolerance / FINER, FINEST)
-    rough, right = follow(scene, max(tolerance, FINER * FINEST)), follow(scene, fine)
+    with part(0.0, 0.25):
+        rough = follow(scene, max(tolerance, FINER * FINEST))
+    with part(0.25, 0.7):
+        right = follow(scene, fine)
     try:
-        other = follow(_changed(scene), max(tolerance, FINER * FINEST))
+        with part(0.7, 0.95):
+            other = follow(_changed(scene), max(tolerance, FINER * FINEST))
     except (BadSetting, GuardFailed):
         other = None
     return rough, right, other

@@ -33,7 +33,7 @@ def ways(name: str) -> tuple[Callable, Callable[[str], ModuleType]]:
         return lambda function: function, as_written
     from numba import njit  # pyright: ignore[reportMissingImports]
 
-    return njit(cache=True, error_model="numpy"), compiled
+    return njit(cache=True, error_model="numpy", nogil=True), compiled
 
 
 def as_written(module: str) -> ModuleType:

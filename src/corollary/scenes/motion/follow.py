@@ -16,6 +16,7 @@ from corollary.scenes.motion.path import Happening, Stretch, Trajectory
 from corollary.scenes.motion.sizes import sizes_of
 from corollary.scenes.motion.steps import Stepper
 from corollary.scenes.motion.system import Mode, Slope, System
+from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.scene import Scene, overlap, start_of
 
@@ -261,6 +262,8 @@ class Follower:
         path.stretches.append(stretch)
         path.state = stretch.after
         path.time = stretch.begin + stretch.lasts
+        if self.scene.until is not None:
+            tell(min(path.time / self.scene.until, 1.0))
         if self.energy is None:
             return
         now = energy(self.scene, path.time, path.state)
@@ -280,6 +283,7 @@ def follow(scene: Scene, tolerance: float, shift: float = 0.0) -> Trajectory:
 
     With `shift` (m) every touch happens that much later, or earlier where it is negative: what a grazing touch depends on.
     `tolerance` is the error allowed to a step, relative to the size of the velocities and of the places (or overlaps) in the scene.
+    With an `until` each step tells how far it has got (`corollary.scenes.progress`).
     Raises BadSetting for a start that is impossible, GuardFailed when energy is lost, bodies overlap without a force, no forces of
     rigid bodies are consistent, or the end is not reached.
     """
