@@ -10,7 +10,7 @@ from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
-from corollary.scenes.progress import part, tell, told_to
+from corollary.scenes.progress import part, reported_to, tell
 from corollary.scenes.run import Observable as O
 from corollary.scenes.scene import Body, Scene
 
@@ -32,7 +32,7 @@ def bounces():
 )
 def test_a_listener_is_told_ever_more(played, least):
     told = []
-    with told_to(told.append):
+    with reported_to(told.append):
         played()
         tell(1.0)
     assert len(told) > least
@@ -45,7 +45,7 @@ def test_a_listener_is_told_ever_more(played, least):
 
 def test_a_part_is_a_share_of_the_whole():
     told = []
-    with told_to(told.append), part(0.5, 1.0), part(0.0, 0.5):
+    with reported_to(told.append), part(0.5, 1.0), part(0.0, 0.5):
         tell(0.5)
     assert told == [0.5, 0.5, 0.625, 0.75, 1.0]
 

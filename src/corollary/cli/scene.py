@@ -9,14 +9,14 @@ from corollary.cli.progress import waiting
 from corollary.grading.from_json import finite
 from corollary.scenes.catalogue import run as play
 from corollary.scenes.condition import with_conditions
-from corollary.scenes.progress import part, told_to
+from corollary.scenes.progress import part, reported_to
 from corollary.scenes.run import GuardFailed, Observed, components
 
 
 def run(name: str, settings: list[str], tolerance: float, as_json: bool) -> int:
     chosen = dict(_setting(option) for option in settings)
     try:
-        with waiting(f"scene {name}") as listener, told_to(listener):
+        with waiting(f"scene {name}") as listener, reported_to(listener):
             with part(0.0, 0.5):
                 found = play(name, chosen, tolerance)
             with part(0.5, 1.0):

@@ -16,7 +16,7 @@ _listener: ContextVar[Listener | None] = ContextVar("listener", default=None)
 
 
 @contextmanager
-def told_to(listener: Listener) -> Generator[None]:
+def reported_to(listener: Listener) -> Generator[None]:
     """Whatever is played within is told to this listener."""
     known = _listener.set(listener)
     try:
@@ -33,7 +33,7 @@ def part(begin: float, end: float) -> Generator[None]:
         yield
         return
     outer(begin)
-    with told_to(lambda share: outer(begin + share * (end - begin))):
+    with reported_to(lambda share: outer(begin + share * (end - begin))):
         yield
     outer(end)
 
