@@ -23,6 +23,15 @@ from corollary.units.unit import Dimension, unit
 m, v, p, t, x, y = sympy.symbols("m v p t x y", real=True)
 
 
+@pytest.mark.parametrize(
+    ("meaning", "exactly"),
+    [(273.15, sympy.Rational(27315, 100)), (0.1 * x, x / 10), (1e-7, sympy.Rational(1, 10**7))],
+)
+def test_a_decimal_number_of_an_author_is_exact(meaning, exactly):
+    ((_left, right),) = sides(law("Shift", "p = t + T_0", p=p, t=t, T_0=meaning))
+    assert right - t == exactly
+
+
 def test_the_textbook_form_is_kept():
     stated = law("Momentum", "p = m*v + 0*v - m*v", p=p, m=m, v=v)
     assert text(stated.textbook) == "p = m*v + 0*v - m*v"

@@ -193,8 +193,14 @@ def is_function(meaning: object) -> bool:
 
 
 def as_expression(value: object) -> sympy.Expr:
-    """A number or an expression of an author's as sympy has it (typed here once, for sympy says Any of it)."""
-    return cast(sympy.Expr, sympy.sympify(value))
+    """A number or an expression of an author's as sympy has it; 273.15 is 27315/100, as it is in a formula's text.
+
+    (Typed here once, for sympy says Any of it.)
+    """
+    found = sympy.sympify(value)
+    return cast(
+        sympy.Expr, found.xreplace({each: sympy.Rational(str(each)) for each in found.atoms(sympy.Float)})
+    )
 
 
 def substitute(expression: Any, values: Mapping[sympy.Symbol, sympy.Expr]) -> Any:
