@@ -197,7 +197,7 @@ def as_expression(value: object) -> sympy.Expr:
 
     (Typed here once, for sympy says Any of it.)
     """
-    found = sympy.sympify(value)
+    found: Any = sympy.sympify(value)
     return cast(
         sympy.Expr, found.xreplace({each: sympy.Rational(str(each)) for each in found.atoms(sympy.Float)})
     )
