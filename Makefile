@@ -66,8 +66,8 @@ test-all: $(ALL)
 	@$(BIN)/python -m pytest -n $(JOBS) --dist loadfile
 
 lint: $(LINT)
-	@$(BIN)/ruff check src tests solutions benchmarks
-	@$(BIN)/ruff format --check src tests solutions benchmarks
+	@$(BIN)/ruff check src tests solutions benchmarks examples
+	@$(BIN)/ruff format --check src tests solutions benchmarks examples
 	@$(BIN)/pyright --pythonpath $(BIN)/python
 
 # The texts that students read, one template for each room.

@@ -87,6 +87,15 @@ def test_a_curve_follows_its_formula(problem):
     assert max(points, key=lambda each: -each[1]) == points[20]
 
 
+def test_brackets_stand_in_brackets(problem):
+    """45 degrees, however it is written."""
+    one, other = (
+        drawn(chapter(problem(f"floor\nray through=(0,0),({x},1)"))).svg
+        for x in ("1", "1*tan(asin(sin(atan(abs(-1)))))")
+    )
+    assert one == other
+
+
 @pytest.mark.parametrize(
     ("figure", "line", "words"),
     [

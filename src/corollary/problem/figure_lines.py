@@ -19,7 +19,9 @@ from corollary.formula.syntax import author_formula
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension
 
-INSIDE = r"[^()\"]|\((?:[^()\"]|\((?:[^()\"]|\([^()\"]*\))*\))*\)"
+INSIDE = r"[^()\"]"
+for _depth in range(6):  # brackets in brackets, such as (a*tan(asin(sin(alpha)/n)),0)
+    INSIDE = rf"[^()\"]|\((?:{INSIDE})*\)"
 TOKEN = re.compile(rf'"(?P<text>[^"]*)"|(?P<word>[a-z]+)=(?P<value>(?:(?!\s){INSIDE})+)|(?P<bare>[^\s"=]+)')
 NAME = re.compile(r"[A-Za-z]\w*$|\d+$")
 ANCHOR = re.compile(r"([A-Za-z]\w*|\d+)(\.(left|right|top|bottom))?$")

@@ -2,13 +2,14 @@
 
 from math import cos, sin
 
+from sympy import cos as cosine
+from sympy import sin as sine
+
 from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import balance, kinetic_friction, law, second_law, without_time, wrong
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.scene import Body, Scene
-from sympy import cos as cosine
-from sympy import sin as sine
 
 
 def derive(m, theta, mu, L, g):
