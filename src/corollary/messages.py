@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gettext
 import io
+import re
 import unicodedata
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
@@ -19,6 +20,9 @@ from pathlib import Path
 
 # Controls, marks of direction, halves of surrogates, and separators of lines, by their category in Unicode.
 HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
+# Languages that part decimals by a comma, and a list of numbers by semicolons therefore.
+WITH_COMMA = frozenset({"de", "nb"})
+DECIMAL = re.compile(r"(?<![\w.])(\d+)\.(\d+)(?!\w*\.\d)")
 _CARRIED: dict[tuple[str, str], bytes] = {}
 _LANGUAGE: ContextVar[str] = ContextVar("language", default="en")
 
@@ -74,6 +78,16 @@ def compiled(domain: str, code: str) -> bytes:
     places = list(spec.submodule_search_locations or ()) if spec is not None else []
     found = gettext.find(domain, Path(places[0], "locale"), [code]) if places else None
     return Path(found).read_bytes() if found else b""
+
+
+def in_convention(text: str, comma: str = ",") -> str:
+    """A text made of numbers and units as readers of the spoken language write it: `(3.5, 4) m/s` is `(3,5; 4) m/s` in German.
+
+    `comma` is the decimal comma (`{,}` in TeX, where a bare one is followed by a gap). Codes such as X12.5 stay as they are.
+    """
+    if spoken() not in WITH_COMMA:
+        return text
+    return DECIMAL.sub(rf"\1{comma}\2", re.sub(r"(?<=[\d\w°]), (?=[-−+]?\d)", "; ", text))
 
 
 def carry(domain: str, code: str, text: bytes) -> None:

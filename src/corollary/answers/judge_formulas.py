@@ -15,7 +15,7 @@ from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, 
 from corollary.formula.ast import Expr, Number, names, walk
 from corollary.formula.ball import Undefined
 from corollary.formula.degrees import in_degrees
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 
 _ = catalogue(__name__)
 
@@ -53,6 +53,7 @@ def judge_formulas(
     if slip := hint(first):
         return Slip(f"{slip[0].upper()}{slip[1:]}.")
     point = ", ".join(f"{name} = {value:.4g}" for name, value in sorted(first.point.items()))
+    point = in_convention(point)
     return Wrong(_("For example at {point} (SI) it gives something else than the laws do.", point=point))
 
 

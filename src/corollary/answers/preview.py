@@ -7,7 +7,7 @@ from typing import assert_never
 
 from corollary.answers.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
 from corollary.formula.text import text
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 
 _ = catalogue(__name__)
 
@@ -28,20 +28,23 @@ def preview_of(answer: Answer) -> Preview:
         case Unclear(why):
             return Preview(False, _("cannot be read: {why}", why=why))
         case Numbers(as_read=as_read) if remark := answer.misfit or answer.missing:
-            return Preview(not answer.misfit, _("read as {answer}: {remark}", answer=as_read, remark=remark))
+            return Preview(
+                not answer.misfit,
+                _("read as {answer}: {remark}", answer=in_convention(as_read), remark=remark),
+            )
         case Numbers(figures=figures, as_read=as_read):
             count = figures[0] if len(set(figures)) == 1 else 0
             if not count:
-                return Preview(True, _("read as {answer}", answer=as_read))
+                return Preview(True, _("read as {answer}", answer=in_convention(as_read)))
             read = _.plural(
                 "read as {answer} ({count} figure)",
                 "read as {answer} ({count} figures)",
                 count,
-                answer=as_read,
+                answer=in_convention(as_read),
             )
             return Preview(True, read)
         case Formulas(_trees, as_read) | Letter(_trees, as_read):
-            return Preview(True, _("read as {answer}", answer=as_read))
+            return Preview(True, _("read as {answer}", answer=in_convention(as_read)))
         case Chain(steps):
             read = _.plural(
                 "read as {count} equation: {equations}",

@@ -17,7 +17,7 @@ from corollary.answers.unit_meant import unit_meant
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
 from corollary.formula.numerals import LONGEST, TO_ASCII, Written, decimal_text, scan_number
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.units.unit import ONE, PURE, Unit, called, show
 
 _ = catalogue(__name__)
@@ -202,7 +202,10 @@ def _reading(
     zero = not number.value and not size.offset  # 0 is 0 in every unit, but for a temperature
     if expected is not None and unit is None and not zero and not pure:
         fit = "unit missing"
-        why = _("the unit is missing; write for example {example}", example=f"{as_read} {show(expected)}")
+        why = _(
+            "the unit is missing; write for example {example}",
+            example=in_convention(f"{as_read} {show(expected)}"),
+        )
     elif expected is not None and size.dimension != expected.dimension:
         fit, why = "wrong dimension", _misfit(as_read, size, expected)
     return Reading(text, number.value, number.figures, number.least, unit, (ratio, pi), fit, why, as_read)
@@ -211,12 +214,17 @@ def _reading(
 def _misfit(as_read: str, size: Unit, expected: Unit) -> str:
     wanted, found, example = called(expected.dimension), called(size.dimension), show(expected)
     if not example:
-        return _("{wanted} is expected; {as_read} is {found}", wanted=wanted, as_read=as_read, found=found)
+        return _(
+            "{wanted} is expected; {as_read} is {found}",
+            wanted=wanted,
+            as_read=in_convention(as_read),
+            found=found,
+        )
     return _(
         "{wanted} is expected, for example in {example}; {as_read} is {found}",
         wanted=wanted,
         example=example,
-        as_read=as_read,
+        as_read=in_convention(as_read),
         found=found,
     )
 

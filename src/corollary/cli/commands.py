@@ -14,6 +14,7 @@ from corollary.cli.left_out import completed
 from corollary.cli.parameters import (
     AT_LEAST_1,
     BANK,
+    BANK_AND_LANGUAGE,
     CODE,
     COURSE,
     EXPORTED_MARKS,
@@ -82,7 +83,7 @@ _command(
     "show",
     "One problem as a student sees it.",
     CODE,
-    BANK,
+    *BANK_AND_LANGUAGE,
     text("--student", "The numbers this student would get (with --course: those dealt there).", STUDENTS),
     path("--course", text="Take the student's numbers from this course."),
     click.Option(["--variant"], type=int, help="The variant with this index in the grid."),
@@ -149,7 +150,7 @@ _command(
     "preview",
     "A local page that reloads: twenty variants, redrawn ones marked and why, key, mistakes and tolerance.",
     CODE,
-    BANK,
+    *BANK_AND_LANGUAGE,
     *PAGE,
 )
 _command("schema", "The JSON schema of a problem's front matter, for editors.")
@@ -171,7 +172,7 @@ _command(
         required=True,
     ),
     COURSE,
-    BANK,
+    *BANK_AND_LANGUAGE,
     JSON,
     text("--id-column", "The roster's column with the ids, by name or number."),
     flag("--not-renamed", "What looks renamed is not: what is gone is gone, and what is new is new."),

@@ -15,6 +15,7 @@ from corollary.course.generate import Generated, generate
 from corollary.course.renew import Renewals, renewals
 from corollary.course.roster import RosterChange, roster_change, students_before
 from corollary.grading.solutions import Solutions
+from corollary.messages import spoken
 from corollary.nbgrader.config import check_config
 from corollary.problem.bank import Bank, open_bank
 from corollary.problem.problem_set import ProblemSet, find_set
@@ -24,7 +25,7 @@ from corollary.records.corrections import Correction, corrections
 from corollary.records.files import open_course
 from corollary.records.origin import set_of
 from corollary.records.printed_dates import complete_dates
-from corollary.records.settings import read_settings
+from corollary.records.settings import read_settings, write_language
 
 
 def run(
@@ -73,6 +74,11 @@ def run(
             Path(name) if name.endswith(".md") else None,
             plan.sheets if renew else (),
             read_settings(course).jobs,
+        )
+    if spoken() != (read_settings(course).language or "en"):
+        write_language(course, spoken())
+        say(
+            f'{course / "corollary.toml"} says language = "{spoken()}" from now on: students read all of the course in it'
         )
     if not renew and (plan.sheets or plan.handed_in):
         say("everybody keeps the sheet they have, to the byte; with --renew:")

@@ -26,6 +26,7 @@ def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool
     is the usual one. Raises Malformed when the settings cannot be read.
     """
     found = dict(options)
+    wanted = found.pop("language", None)
     if not {"course", "bank"} & found.keys():
         return found
     folder = found.get("course") or course_around()
@@ -34,6 +35,8 @@ def completed(options: Mapping[str, Any], *, course_needed: bool, any_bank: bool
             "no course is named, and the working folder does not lie in one; name it with --course, or change into its folder"
         )
     settings = _settings(folder)
+    if wanted:
+        _speak(wanted)
     if "course" in found and (course_needed or _has_room_for_a_course(found)):
         found["course"] = folder
     for name, (option, usual) in STANDS_FOR.items():
@@ -56,6 +59,15 @@ def _settings(folder: Path | None) -> dict[str, Any]:
         speak(settings.language)
     named = {name: getattr(settings, name) for name in (*STANDS_FOR, "bank")}
     return {name: value for name, value in named.items() if value not in (None, "")}
+
+
+def _speak(code: str) -> None:
+    """The language named on the command line, from here on."""
+    from corollary.messages import languages, speak
+
+    if code not in (have := languages()):
+        refuse(f"--language {code}: the texts are there in {', '.join(have)}; give one of these")
+    speak(code)
 
 
 def course_around() -> Path | None:

@@ -74,6 +74,8 @@ BANK = click.Option(
     help="A folder with problems/ and solutions/, or an installed bank; may be repeated. When left out, "
     "COROLLARY_BANK, the course's bank, or the chapter's.",
 )
+LANGUAGE = text("--language", "The language of what students read, such as de; the course's when left out.")
+BANK_AND_LANGUAGE = (BANK, LANGUAGE)
 GENERATED_BANK = click.Option(
     ["--bank"],
     type=PATH,

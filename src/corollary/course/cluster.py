@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from corollary.course.workers import AHEAD, Execute
 from corollary.grading.submission import GradingContext, Submission, state_of
+from corollary.messages import speak
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
 from corollary.sandbox.runner import Runner
 
@@ -68,6 +69,7 @@ def mark_there(sent: Sent, submission: Submission) -> GradedSubmission:
     with _one_at_a_time:
         if sent.token not in _at_work:
             _leave()
+            speak(sent.context.language)
             if state_of(sent.context.problem_set, sent.context.solutions) != sent.state:
                 raise NoCluster(
                     "a worker has another version of the program or of the solutions; put the same ones everywhere"

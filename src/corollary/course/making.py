@@ -13,6 +13,7 @@ from typing import TypeVar
 
 from corollary.atomic import write_whole
 from corollary.grading.solutions import Solutions
+from corollary.messages import speak, spoken
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.parallel import begin, cores, way_to_start
@@ -99,7 +100,7 @@ def makers(
     for problem in problem_set.problems:
         solutions.of(problem)  # once, before there are processes that would each do it
     with ProcessPoolExecutor(
-        most, mp_context=way_to_start(), initializer=_start, initargs=(here,)
+        most, mp_context=way_to_start(), initializer=_start, initargs=(here, spoken())
     ) as here.pool:
         try:
             yield here
@@ -110,8 +111,9 @@ def makers(
 _at_work: list[Makers] = []  # of a worker process
 
 
-def _start(context: Makers) -> None:
+def _start(context: Makers, language: str) -> None:
     begin()
+    speak(language)
     gc.freeze()  # what was there before stays: looking through it again and again would be a fifth of the time
     gc.set_threshold(100_000, 50, 100)
     _at_work.append(Makers(context.course, context.problem_set, context.solutions))

@@ -9,6 +9,7 @@ from contextlib import AbstractContextManager, contextmanager
 from itertools import islice
 
 from corollary.grading.submission import GradingContext, Submission
+from corollary.messages import speak
 from corollary.nbgrader.graded import GradedSubmission, grade_submission, not_graded
 from corollary.parallel import begin, cores, way_to_start
 from corollary.sandbox.folders import remove_abandoned
@@ -110,6 +111,7 @@ def _submit(pool: ProcessPoolExecutor, submissions: Iterable[Submission]) -> Pen
 
 def _begin(context: GradingContext) -> None:
     begin()
+    speak(context.language)
     _at_work.append((context, context.runner()))
 
 

@@ -22,9 +22,11 @@ from corollary.formula.ball import certified
 from corollary.formula.latex import latex, letter
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.problem.given import Given
 from corollary.problem.part import Part
+from corollary.problem.statement import formulas_in_convention
+from corollary.problem.translation import in_language
 from corollary.problem.variant import Variant
 from corollary.units.unit import Unit, si_unit
 from corollary.units.unit import unit as unit_of
@@ -49,7 +51,7 @@ def worked_solution(
 
     `neglected` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
     """
-    problem = solution.problem
+    problem = in_language(solution.problem)
     known = given_numbers(variant)
     lines = [_constant(given) for given in problem.givens if given.source]
     lines += [""] * bool(lines)
@@ -64,7 +66,7 @@ def worked_solution(
                 lines += [*_neglected(each, most, share, part, known), ""]
     for part in problem.parts:
         lines += _other(solution, part, letters, variant)
-    return "\n".join(lines).strip() + "\n"
+    return formulas_in_convention("\n".join(lines).strip() + "\n")
 
 
 def _constant(given: Given) -> str:
@@ -129,7 +131,9 @@ def _neglected(
     bracketed = {name: f"({text})" for name, text in texts.items()}
     lines += _result(replace(find, in_givens=None), (most,), part, {**known, **bracketed})
     size = (
-        _("{percent} % of the answer", percent=decimal_text(100 * share, 2)) if share else _("nothing at all")
+        _("{percent} % of the answer", percent=in_convention(decimal_text(100 * share, 2)))
+        if share
+        else _("nothing at all")
     )
     if each.asked:
         return [*lines, _("At most {size}, left out since the question asks for it.", size=size)]

@@ -13,6 +13,7 @@ from corollary.grading.key import Key
 from corollary.messages import catalogue
 from corollary.problem.given import Given
 from corollary.problem.part import Part
+from corollary.problem.translation import text_in_language
 from corollary.units.unit import PURE, show
 
 _ = catalogue(__name__)
@@ -35,14 +36,14 @@ def advice(key: Key, part: Part) -> str:
     steps = _steps(key, asked)
     laws = list(islice(_named(law for step in reversed(steps) for law in step.laws), MOST_LAWS))
     used = _used(key, steps)
-    quantities = [_described(each) for each in used[:MOST_QUANTITIES]]
+    quantities = [_described(key, each) for each in used[:MOST_QUANTITIES]]
     quantities += [_("your answer in {part}", part=f"({earlier})") for earlier in _earlier(key, steps)]
     sentences: list[str] = []
     if laws:
         sentences.append(_("Think of: {laws}.", laws=_listed(laws)))
     if quantities:
         sentences.append(_("What counts here: {quantities}.", quantities=_listed(quantities)))
-    return " ".join([*sentences, _check(part, asked, used)])
+    return " ".join([*sentences, _check(key, part, asked, used)])
 
 
 def _steps(key: Key, asked: Unknown) -> list[Unknown]:
@@ -85,8 +86,10 @@ def _named(laws: Iterable[AppliedLaw]) -> Iterator[str]:
             yield _law_name(law.name) + (f" {law.source}" if EQUATIONS.fullmatch(law.source) else "")
 
 
-def _described(given: Given) -> str:
-    """What a given means, with its article: `the mass of the ball`, `your mass`."""
+def _described(key: Key, given: Given) -> str:
+    """What a given means, with its article: `the mass of the ball`, `your mass`; a translation has its own."""
+    if (theirs := text_in_language(key.variant.problem, given.meaning)) != given.meaning:
+        return theirs
     first = given.meaning.partition(" ")[0]
     return given.meaning if first[:1].isupper() or first in WITHOUT_ARTICLE else f"the {given.meaning}"
 
@@ -95,19 +98,19 @@ def _listed(words: list[str]) -> str:
     return "; ".join(words)
 
 
-def _check(part: Part, asked: Unknown, used: list[Given]) -> str:
+def _check(key: Key, part: Part, asked: Unknown, used: list[Given]) -> str:
     """Something to try that needs no key: the step of a program, a size, a limiting case, the units."""
     if not isinstance(asked.local, ClosedForms):
         return _("A check: does the number stay when you halve the step of your program?")
     alike = next((given for given in used if given.unit.dimension == part.unit.dimension), None)
     if alike is not None and part.unit.dimension != PURE.dimension and not part.components:
         return _(
-            "A check: must it be larger or smaller than {quantity}, and why?", quantity=_described(alike)
+            "A check: must it be larger or smaller than {quantity}, and why?", quantity=_described(key, alike)
         )
     if used:
         return _(
             "A check: what should become of it if {quantity} were very small, and does it in your way of solving?",
-            quantity=_described(used[0]),
+            quantity=_described(key, used[0]),
         )
     if unit := show(part.unit):
         return _("A check: do the units of all that you used come to {unit}?", unit=unit)
@@ -117,7 +120,7 @@ def _check(part: Part, asked: Unknown, used: list[Given]) -> str:
 def _of_choice(key: Key, choice: Choice[Relation | bool]) -> str:
     conditions = [each for each in choice.options.values() if isinstance(each, Relation)]
     letters = frozenset[str]().union(*(names(each.left) | names(each.right) for each in conditions))
-    used = [_described(each) for each in key.variant.problem.givens if each.symbol in letters]
+    used = [_described(key, each) for each in key.variant.problem.givens if each.symbol in letters]
     if used:
         return _("What counts here: {quantities}.", quantities=_listed(used))
     return _("For each option ask which law would have to be broken if it were true.")

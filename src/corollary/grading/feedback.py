@@ -8,7 +8,7 @@ from typing import assert_never
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part
 from corollary.units.unit import ONE, show, unit
 
@@ -63,10 +63,10 @@ def revealed(key: Key, part: Part, answered: str = "") -> str:
     if asked.dimension == ONE and ("°" in answered or re.search(r"\bdeg", answered)):
         asked = unit("deg")
     size = asked.si
-    numbers = [decimal_text(value / size, 4) for value in truth.values]
+    values = [decimal_text(value / size, 4) for value in truth.values]
     sign = show(asked)
-    body = numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
-    return _("The answer is {answer}.", answer=f"{body} {sign}" if sign else body)
+    body = values[0] if len(values) == 1 else f"({', '.join(values)})"
+    return _("The answer is {answer}.", answer=in_convention(f"{body} {sign}" if sign else body))
 
 
 def _parts(earlier: tuple[str, ...]) -> str:

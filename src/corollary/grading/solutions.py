@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import partial
 
 from corollary.derive.cache import solution_of
 from corollary.derive.load import source
 from corollary.derive.solution import Solution
+from corollary.derive.translated import translated
 from corollary.derive.worked_solution import worked_solution
 from corollary.grading.assign import AssignedVariant, assign_variant
 from corollary.grading.key import Key, make_key
 from corollary.grading.neglect import neglects
+from corollary.messages import spoken
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
+from corollary.problem.translation import text_in_language
 from corollary.problem.variant import Variant
 
 
@@ -25,10 +29,13 @@ class Solutions:
     known: dict[str, Solution] = field(default_factory=dict[str, Solution])
 
     def of(self, problem: Problem) -> Solution:
-        """Solved at the first call, or recalled from an earlier command. Raises NotDerivable."""
+        """Solved at the first call, or recalled from an earlier command; its texts in the language spoken then. Raises NotDerivable."""
         problem = problem.as_written
         if problem.code not in self.known:
-            self.known[problem.code] = solution_of(self.bank, problem)
+            found = solution_of(self.bank, problem)
+            self.known[problem.code] = (
+                found if spoken() == "en" else translated(found, partial(text_in_language, problem))
+            )
         return self.known[problem.code]
 
     def source(self, problem: Problem) -> bytes:

@@ -12,10 +12,12 @@ from corollary.grading.grade import Grade, Marked
 from corollary.grading.integrity import elsewhere, notes
 from corollary.grading.marking import mark, not_marked
 from corollary.grading.solutions import Solutions
-from corollary.messages import catalogue
+from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
+from corollary.problem.translation import translation
 from corollary.problem.variant import Variant
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.isolation import WeakIsolation
@@ -61,6 +63,7 @@ class GradingContext:
     solutions: Solutions
     secret: bytes
     runner: Callable[[], Runner]
+    language: str = field(default_factory=spoken)  # a process of a cluster has not heard it
 
     def worksheet(self, submission: Submission) -> Worksheet:
         """The student's own sheet, as it was handed out."""
@@ -120,7 +123,7 @@ def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
     about = (problem_set.scheme, problem_set.weights, __version__, *_adapted(problem_set))
     digest = hashlib.sha256(repr(about).encode())
     for problem in problem_set.problems:
-        for content in (problem.path.read_bytes(), solutions.source(problem)):
+        for content in (_words(problem), solutions.source(problem)):
             digest.update(len(content).to_bytes(8, "big") + content)
     return digest.hexdigest()
 
@@ -135,7 +138,7 @@ def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, by
         "the version of the program": __version__.encode(),
     }
     for problem in problem_set.problems:
-        found[f"the problem {problem.code}"] = problem.path.read_bytes()
+        found[f"the problem {problem.code}"] = _words(problem)
         found[f"the solution of {problem.code}"] = solutions.source(problem)
     return found
 
@@ -148,3 +151,9 @@ def _adapted(problem_set: ProblemSet) -> list[tuple[str, float]]:
         if problem.written is not None
         for part in problem.parts
     ]
+
+
+def _words(problem: Problem) -> bytes:
+    """The problem's file, and what it is read in where it is translated."""
+    beside = translation(problem)
+    return problem.path.read_bytes() + (b"" if beside is None else beside.path.read_bytes())

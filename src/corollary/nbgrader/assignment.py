@@ -12,6 +12,7 @@ from nbformat import NotebookNode
 
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
+from corollary.messages import speak
 from corollary.notebook.worksheet import Worksheet
 from corollary.problem.bank import Bank
 from corollary.records.assigned import is_assigned, read_assigned
@@ -19,6 +20,7 @@ from corollary.records.causes import dependencies
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
 from corollary.records.origin import read_origin
+from corollary.records.settings import read_settings
 from corollary.records.submission import fingerprint, read_submission, submissions
 from corollary.sandbox.notebook import Notebook
 from corollary.sandbox.runner import Runner
@@ -60,6 +62,8 @@ def assignment_of(about: Mapping[str, str]) -> Assignment | None:
     course = open_course(here)
     if not is_assigned(course, name):
         return None
+    if code := read_settings(here).language:
+        speak(code)
     bank, problem_set = read_origin(course, name)
     assigned = read_assigned(course, problem_set)
     who = next((each for each in students(course) if each.id == student), None)

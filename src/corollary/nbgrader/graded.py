@@ -16,6 +16,7 @@ from corollary.grading.submission import (
     left_to_a_person,
     mark_submission,
 )
+from corollary.messages import language
 from corollary.nbgrader.marked_notebook import answer_digest, marked_notebook, notebook_text, part_grades
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.manual import OfStudent
@@ -54,14 +55,15 @@ class GradedSubmission:
 def grade_submission(context: GradingContext, runner: Runner, submission: Submission) -> GradedSubmission:
     """Marks one submission. A failing of ours goes to a person; only what concerns every submission (CannotStart,
     WeakIsolation) is raised."""
-    found = mark_submission(context, runner, submission)
-    try:
-        return graded(context.problem_set, submission, found)
-    except Exception as error:  # a page that cannot be made costs no marks either
-        why = f"{type(error).__name__}: {error}"
-        return graded(
-            context.problem_set, submission, left_to_a_person(context, submission, why, found.notebook)
-        )
+    with language(context.language):
+        found = mark_submission(context, runner, submission)
+        try:
+            return graded(context.problem_set, submission, found)
+        except Exception as error:  # a page that cannot be made costs no marks either
+            why = f"{type(error).__name__}: {error}"
+            return graded(
+                context.problem_set, submission, left_to_a_person(context, submission, why, found.notebook)
+            )
 
 
 def not_graded(context: GradingContext, submission: Submission, why: str) -> GradedSubmission:

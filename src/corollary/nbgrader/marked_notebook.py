@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
 
-from corollary.answers.verdict import Unmarked
+from corollary.answers.verdict import Unmarked, Unread
 from corollary.grading.grade import Marked, PartGrade
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.nbgrader.safe import safe_attachments, safe_markdown, safe_outputs
 from corollary.notebook.cells import checksum
 from corollary.notebook.content import with_names
@@ -64,7 +64,7 @@ def _add_rubrics(nb: NotebookNode, verdicts: Mapping[str, PartGrade]) -> None:
         grade = verdicts.get(cell.id)
         if grade is not None and isinstance(grade.verdict, Unmarked) and grade.verdict.rubric:
             items = "\n".join(f"> - {item}" for item in grade.verdict.rubric)
-            heading = _("To mark it by ({points} points)", points=f"{grade.out_of:g}")
+            heading = _("To mark it by ({points} points)", points=in_convention(f"{grade.out_of:g}"))
             cells.append(new_markdown_cell(f"> **{heading}**\n>\n{items}", id=f"{cell.id}_rubric"))
     nb.cells = cells
 
@@ -158,19 +158,23 @@ def _extra(cell: NotebookNode, runs: Mapping[str, CellRun]) -> NotebookNode:
     return new_code_cell(str(cell.source), outputs=safe_outputs(run.outputs) if run is not None else [])
 
 
+def _as_read(grade: PartGrade) -> str:
+    return grade.answer if isinstance(grade.verdict, Unread | Unmarked) else in_convention(grade.answer)
+
+
 def _verdict(grade: PartGrade) -> NotebookNode:
     """The verdict as the check cell's output; the feedback stands as a comment at the answer."""
     earned = _.plural(
         "{points} of {out_of} point",
         "{points} of {out_of} points",
         1 if grade.out_of == 1 else 2,
-        points=f"{grade.points:g}",
-        out_of=f"{grade.out_of:g}",
+        points=in_convention(f"{grade.points:g}"),
+        out_of=in_convention(f"{grade.out_of:g}"),
     )
     in_brackets = _("points will follow") if grade.waits else earned
     words = f"**{look(grade.verdict).phrase}** ({in_brackets})"
     if grade.answer:
-        words += "\n\n" + _("Your answer was read as: {answer}", answer=safe_markdown(grade.answer))
+        words += "\n\n" + _("Your answer was read as: {answer}", answer=safe_markdown(_as_read(grade)))
     # Not by new_output, which checks each one against the schema: that would be a third of the time a notebook takes to write.
     data = NotebookNode({"text/markdown": words, "text/plain": words.replace("**", "")})
     return NotebookNode(output_type="display_data", data=data, metadata=NotebookNode())

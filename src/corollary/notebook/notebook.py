@@ -14,12 +14,12 @@ import nbformat
 from nbformat import NotebookNode
 
 from corollary.figure.paper import on_paper
-from corollary.messages import N_, catalogue
+from corollary.messages import N_, catalogue, in_convention
 from corollary.notebook.cells import answer_cell, graded_cell, program_cell, reading_cell, written_cell
 from corollary.notebook.check_cell import check_source
 from corollary.notebook.locate import cell_id
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
-from corollary.problem.dates import written
+from corollary.problem.dates import in_words
 
 _ = catalogue(__name__)
 
@@ -152,14 +152,16 @@ def picture(svg: str, alt: str) -> str:
 
 def points(number: float) -> str:
     """`1.5 points`."""
-    return _.plural("{number} point", "{number} points", 1 if number == 1 else 2, number=f"{number:g}")
+    return _.plural(
+        "{number} point", "{number} points", 1 if number == 1 else 2, number=in_convention(f"{number:g}")
+    )
 
 
 def _title(sheet: Worksheet) -> str:
     about = sheet.problem_set
     facts = [f"**{sheet.student.name}**"] if sheet.student.id else []
     if about.due is not None:
-        facts.append(_("due {moment}", moment=written(about.due)))
+        facts.append(_("due {moment}", moment=in_words(about.due)))
     facts.append(points(sum(prompt.out_of for prompt in sheet.prompts)))
     return f"# {about.title}\n\n{' · '.join(facts)}" + (
         f"\n\n{about.introduction}" if about.introduction else ""

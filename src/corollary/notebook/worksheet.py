@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.question import Question
@@ -15,6 +15,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.statement import filled
+from corollary.problem.translation import in_language
 from corollary.problem.variant import Variant
 
 
@@ -75,7 +76,8 @@ class Worksheet:
 
 def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
     """What a student reads of one variant. Raises Malformed when a part's heading does not fit its answer type."""
-    problem = checked(variant.problem)
+    problem = checked(in_language(variant.problem))
+    variant = replace(variant, problem=problem)
     prompts = tuple(
         Prompt(
             problem,

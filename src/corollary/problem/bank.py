@@ -137,8 +137,14 @@ def files(bank: Bank) -> list[Path]:
         path
         for each in bank.each
         for path in sorted(each.problems.rglob("*.md"))
-        if each.sets not in path.parents
+        if each.sets not in path.parents and not _is_translation(path)
     ]
+
+
+def _is_translation(path: Path) -> bool:
+    """Whether a file is another one in a language, as `kicking_a_ball.de.md` is `kicking_a_ball.md` in German."""
+    original, _, language = path.stem.rpartition(".")
+    return re.fullmatch("[a-z]{2,3}", language) is not None and path.with_name(f"{original}.md").is_file()
 
 
 def load(bank: Bank) -> list[Problem]:

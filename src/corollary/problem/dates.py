@@ -9,6 +9,32 @@ from pathlib import Path
 from typing import Literal
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
+from corollary.messages import N_, catalogue, language
+
+_ = catalogue(__name__)
+WEEKDAYS = (
+    N_("Monday"),
+    N_("Tuesday"),
+    N_("Wednesday"),
+    N_("Thursday"),
+    N_("Friday"),
+    N_("Saturday"),
+    N_("Sunday"),
+)
+MONTHS = (
+    N_("January"),
+    N_("February"),
+    N_("March"),
+    N_("April"),
+    N_("May"),
+    N_("June"),
+    N_("July"),
+    N_("August"),
+    N_("September"),
+    N_("October"),
+    N_("November"),
+    N_("December"),
+)
 Reveal = Literal["no", "after due", "after extensions", "by hand"]
 # What a set's `reveal:` may say; `yes` is the word of old.
 REVEAL: dict[str, Reveal] = {
@@ -59,9 +85,23 @@ def _day(text: str) -> date | None:
 
 
 def written(when: datetime) -> str:
-    """A moment for people: `Friday 4 December 2026, 23:59 (Europe/Berlin)`."""
+    """A moment for those who run commands: `Friday 4 December 2026, 23:59 (Europe/Berlin)`."""
+    with language("en"):
+        return in_words(when)
+
+
+def in_words(when: datetime) -> str:
+    """The same in the language spoken: `Freitag, 4. Dezember 2026, 23:59 Uhr (Europe/Berlin)`."""
     name = getattr(when.tzinfo, "key", None) or when.tzname() or ""
-    return f"{when:%A} {when.day} {when:%B %Y, %H:%M} ({'UTC' if name in _UTC_BY_NAME else name})"
+    return _(
+        "{weekday} {day} {month} {year}, {time} ({zone})",
+        weekday=_(WEEKDAYS[when.weekday()]),
+        day=when.day,
+        month=_(MONTHS[when.month - 1]),
+        year=when.year,
+        time=f"{when:%H:%M}",
+        zone="UTC" if name in _UTC_BY_NAME else name,
+    )
 
 
 def zone_named(name: str) -> ZoneInfo | None:

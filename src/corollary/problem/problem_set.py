@@ -16,6 +16,7 @@ from corollary.problem.front_matter import Reader, TableNode, split
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import digest
 from corollary.problem.set_problems import Pool, read_problems
+from corollary.problem.translation import set_words
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}$")
 USUAL = Usual()
@@ -113,7 +114,7 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
 
 def set_names(bank: Bank) -> list[str]:
     """What the bank's sets are called."""
-    return sorted(file.stem for each in bank.each for file in each.sets.glob("*.md"))
+    return sorted(file.stem for each in bank.each for file in each.sets.glob("*.md") if "." not in file.stem)
 
 
 def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
@@ -154,10 +155,11 @@ def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
         )
     if complaints:
         raise Malformed(complaints)
+    own_title, own_introduction = set_words(path)
     return ProblemSet(
         path.stem,
-        title,
-        body.strip(),
+        own_title or title,
+        own_introduction or body.strip(),
         listed.problems,
         listed.weights,
         due,

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 
+from corollary.messages import in_convention
 from corollary.problem.variant import Variant, number, written
 
+FORMULA = re.compile(r"\$\$.*?\$\$|\$.*?\$", re.DOTALL)
 HOLE = re.compile(r"\{\{\s*([A-Za-z_]\w*)\s*(?:\|\s*(\w+)\s*)?\}\}")
 
 
@@ -22,6 +24,18 @@ def filled(text: str, variant: Variant) -> str:
         symbol, style = hole[1], hole[2] or ""
         given = variant.problem.given(symbol)
         bare = number(given, variant.values[symbol])
-        return {"number": bare, "svg": bare.replace("−", "-")}.get(style, "") or written(variant, symbol)
+        if style == "svg":
+            return bare.replace("−", "-")
+        in_formula = text.count("$", 0, hole.start()) % 2 == 1
+        return in_convention(
+            bare if style == "number" else written(variant, symbol), "{,}" if in_formula else ","
+        )
 
     return HOLE.sub(fill, text)
+
+
+def formulas_in_convention(text: str) -> str:
+    """Markdown with the numbers in its formulas as readers of the spoken language write them; programs stay as they are."""
+    pieces = re.split(r"(```.*?```)", text, flags=re.DOTALL)
+    pieces[::2] = [FORMULA.sub(lambda found: in_convention(found[0], "{,}"), piece) for piece in pieces[::2]]
+    return "".join(pieces)

@@ -97,6 +97,16 @@ def write_settings(folder: Path) -> None:
         write_whole(path, TEXT.format(timezone=line))
 
 
+def write_language(folder: Path, code: str) -> None:
+    """Writes the language of what students read into the course's file, in place of the one it had. Raises Malformed."""
+    if (read_settings(folder).language or "en") == code:
+        return
+    path = folder / FILE
+    text, line = path.read_text(encoding="utf-8-sig"), f'language = "{code}"'
+    found, count = re.subn(r"(?m)^[ \t]*(?:# )?language[ \t]*=.*$", line, text, count=1)
+    write_whole(path, found if count else f"{text.rstrip()}\n\n{line}\n")
+
+
 def _with_bank(folder: Path, table: Mapping[str, Any]) -> dict[str, Any]:
     bank = str(table.get("bank", ""))
     there = (folder / bank).resolve()

@@ -17,7 +17,7 @@ from corollary.answers.verdict import Unmarked, Unread
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Prompt, exercise
-from corollary.problem.dates import written
+from corollary.problem.dates import in_words
 from corollary.problem.problem_set import ProblemSet
 from corollary.render.markdown import html, inline
 from corollary.render.page import drawing
@@ -98,7 +98,7 @@ def page_facts(
         pictures.get("", ()),
         tuple(_stopped(run) for run in marked.runs if run.status in {"error", "timeout"}),
         sum(run.status == "not run" for run in marked.runs),
-        "" if due is None else written(due),
+        "" if due is None else in_words(due),
     )
 
 

@@ -10,7 +10,7 @@ from corollary.messages import catalogue
 from corollary.records.record import Record
 from corollary.render.feedback_facts import PageFacts
 from corollary.render.feedback_page import MarkedPart, marked_exercises
-from corollary.render.wording import points
+from corollary.render.wording import earned
 
 _ = catalogue(__name__)
 TAG = re.compile(r"<[^>]*>")
@@ -20,11 +20,11 @@ MARKED_UP = re.compile(r"([\\`*_\[\]<>#$|~!])")
 
 def feedback_notebook(facts: PageFacts, record: Record) -> str:
     """The text of a notebook with the marks, the answers as they were read, and what is said of them."""
-    total = _("of {out_of} points", out_of=points(record.out_of))
+    total = _("of {out_of} points", out_of=earned(record.out_of))
     cells = [
         f"# {_literal(facts.set_title)}",
         _("Feedback for {name}", name=_literal(facts.student)),
-        f"**{points(record.points)}** {total}",
+        f"**{earned(record.points)}** {total}",
         *(_literal(note) for note in (record.trouble, *record.notes) if note),
     ]
     texts = ["\n\n".join(cells)]
@@ -46,11 +46,11 @@ def feedback_notebook(facts: PageFacts, record: Record) -> str:
 
 
 def _of_part(part: MarkedPart) -> str:
-    earned = _("{points} of {out_of}", points=points(part.record.points), out_of=points(part.record.out_of))
+    marks = _("{points} of {out_of}", points=earned(part.record.points), out_of=earned(part.record.out_of))
     texts = [
         f"### ({part.facts.id}) {_literal(unescape(TAG.sub('', part.facts.title)))}",
-        f"**{part.look.phrase}** ({earned})",
-        f"{part.facts.introduction} {_literal(part.record.answer)}" if part.facts.introduction else "",
+        f"**{part.look.phrase}** ({marks})",
+        f"{part.facts.introduction} {_literal(part.answer)}" if part.facts.introduction else "",
         _literal(part.comment),
         part.feedback,
     ]

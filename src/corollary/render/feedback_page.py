@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgspec
 from markupsafe import Markup
 
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention, spoken
 from corollary.records.record import PartRecord, Record
 from corollary.render.feedback_facts import ExerciseFacts, PageFacts, PartFacts
 from corollary.render.page import page
@@ -35,6 +35,12 @@ class MarkedPart:
     @property
     def options(self) -> list[tuple[str, Markup]]:
         return [(option.letter, Markup(option.text)) for option in self.facts.options]
+
+    @property
+    def answer(self) -> str:
+        """The answer as it was read; as it was written, where it was not."""
+        record = self.record
+        return record.answer if record.verdict in {"unread", "unmarked"} else in_convention(record.answer)
 
     @property
     def comment(self) -> str:
@@ -82,6 +88,7 @@ def feedback_page(facts: PageFacts, record: Record) -> str:
     """The feedback of one student as a page of HTML that needs nothing beside it; `record` holds the marks as they stand."""
     return page(
         "feedback.html",
+        lang=spoken(),
         title=_("{title}: feedback for {name}", title=facts.set_title, name=facts.student),
         facts=facts,
         record=record,

@@ -15,7 +15,7 @@ from corollary.figure.svg import safe_svg
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise
 from corollary.render.markdown import html, inline
-from corollary.render.wording import percent, points, points_earned
+from corollary.render.wording import earned, percent, points, points_earned
 
 _ = catalogue(__name__)
 
@@ -79,6 +79,7 @@ def environment() -> Environment:
         "markdown": lambda text: Markup(html(text)),
         "inline": lambda text: Markup(inline(text)),
         "points": points,
+        "earned": earned,
         "percent": percent,
     }
     found.globals |= {"_": _, "plural": _.plural, "points_of": points_earned}  # pyright: ignore[reportAttributeAccessIssue]

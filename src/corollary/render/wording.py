@@ -8,9 +8,9 @@ from typing import Final
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Unread, Verdict, word
-from corollary.messages import N_, catalogue
+from corollary.messages import N_, catalogue, in_convention
 from corollary.notebook.worksheet import Prompt, Worksheet
-from corollary.problem.dates import written
+from corollary.problem.dates import in_words
 from corollary.units.unit import show
 
 _ = catalogue(__name__)
@@ -60,6 +60,11 @@ def points(value: float) -> str:
     return f"{round(value, 2) + 0.0:.2f}".rstrip("0").rstrip(".")
 
 
+def earned(value: float) -> str:
+    """Points as students read them, in the convention of their language."""
+    return in_convention(points(value))
+
+
 def percent(share: float) -> str:
     return f"{100 * share:.0f} %"
 
@@ -94,7 +99,7 @@ def wanted(prompt: Prompt) -> str:
 
 
 def points_earned(value: float) -> str:
-    return _.plural("{points} point", "{points} points", 1 if value == 1 else 2, points=points(value))
+    return _.plural("{points} point", "{points} points", 1 if value == 1 else 2, points=earned(value))
 
 
 def facts(sheet: Worksheet) -> list[str]:
@@ -102,5 +107,5 @@ def facts(sheet: Worksheet) -> list[str]:
     due = sheet.problem_set.due
     words = [sheet.student.name] if sheet.student.id else []
     if due is not None:
-        words.append(_("due {date}", date=written(due)))
+        words.append(_("due {date}", date=in_words(due)))
     return [*words, points_earned(sum(prompt.out_of for prompt in sheet.prompts))]

@@ -22,6 +22,7 @@ from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
 from corollary.verify.remarks import remark
 from corollary.verify.samples import check_claims, check_samples
+from corollary.verify.translations import check_translations
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
 
 SLOW = ("laws put back", "variants", "scenes", "programs")
@@ -56,6 +57,7 @@ class Verification:
             tally.count("parts", len(problem.parts))
             tally.count("mistakes", sum(len(find.mistakes) for find in solution.unknowns))
             check_dimensions(bank, solution, tally)
+            check_translations(problem, solution, tally)
             own = make_key(solution, chapter(problem))
             yield "samples"
             check_samples(own, tally)

@@ -20,7 +20,7 @@ from corollary.grading.programs.convergence import (
     judged,
 )
 from corollary.grading.programs.two_bodies import Force, converged
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 
 _ = catalogue(__name__)
 
@@ -90,7 +90,9 @@ def _wrong(called: Called) -> Fault:
             C, power=2.0
         ),
     }
-    return two_bodies.wrong(called, usual, ion_force(C), _("With C = {value} N m²", value=f"{C:g}"))
+    return two_bodies.wrong(
+        called, usual, ion_force(C), _("With C = {value} N m²", value=in_convention(f"{C:g}"))
+    )
 
 
 IONS = Family(two_bodies.misfit, _standard, _wrong)

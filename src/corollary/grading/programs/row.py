@@ -24,7 +24,7 @@ from corollary.grading.programs.convergence import (
     measured,
     miscounted,
 )
-from corollary.messages import N_, catalogue
+from corollary.messages import N_, catalogue, in_convention
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import EULER, EULER_CROMER, march, states
 from corollary.scenes.models.bounce import contact_time
@@ -118,7 +118,7 @@ def pushed(
 def _wrong(called: Called) -> Fault:
     one, returned = called.inputs, called.returned
     balls, v0 = one["N"], one["v0"]
-    case = _("For N = {balls} and q = {power}", balls=balls, power=f"{one['q']:g}")
+    case = _("For N = {balls} and q = {power}", balls=balls, power=in_convention(f"{one['q']:g}"))
 
     def near(others: Sequence[float] | None) -> bool:
         return others is not None and math.dist(returned, others) <= NAMED * v0

@@ -13,7 +13,7 @@ from corollary.grading.programs.convergence import Called, Given
 from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.grading.programs.row import pushed
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.sandbox.result import Axes
 from corollary.scenes.catalogue import run
 from corollary.scenes.integrate.fixed_step import RK4, march
@@ -77,7 +77,7 @@ def _missing(drawn: Sequence[DrawnCurve], asked: Sequence[Graph], v0: float) -> 
                 "The curves must start with one ball at v0 = {v0} m/s and the other at rest.",
                 "The curves must start with one ball at v0 = {v0} m/s and the others at rest.",
                 balls - 1,
-                v0=f"{v0:g}",
+                v0=in_convention(f"{v0:g}"),
             )
         )
     ends = sorted(float(curve.y[np.isfinite(curve.y)][-1]) for curve in drawn)

@@ -20,7 +20,7 @@ from corollary.grading.programs.convergence import (
     judged,
 )
 from corollary.grading.programs.two_bodies import Force
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.scenes.catalogue import run
 from corollary.scenes.models.bounce import contact_time
 from corollary.scenes.run import Run
@@ -97,7 +97,7 @@ def _wrong(called: Called) -> Fault:
         _("there is no damping. Add the term with $\\eta$."): sphere_force(R, k, 0.0),
     }
     return two_bodies.wrong(
-        called, usual, sphere_force(R, k, eta), _("With eta = {value} kg/s", value=f"{eta:g}")
+        called, usual, sphere_force(R, k, eta), _("With eta = {value} kg/s", value=in_convention(f"{eta:g}"))
     )
 
 

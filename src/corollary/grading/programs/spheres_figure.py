@@ -12,7 +12,7 @@ from corollary.grading.programs.convergence import Inputs
 from corollary.grading.programs.curves import DrawnCurve, Graph, Numbers, PlanePath
 from corollary.grading.programs.panels import Axis, Panel, judge_panels
 from corollary.grading.programs.spheres import contact_of, sphere_force
-from corollary.messages import catalogue
+from corollary.messages import catalogue, in_convention
 from corollary.sandbox.result import Axes
 from corollary.scenes.integrate.fixed_step import RK4, march
 
@@ -100,7 +100,9 @@ def _momenta_missing(
     if len(drawn) < 2:
         return _two_curves(what)
     if max(float(curve.x[-1]) for curve in drawn) < 0.95 * TIME:
-        return Fault(_("The curves of {what} must run until {time} s.", what=what, time=f"{TIME:g}"))
+        return Fault(
+            _("The curves of {what} must run until {time} s.", what=what, time=in_convention(f"{TIME:g}"))
+        )
     begins = [float(curve.y[0]) for curve in drawn]
     wanted = [float(each.at(np.array([0.0]))[0]) for each in asked]
     if not all(any(abs(at - value) <= 0.03 * start for at in begins) for value in wanted):

@@ -1,0 +1,230 @@
+"""A problem in another language: what `kicking_a_ball.de.md` beside `kicking_a_ball.md` says, text by text.
+
+What it does not say, or says with a hole that the problem does not have, is read in the original.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from pathlib import Path
+
+from corollary.messages import spoken
+from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.front_matter import Reader, split
+from corollary.problem.part import Part
+from corollary.problem.parts_markdown import read_parts
+from corollary.problem.problem import Problem
+from corollary.problem.statement import holes
+
+NAME = re.compile(r"(?P<original>.+)\.(?P<language>[a-z]{2,3})$")
+TEXTS = "# Texts"
+"""The heading below which texts of the figure and of the solution stand: each quoted, and its translation below it."""
+LABEL = re.compile(r'"([^"\n]*)"')
+
+
+@dataclass(frozen=True, slots=True)
+class ProblemTranslation:
+    """`parts` by their id; `texts` by the original's words. `of` is the digest of the original that it was made from."""
+
+    path: Path
+    title: str
+    alt: str
+    statement: str
+    parts: Mapping[str, Part]
+    texts: Mapping[str, str]
+    lines: Mapping[str, int]
+    of: str = ""
+
+
+@dataclass(slots=True)
+class TextList:
+    """The quoted texts of a file and what stands below each, with its line."""
+
+    texts: dict[str, str] = field(default_factory=dict[str, str])
+    lines: dict[str, int] = field(default_factory=dict[str, int])
+
+
+def translations(path: Path) -> dict[str, Path]:
+    """The translations beside a problem or a set, by their language."""
+    found = sorted(path.parent.glob(f"{path.stem}.*.md"))
+    named = [(match, each) for each in found if (match := NAME.match(each.stem))]
+    return {match["language"]: each for match, each in named if match["original"] == path.stem}
+
+
+def digest(problem: Problem) -> str:
+    """Tells the words of an original from those that it had before."""
+    parts = [[part.id, part.title, part.text, [each.text for each in part.options]] for part in problem.parts]
+    words = json.dumps([problem.title, problem.figure_alt, problem.statement, parts])
+    return hashlib.sha256(words.encode()).hexdigest()[:8]
+
+
+def translation(problem: Problem, language: str = "") -> ProblemTranslation | None:
+    """The problem in a language (left out: in the one spoken); None where nobody has translated it. Raises Malformed."""
+    path = _beside(problem.path, language or spoken())
+    return None if path is None else _read(path, path.stat().st_mtime_ns)
+
+
+def in_language(problem: Problem) -> Problem:
+    """The problem with its words in the spoken language, as far as they are translated. Raises Malformed."""
+    found = translation(problem)
+    if found is None:
+        return problem
+    known = frozenset(given.symbol for given in problem.givens)
+
+    def chosen(theirs: str, original: str) -> str:
+        return theirs if theirs and all(symbol in known for symbol, _, _ in holes(theirs)) else original
+
+    parts = tuple(
+        replace(
+            part,
+            title=chosen(theirs.title, part.title),
+            text=chosen(theirs.text, part.text),
+            options=tuple(
+                replace(option, text=chosen(texts.get(option.letter, ""), option.text))
+                for texts in [{each.letter: each.text for each in theirs.options}]
+                for option in part.options
+            ),
+        )
+        if (theirs := found.parts.get(part.id)) is not None
+        else part
+        for part in problem.parts
+    )
+    givens = tuple(
+        replace(given, meaning=found.texts.get(given.meaning, given.meaning)) for given in problem.givens
+    )
+    figure = LABEL.sub(lambda label: f'"{chosen(found.texts.get(label[1], ""), label[1])}"', problem.figure)
+    return replace(
+        problem,
+        title=chosen(found.title, problem.title),
+        statement=chosen(found.statement, problem.statement),
+        figure_alt=chosen(found.alt, problem.figure_alt),
+        figure=problem.figure if problem.figure.lstrip().startswith("<") else figure,
+        givens=givens,
+        parts=parts,
+    )
+
+
+def text_in_language(problem: Problem, text: str) -> str:
+    """A text of the problem's solution in the spoken language; as it is where it is not translated. Raises Malformed."""
+    found = translation(problem)
+    return text if found is None else found.texts.get(" ".join(text.split()), text)
+
+
+def set_words(path: Path) -> tuple[str, str]:
+    """Title and introduction of the set in a file, in the spoken language; empty where they are not translated. Raises Malformed."""
+    beside = _beside(path, spoken())
+    if beside is None:
+        return "", ""
+    complaints: list[Diagnostic] = []
+    table, body, _ = split(beside)
+    front = Reader(beside, table, "the translation", complaints)
+    title = front.text("title", "")
+    front.finish()
+    if complaints:
+        raise Malformed(complaints)
+    return title, body.strip()
+
+
+def labels(problem: Problem) -> Iterator[str]:
+    """The words that stand in a figure of primitives: labels in which there is more than letters of formulas and numbers."""
+    if not problem.figure.lstrip().startswith("<"):
+        for label in LABEL.findall(problem.figure):
+            if re.search(r"[^\W\d_]{3,}", re.sub(r"\{\{.*?\}\}|theta|eta", "", label)):
+                yield label
+
+
+def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
+    """What a translation lacks beside its original: parts, options, holes; and whether the original is another by now."""
+    path, now = found.path, digest(problem)
+    if found.of != now:
+        why = f"the original has changed since `of: {found.of}`" if found.of else "has no `of`"
+        yield Diagnostic(path, 2, f"{why}: compare the two, and write of: {now}")
+    pairs = [(1, "the title", problem.title, found.title), (1, "the alt text", problem.figure_alt, found.alt)]
+    pairs.append((1, "the statement", problem.statement, found.statement))
+    for part in problem.parts:
+        theirs = found.parts.get(part.id)
+        if theirs is None:
+            yield Diagnostic(
+                path, 1, f"part {part.id} is missing: add ## {part.title} {{#{part.id}}}, translated"
+            )
+            continue
+        pairs.append((theirs.line, f"the text of part {part.id}", part.text, theirs.text))
+        texts = {each.letter: each.text for each in theirs.options}
+        for option in part.options:
+            what = f"option {option.letter} of part {part.id}"
+            pairs.append((theirs.line, what, option.text, texts.get(option.letter, "")))
+    for gone in found.parts.keys() - {part.id for part in problem.parts}:
+        yield Diagnostic(path, found.parts[gone].line, f"the problem has no part {gone}; take it out")
+    for each in (*labels(problem), *(given.meaning for given in problem.givens if not given.source)):
+        pairs.append((found.lines.get(each, 1), f"the text {each!r}", each, found.texts.get(each, "")))
+    for line, what, original, theirs in pairs:
+        if original and not theirs:
+            yield Diagnostic(path, line, f"{what} is missing; it is read in the original's language")
+        elif differ := _holes(original) ^ _holes(theirs):
+            yield Diagnostic(
+                path, line, f"{what} differs from the original in the holes {', '.join(sorted(differ))}"
+            )
+
+
+def _holes(text: str) -> frozenset[str]:
+    return frozenset(f"{{{{{symbol}}}}}" for symbol, _, _ in holes(text))
+
+
+def _beside(path: Path, language: str) -> Path | None:
+    found = path.with_name(f"{path.stem}.{language}.md")
+    return found if language != "en" and found.is_file() else None
+
+
+@lru_cache(maxsize=256)
+def _read(path: Path, _state: int) -> ProblemTranslation:
+    complaints: list[Diagnostic] = []
+    table, body, line = split(path)
+    front = Reader(path, table, "the translation", complaints)
+    title, alt, of = (front.text(name, "") for name in ("title", "alt", "of"))
+    front.finish()
+    lines = body.splitlines()
+    end = next((at for at, each in enumerate(lines) if each.strip() == TEXTS), len(lines))
+    statement, parts = read_parts(path, "\n".join(lines[:end]), line, complaints)
+    listed = _text_list(path, lines[end + 1 :], line + end + 1, complaints)
+    if complaints:
+        raise Malformed(complaints)
+    by_id = {part.id: part for part in parts}
+    return ProblemTranslation(path, title, alt, statement, by_id, listed.texts, listed.lines, of)
+
+
+def _text_list(path: Path, lines: list[str], first: int, complaints: list[Diagnostic]) -> TextList:
+    """`> The original.` and below it the translation, each over as many lines as it takes."""
+    found, quoted, words, begun = TextList(), list[str](), list[str](), first
+
+    def close() -> None:
+        original, theirs = " ".join(" ".join(quoted).split()), "\n".join(words).strip()
+        if original and not theirs:
+            complaints.append(
+                Diagnostic(path, begun, f"nothing stands below > {original[:40]}; translate it there")
+            )
+        elif original in found.texts:
+            complaints.append(
+                Diagnostic(path, begun, f"> {original[:40]} stands here twice; keep one of them")
+            )
+        elif original:
+            found.texts[original], found.lines[original] = theirs, begun
+        elif theirs:
+            complaints.append(
+                Diagnostic(path, begun, "a translation stands below its original, quoted with >")
+            )
+
+    for at, line in enumerate(lines, first):
+        if line.startswith(">"):
+            if words or not quoted:
+                close()
+                quoted, words, begun = [], [], at
+            quoted.append(line[1:])
+        elif line.strip() or words:
+            words.append(line)
+    close()
+    return found
