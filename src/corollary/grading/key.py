@@ -26,7 +26,8 @@ class Truth:
     """The answer to one part: SI values, whether their digits are certified, and what may be off.
 
     `scale` is what the tolerance is relative to: the length of the answer, or what the problem names where that is zero.
-    `uncertain` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
+    `noise` is how far rounding the answers of whole steps moves it, relative as the tolerance: what decides whether the numbers
+    may be drawn. `uncertain` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
     """
 
     place: int
@@ -98,8 +99,10 @@ def make_key(solution: Solution, variant: Variant) -> Key:
             error = max(stated[place].errors) / scale if scale else 0.0
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
+            by_steps = MARGIN * noise[place].by_steps / scale if scale else 0.0
+            tolerance = min(MOST, max(LEAST, off + error))
             truths[find.part] = Truth(
-                place, values[place], proven, error, scale, min(MOST, max(LEAST, off + error)), off, uncertain
+                place, values[place], proven, error, scale, tolerance, by_steps, uncertain
             )
     choices = {
         part: parts[part].letter_asked(option_that_holds(truth.options, givens, part))

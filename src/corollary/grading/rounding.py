@@ -1,9 +1,9 @@
-"""How far an honest answer may lie from the truth: the derivation replayed with every step rounded to three figures."""
+"""How far an honest answer may lie from the truth: the derivation replayed with steps and operations rounded to three figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,7 +14,9 @@ from corollary.answers.evaluation import BITS, balls
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Solution, Unknown
 from corollary.formula.ball import Ball, RationalPi, Undefined, precision_of
-from corollary.formula.compiled import steps_in
+from corollary.formula.compiled import Step, steps_in
+from corollary.formula.rounded import Step as RoundedStep
+from corollary.formula.rounded import by_operations
 from corollary.grading.replay import compute, replay
 
 REPLAYS = 32  # with random roundings; what so few of them miss, the key's margin of a quarter is for
@@ -28,64 +30,101 @@ LEAST, MOST = (
 
 @dataclass(slots=True)
 class Noise:
-    """How far honest rounding moves a find: the distance, and each component on its own (absolute, SI)."""
+    """How far honest rounding moves a find: the distance, and each component on its own (absolute, SI).
+
+    `by_steps` is the distance where only the answers of whole steps are rounded.
+    """
 
     distance: float
     components: list[float]
+    by_steps: float = 0.0
 
 
 def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Values]) -> list[Noise]:
     """The largest over the replays, plus what 9.8 for 9.81 does."""
-    noise = _no_noise(values)
-    for found in _rounded_replays(solution, balls(givens)):
-        _widen(noise, found, values)
+    noise, steps = _no_noise(values), _no_noise(values)
+    for each_step, each_operation in _rounded_replays(solution, balls(givens)):
+        _widen(steps, each_step, values)
+        _widen(noise, each_step, values)
+        _widen(noise, each_operation, values)
+    for each, step in zip(noise, steps, strict=True):
+        each.by_steps = step.distance
     if (other := GRAVITY.get(givens["g"].ratio) if "g" in givens else None) is not None:
         shifts = _no_noise(values)
         with suppress(Undefined):
             _widen(shifts, replay(solution, {**givens, "g": RationalPi(other)}), values)
         for each, shift in zip(noise, shifts, strict=True):
             each.distance += shift.distance
+            each.by_steps += shift.distance
             each.components = [a + b for a, b in zip(each.components, shift.components, strict=True)]
     return noise
 
 
-def _rounded_replays(solution: Solution, givens: Mapping[str, Ball]) -> Iterator[list[Values]]:
-    """What every step gives when each before it was rounded; a replay in which something has no value is left out.
+@dataclass(frozen=True, slots=True)
+class _Step:
+    """An unknown ready to be replayed: its formulas in balls and, by operations, in doubles; none where a scene gives it."""
 
-    As `replay` does it, written out: a key replays its derivation some thirty times, and is made for every student.
+    find: Unknown
+    exact: list[Step]
+    by_operations: list[RoundedStep]
+    at: list[int]
+    zero: float
+
+
+def _rounded_replays(
+    solution: Solution, givens: Mapping[str, Ball]
+) -> Iterator[tuple[list[Values], list[Values]]]:
+    """What every step gives when each before it was rounded, and what it gives when every operation was, as a pair.
+
+    A replay in which something has no value is left out. As `replay` does it, written out: a key replays its derivation some
+    thirty times, and is made for every student. What a scene gives nobody works out by hand: both have it from the steps.
     """
     letters = ["pi", *givens, *(name for find in solution.unknowns for name in find.names)]
+    random = Random(1).random  # the same roundings for every variant: fair, and the same in ten years
+    other = Random(2).random
+
+    def off(dice: Callable[[], float], x: float, zero: float = 0.0) -> float:
+        return x + _half_unit(x - zero) * (-1 + 2 * dice())
+
+    steps = _steps(solution, letters, lambda x: off(other, x))
+    with precision_of(BITS):
+        start = [Ball.pi(), *givens.values(), *(Ball(0) for _ in letters[1 + len(givens) :])]
+        doubles = [float(ball) for ball in start]
+        for _ in range(REPLAYS):
+            known, found, written, worked = list(start), list[Values](), list(doubles), list[Values]()
+            with suppress(Undefined, ValueError, ZeroDivisionError, OverflowError):
+                for step in steps:
+                    if step.exact:
+                        exact = [float(form(known)) for form in step.exact]
+                        if not all(map(isfinite, exact)):
+                            break
+                        answer = tuple([off(random, x, step.zero) for x in exact])
+                        by_hand = tuple([off(other, form(written), step.zero) for form in step.by_operations])
+                    else:
+                        answer = by_hand = compute(step.find.local, dict(zip(letters, known, strict=True)))
+                    if not all(map(isfinite, (*answer, *by_hand))):
+                        break
+                    for place, value, double in zip(step.at, answer, by_hand, strict=True):
+                        known[place], written[place] = Ball(value), double
+                    found.append(answer)
+                    worked.append(by_hand)
+                else:
+                    yield found, worked
+
+
+def _steps(solution: Solution, letters: Sequence[str], rounded: Callable[[float], float]) -> list[_Step]:
     places = {name: place for place, name in enumerate(letters)}
-    steps = [
-        (
+    return [
+        _Step(
             find,
-            steps_in(find.local.trees, places) if isinstance(find.local, ClosedForms) else None,
+            steps_in(trees, places),
+            [by_operations(tree, places, rounded) for tree in trees],
             [places[name] for name in find.names],
             _zero_of_scale(solution, find),
         )
         for find in solution.unknowns
+        for trees in [find.local.trees if isinstance(find.local, ClosedForms) else ()]
     ]
-    random = Random(1).random  # the same roundings for every variant: fair, and the same in ten years
-    with precision_of(BITS):
-        start = [Ball.pi(), *givens.values(), *(Ball(0) for _ in letters[1 + len(givens) :])]
-        for _ in range(REPLAYS):
-            known, found = list(start), list[Values]()
-            with suppress(Undefined):
-                for find, forms, at, zero in steps:
-                    if forms is None:
-                        answer = compute(find.local, dict(zip(letters, known, strict=True)))
-                    else:
-                        exact = [float(form(known)) for form in forms]
-                        if not all(map(isfinite, exact)):
-                            break
-                        answer = tuple([x + _half_unit(x - zero) * (-1 + 2 * random()) for x in exact])
-                    if not all(map(isfinite, answer)):
-                        break
-                    for place, value in zip(at, answer, strict=True):
-                        known[place] = Ball(value)
-                    found.append(answer)
-                else:
-                    yield found
 
 
 def _zero_of_scale(solution: Solution, find: Unknown) -> float:

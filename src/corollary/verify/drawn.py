@@ -34,7 +34,7 @@ class Foreseen:
 
 @dataclass(frozen=True, slots=True)
 class KeyedPart:
-    """What is right for a part; `tolerance` is relative, 0 for what is no quantity, `noise` what honest rounding moves;
+    """What is right for a part; `tolerance` is relative, 0 for what is no quantity, `noise` what rounding the steps moves;
     `bare` is the answer without its unit."""
 
     part: Part
