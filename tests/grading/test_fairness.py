@@ -107,7 +107,8 @@ def test_a_hint_on_components_is_true(verdicts):
     three = verdicts("S12.5nc", c=[1.595, 0.81, 0.405, -0.9])["c"]
     assert isinstance(three, Wrong)
     assert three.why.startswith("Component")
-    close = verdicts("S12.5nc", c=[1.603, 0.812, 0.397, -0.812])["c"]
+    # 1.5 % of the length: three figures at every operation explain 1.2 %
+    close = verdicts("S12.5nc", c=[1.6095, 0.818, 0.3905, -0.818])["c"]
     assert isinstance(close, Wrong)
     assert close.why.startswith("Close, but outside what rounding explains")
 
