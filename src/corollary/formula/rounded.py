@@ -24,10 +24,10 @@ from corollary.formula.ast import (
 from corollary.formula.exact import constant
 from corollary.formula.functions import FUNCTIONS
 
-Step = Callable[[Sequence[float]], float]
+ByHand = Callable[[Sequence[float]], float]
 
 
-def by_operations(tree: Expr, places: Mapping[str, int], rounded: Callable[[float], float]) -> Step:
+def by_operations(tree: Expr, places: Mapping[str, int], rounded: Callable[[float], float]) -> ByHand:
     """The formula as a function of its letters' doubles, each at its place, with everything below its last operation rounded.
 
     What has no letter is exact, and so are the letters themselves; a sum or a product is one operation, however many terms it
@@ -64,7 +64,7 @@ def by_operations(tree: Expr, places: Mapping[str, int], rounded: Callable[[floa
             assert_never(tree)
 
 
-def _below(tree: Expr, places: Mapping[str, int], rounded: Callable[[float], float]) -> Step:
+def _below(tree: Expr, places: Mapping[str, int], rounded: Callable[[float], float]) -> ByHand:
     """An operand, rounded where it is worked out at all."""
     if isinstance(tree, Negative):
         inner = _below(tree.term, places, rounded)
@@ -73,7 +73,9 @@ def _below(tree: Expr, places: Mapping[str, int], rounded: Callable[[float], flo
     return (lambda at: rounded(step(at))) if children(tree) and not _exact(tree) else step
 
 
-def _power(base: Step, exponent: Expr, places: Mapping[str, int], rounded: Callable[[float], float]) -> Step:
+def _power(
+    base: ByHand, exponent: Expr, places: Mapping[str, int], rounded: Callable[[float], float]
+) -> ByHand:
     fixed = constant(exponent)
     if fixed is not None and fixed.denominator == 1:
         whole = fixed.numerator

@@ -15,8 +15,7 @@ from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Solution, Unknown
 from corollary.formula.ball import Ball, RationalPi, Undefined, precision_of
 from corollary.formula.compiled import Step, steps_in
-from corollary.formula.rounded import Step as RoundedStep
-from corollary.formula.rounded import by_operations
+from corollary.formula.rounded import ByHand, by_operations
 from corollary.grading.replay import compute, replay
 
 REPLAYS = 32  # with random roundings; what so few of them miss, the key's margin of a quarter is for
@@ -66,7 +65,7 @@ class _Step:
 
     find: Unknown
     exact: list[Step]
-    by_operations: list[RoundedStep]
+    by_operations: list[ByHand]
     at: list[int]
     zero: float
 
