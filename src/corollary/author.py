@@ -12,12 +12,12 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.cases import Branch, Case, Cases, branches
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.spoken import frame_of_word, line_of_word
 from corollary.derive.statements import (
     Choice,
     Code,
-    Derivation,
     Doubt,
     Entry,
     Example,
@@ -51,9 +51,19 @@ Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
 
 
-def derivation(*entries: Entry) -> Derivation:
+def derivation(*entries: Entry | Cases) -> tuple[Branch, ...]:
     """The whole solution, in the order in which things are found."""
-    return Derivation(entries)
+    return branches(entries)
+
+
+def cases(*stated: Case) -> Cases:
+    """Regimes of which exactly one holds for the numbers drawn, such as rest and sliding."""
+    return Cases(stated, _line())
+
+
+def case(text: str, condition: Boolean, *entries: Entry) -> Case:
+    """One regime: what the student reads of it, when it holds, and the steps that are taken then."""
+    return Case(text, condition, entries, _line())
 
 
 def step(

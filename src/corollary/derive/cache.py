@@ -16,7 +16,7 @@ from corollary import plug_ins, user_cache
 from corollary.derive.load import load, source
 from corollary.derive.parts import unsolved
 from corollary.derive.serialize import NotSerializable, from_data, to_data
-from corollary.derive.solution import Solution
+from corollary.derive.solution import Regime, Solution
 from corollary.problem.bank import Bank, bank_of, chapter_bank
 from corollary.problem.problem import Problem
 from corollary.version import __version__
@@ -32,6 +32,9 @@ ROOMS = (
 )  # what decides how a derivation is solved
 ALGEBRA = ("sympy", "mpmath")
 PLUG_INS = ("corollary.laws", "corollary.banks")
+
+
+HELD = {"entries", "regimes"}  # by the whole solution
 
 
 def solution_of(bank: Bank, problem: Problem) -> Solution:
@@ -66,11 +69,13 @@ def _recalled(text: bytes | None, bank: Bank, problem: Problem) -> Solution | No
     with suppress(ValueError, TypeError, KeyError, ArithmeticError, RecursionError):
         content = from_data(json.loads(text))
         entries = content.pop("entries")
-        return Solution(
-            problem=problem,
-            **content,
-            entries=unsolved(load(bank, problem).derivation) if entries is None else entries,
+        if entries is None:
+            entries = unsolved(load(bank, problem).derivation)
+        regimes = tuple(
+            Regime(text, conditions, line, Solution(problem=problem, **found, entries=entries))
+            for text, conditions, line, found in content.pop("regimes")
         )
+        return Solution(problem=problem, **content, regimes=regimes, entries=entries)
     return None
 
 
@@ -78,6 +83,11 @@ def _text(solution: Solution) -> bytes:
     content: dict[str, Any] = {
         each.name: getattr(solution, each.name) for each in fields(solution) if each.name != "problem"
     }
+    shared = content.keys() - HELD
+    content["regimes"] = [
+        (each.text, each.conditions, each.line, {name: getattr(each.solution, name) for name in shared})
+        for each in solution.regimes
+    ]
     try:
         data = to_data(content)
     except NotSerializable:  # programs among the entries: these are loaded from the solution file each time

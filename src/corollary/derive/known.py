@@ -14,8 +14,8 @@ from sympy.core.function import AppliedUndef
 
 from corollary.derive.load import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
-from corollary.formula.ast import Expr, Number, names
-from corollary.formula.ball import RationalPi, Undefined, evaluate
+from corollary.formula.ast import Expr, Number, Relation, names
+from corollary.formula.ball import RationalPi, Undefined, evaluate, holds
 from corollary.formula.errors import ParseError
 from corollary.formula.from_sympy import NoTree, tree
 from corollary.laws.law import as_expression, substitute
@@ -27,6 +27,7 @@ from corollary.units.dimensional_analysis import Dimension, dimension_of
 DIGITS, BITS = 30, 128
 ENOUGH = 100  # bits: 30 digits; a ball that knows fewer is left to sympy, which adds precision until it knows
 POINTS = 6  # the chapter's numbers and five more: a condition that holds at all is taken to tell roots apart everywhere
+MANY = 200  # draws, to find points in a case that holds for few
 Root = Mapping[sympy.Symbol, sympy.Expr]
 
 
@@ -92,7 +93,8 @@ class FoundFunction:
 class Known:
     """The givens, and each unknown as soon as it is found."""
 
-    def __init__(self, problem: Problem):
+    def __init__(self, problem: Problem, conditions: tuple[Relation, ...] = ()):
+        """Raises ValueError where no number drawn satisfies the conditions."""
         givens = [symbol_of(problem, given.symbol) for given in problem.givens]
         self.formulas: dict[sympy.Symbol, sympy.Expr] = {symbol: symbol for symbol in givens}
         self.aside: dict[sympy.Symbol, sympy.Expr] = {}  # unknowns that laws needed and nobody asks for
@@ -101,8 +103,12 @@ class Known:
         self.dimensions: dict[str, Dimension] = {
             given.symbol: given.unit.dimension for given in problem.givens
         }
-        variants = [chapter(problem), *sample(problem, POINTS - 1, salt="roots")]
-        self._points = [point(variant.exact, givens) for variant in variants]
+        drawn = MANY if conditions else POINTS - 1
+        variants = [chapter(problem), *sample(problem, drawn, salt="roots")]
+        fitting = [each for each in variants if all(holds(one, each.exact) for one in conditions)]
+        if not fitting:
+            raise ValueError(f"it holds for none of {len(variants)} draws; mend its condition, or the ranges")
+        self._points = [point(variant.exact, givens) for variant in fitting[:POINTS]]
 
     @property
     def letters(self) -> set[sympy.Symbol]:

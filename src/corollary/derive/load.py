@@ -9,9 +9,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from corollary.answers.questions import checked
+from corollary.derive.cases import Branch
 from corollary.derive.statements import SOLUTION, Derivation
 from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
@@ -35,12 +36,13 @@ class NotDerivable(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """What a solution file says: the derivation, the line where derive begins, and what to simulate."""
+    """What a solution file says: the derivation (of its first case), the line where derive begins, and what to simulate."""
 
     path: Path
     derivation: Derivation
     line: int
     scene: Callable[..., Any] | None
+    branches: tuple[Branch, ...]
 
 
 def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
@@ -98,10 +100,11 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, line_in(error, path) or line, f"derive fails: {type(error).__name__}: {error}"
         ) from error
-    if not isinstance(derivation, Derivation):
+    stated = cast("tuple[Any, ...]", derivation) if isinstance(derivation, tuple) else ()
+    if not all(isinstance(each, Branch) for each in stated) or not stated:
         raise NotDerivable(path, line, "derive must return derivation(…)")
     scene = getattr(module, "scene", None)
-    return Loaded(path, derivation, line, scene if inspect.isfunction(scene) else None)
+    return Loaded(path, stated[0].derivation, line, scene if inspect.isfunction(scene) else None, stated)
 
 
 def source(bank: Bank, problem: Problem) -> bytes:

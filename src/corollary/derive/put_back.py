@@ -10,7 +10,7 @@ from corollary.derive.functions import is_differential, letters_in, put_back
 from corollary.derive.known import Known, vanishes
 from corollary.derive.load import load
 from corollary.derive.sampled import holds
-from corollary.derive.solve import Solver
+from corollary.derive.solve import Solver, solvers
 from corollary.derive.statements import Neglected, Step
 from corollary.laws.law import Law, sides
 from corollary.problem.bank import Bank
@@ -19,8 +19,15 @@ from corollary.problem.problem import Problem
 
 def unproven(bank: Bank, problem: Problem) -> tuple[int, list[str]]:
     """The laws checked: how many equations hold identically with every unknown put in, and which do not. Raises NotDerivable."""
-    solver = Solver(problem, load(bank, problem))
-    solver.solution()
+    proven, left = 0, list[str]()
+    for solver in solvers(problem, load(bank, problem)):
+        solver.solution()
+        found, missing = _put_back(solver)
+        proven, left = proven + found, left + [each for each in missing if each not in left]
+    return proven, left
+
+
+def _put_back(solver: Solver) -> tuple[int, list[str]]:
     proven, left = 0, list[str]()
     for entry in solver.loaded.derivation.entries:
         step = entry.bound if isinstance(entry, Neglected) else entry

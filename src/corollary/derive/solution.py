@@ -22,6 +22,7 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.formula.ast import Expr, Relation
+from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.problem.problem import Problem
 from corollary.units.dimensional_analysis import Dimension
 
@@ -131,10 +132,21 @@ class Way:
 
 
 @dataclass(frozen=True, slots=True)
+class Regime:
+    """What is true in one case: `text` names it, `conditions` on the givens say when, at `line` of the solution."""
+
+    text: str
+    conditions: tuple[Relation, ...]
+    line: int
+    solution: Solution
+
+
+@dataclass(frozen=True, slots=True)
 class Solution:
     """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part.
 
-    `paths` are the ways to each part from the student's own answers to those asked before it.
+    `paths` are the ways to each part from the student's own answers to those asked before it. Where there are `regimes`, it is
+    the first of them; `case` is the text of the one it is.
     """
 
     problem: Problem
@@ -145,6 +157,22 @@ class Solution:
     entries: tuple[Unsolved, ...]
     neglected: tuple[SolvedNeglected, ...] = ()
     paths: Mapping[str, tuple[Way, ...]] = field(default_factory=dict[str, tuple[Way, ...]])
+    regimes: tuple[Regime, ...] = ()
+    case: str = ""
+
+    def regimes_at(self, givens: Mapping[str, RationalPi]) -> list[Regime]:
+        """The regimes whose conditions hold for these numbers."""
+        return [each for each in self.regimes if all(holds(one, givens) for one in each.conditions)]
+
+    def at(self, givens: Mapping[str, RationalPi]) -> Solution:
+        """What is true for these numbers. Raises Undefined when it is not exactly one of the regimes that holds."""
+        if not self.regimes:
+            return self
+        found = self.regimes_at(givens)
+        if len(found) != 1:
+            which = f" ({', '.join(each.text for each in found)})" if found else ""
+            raise Undefined(f"{len(found) or 'none'} of the cases hold{which}; exactly one must")
+        return found[0].solution
 
     def answer(self, part: str) -> Unknown | None:
         """What answers a part."""

@@ -10,6 +10,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
+from corollary.derive.cases import Branch, Case, relations
 from corollary.derive.example import solved_example
 from corollary.derive.known import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
@@ -18,6 +19,7 @@ from corollary.derive.parts import misfits, unsolved
 from corollary.derive.paths import with_paths
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
+    Regime,
     Rule,
     SceneOutcome,
     Solution,
@@ -54,7 +56,21 @@ from corollary.units.unit import called, show
 
 def solve(bank: Bank, problem: Problem) -> Solution:
     """Everything that is true of a problem. Raises NotDerivable with file, line and what to do."""
-    return with_paths(Solver(problem, load(bank, problem)).solution())
+    solved = [(solver, with_paths(solver.solution())) for solver in solvers(problem, load(bank, problem))]
+    (_, first), *others = solved
+    if not others:
+        return first
+    regimes = (Regime(found.case, solver.conditions, solver.line, found) for solver, found in solved)
+    return replace(first, regimes=tuple(regimes))
+
+
+def solvers(problem: Problem, loaded: Loaded) -> list[Solver]:
+    """One solver for each case, or the only one. Raises NotDerivable where a case holds for no draw."""
+    found: list[Solver] = []
+    for branch in loaded.branches:
+        solver = Solver(problem, replace(loaded, derivation=branch.derivation))
+        found.append(solver if branch.case is None else solver.in_case(branch, branch.case))
+    return found
 
 
 class Solver:
@@ -62,6 +78,22 @@ class Solver:
 
     def __init__(self, problem: Problem, loaded: Loaded):
         self.problem, self.loaded, self.known = problem, loaded, Known(problem)
+        self.case, self.line = "", 0
+        self.conditions: tuple[Relation, ...] = ()
+
+    def in_case(self, branch: Branch, case: Case) -> Solver:
+        """The solver that tries only numbers at which the case holds; its condition may speak of what is found before it."""
+        found = Solver(self.problem, self.loaded)
+        try:
+            for entry in branch.derivation.entries[: branch.before]:
+                if isinstance(entry, Finding):
+                    self.find(entry)
+            found.case, found.line = case.text, case.line
+            found.conditions = relations(self.known.in_givens(sympy.sympify(case.condition)))
+            found.known = Known(self.problem, found.conditions)
+        except ValueError as error:
+            raise self.failing(f"the case {case.text!r}: {error}", case.line) from error
+        return found
 
     def solution(self) -> Solution:
         entries = self.loaded.derivation.entries
@@ -96,7 +128,9 @@ class Solver:
         # after all that is found, so that nothing can lean on what is only supposed
         left_out = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         by_hand = unsolved(self.loaded.derivation)
-        return Solution(self.problem, tuple(unknowns), choices, examples, proofs, by_hand, left_out)
+        return Solution(
+            self.problem, tuple(unknowns), choices, examples, proofs, by_hand, left_out, case=self.case
+        )
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
         """At the author's own line, or at that of derive where the fault is of the whole."""

@@ -55,6 +55,8 @@ def worked_solution(
     known = given_numbers(variant)
     lines = [_constant(given) for given in problem.givens if given.source]
     lines += [""] * bool(lines)
+    if solution.case:
+        lines += [_("**Here {case}.**", case=solution.case), ""]
     for find, numbers in zip(solution.unknowns, values, strict=True):
         part = problem.part(find.part) if find.part else None
         heading = _heading(part) if part else _("**First find {names}.**", names=_names(find))

@@ -77,6 +77,7 @@ class Key:
 def make_key(solution: Solution, variant: Variant) -> Key:
     """The key of one variant. Raises Undefined when an answer does not exist for these numbers."""
     givens = variant.exact
+    solution = solution.at(givens)
     values: list[Values] = []
     stated: list[Answered] = []
     for find in solution.unknowns:

@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 import sympy
 
 from corollary.laws.law import known_by_name
@@ -33,7 +31,7 @@ def variable(name: str = "t") -> sympy.Symbol:
 
 def function(name: str, of: sympy.Symbol) -> sympy.Expr:
     """An unknown function, `v = function("v", t)`: laws may say `dv/dt`, `v(0)` and `int(v, t, 0, T)` of it."""
-    found = cast(sympy.Expr, sympy.Function(name, real=True)(of))
+    found = sympy.Function(name, real=True)(of)
     known_by_name(name, found)
     return found
 

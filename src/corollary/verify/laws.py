@@ -8,8 +8,12 @@ from corollary.formula.ast import names
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.operators import measured
 from corollary.problem.bank import Bank
+from corollary.problem.sampling import sample
+from corollary.problem.variant import chapter
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.verify.checked import Tally
+
+DRAWS = 100
 
 
 def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
@@ -20,8 +24,25 @@ def check_laws(bank: Bank, solution: Solution, tally: Tally) -> None:
         tally.complain(each)
 
 
+def check_cases(bank: Bank, solution: Solution, tally: Tally) -> None:
+    """Exactly one case holds, for the chapter's own numbers and for each draw."""
+    problem = solution.problem
+    path, line = bank.solution(problem).name, min((each.line for each in solution.regimes), default=0)
+    for variant in (chapter(problem), *sample(problem, DRAWS)) if solution.regimes else ():
+        found = solution.regimes_at(variant.exact)
+        if not tally.check(len(found) == 1, "cases"):
+            which = " and ".join(repr(each.text) for each in found) or "no case"
+            numbers = ", ".join(f"{name} = {float(value):g}" for name, value in variant.values.items())
+            tally.complain(
+                f"{path}:{line}: {which} holds for {variant.label} ({numbers}); mend the conditions, so that exactly one does"
+            )
+            return
+
+
 def check_dimensions(bank: Bank, solution: Solution, tally: Tally) -> None:
     """Every law of the derivation, as it stands here, has the same dimension on both sides."""
+    for regime in solution.regimes[1:]:
+        check_dimensions(bank, regime.solution, tally)
     dimensions = {given.symbol: given.unit.dimension for given in solution.problem.givens}
     for find in solution.unknowns:
         dimensions |= dict(zip(find.names, find.dimensions, strict=True))

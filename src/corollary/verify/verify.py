@@ -17,7 +17,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
-from corollary.verify.laws import check_dimensions, check_laws
+from corollary.verify.laws import check_cases, check_dimensions, check_laws
 from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
 from corollary.verify.remarks import remark
@@ -57,6 +57,7 @@ class Verification:
             tally.count("parts", len(problem.parts))
             tally.count("mistakes", sum(len(find.mistakes) for find in solution.unknowns))
             check_dimensions(bank, solution, tally)
+            check_cases(bank, solution, tally)
             check_translations(problem, solution, tally)
             own = make_key(solution, chapter(problem))
             yield "samples"

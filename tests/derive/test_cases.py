@@ -1,0 +1,151 @@
+"""Regimes: rest and sliding on an incline, by a condition of which exactly one must hold."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from tests.derive.conftest import problem_of
+
+from corollary.derive import cache
+from corollary.derive.put_back import unproven
+from corollary.derive.solve import solve
+from corollary.derive.worked_solution import worked_solution
+from corollary.formula.ball import Undefined
+from corollary.grading.key import make_key
+from corollary.problem.sampling import sample
+from corollary.problem.variant import chapter
+from corollary.verify.verify import verify
+
+FRONT = """\
+code: X1.1
+title: On a slope
+given:
+  m: {is: mass, value: 2, from: 1, to: 4, step: 0.5, unit: kg}
+  g: {is: gravity, value: 9.81, unit: m/s^2}
+  alpha: {is: angle, value: 20, from: 10, to: 40, step: 1, unit: deg}
+  mus: {is: static friction, value: 0.5, from: 0.3, to: 0.6, step: 0.05, unit: "1"}
+  muk: {is: kinetic friction, value: 0.2, from: 0.1, to: 0.25, step: 0.05, unit: "1"}
+require:
+  - m > 0
+  - g > 0
+  - 0 < alpha < 90 deg
+  - mus > 0
+  - muk > 0
+"""
+ASKS = '## Friction {#a .value unit="N"}\n?\n\n## Acceleration {#b .value unit="m/s^2"}\n?\n'
+WHOLE = """\
+import sympy
+from corollary.author import *
+from corollary.laws import *
+
+def derive(m, g, alpha, mus, muk):
+    F, a, N = unknowns("F a N")
+    slope = m*g*sympy.sin(alpha)
+    return derivation(
+        step(N, "Nothing moves off the slope.", law("Normal force", "N = m*g*cos(alpha)")),
+        cases(
+            case("the block stays at rest", REST,
+                step(F, "It balances.", law("At rest", "F = m*g*sin(alpha)"), answers="a")),
+            case("the block slides", SLIDES,
+                step(F, "Kinetic friction.", law("Kinetic friction", "F = muk*N"), answers="a",
+                     mistakes=[mistake("That is for a block at rest.", wrong("F = mus*N"))])),
+        ),
+        step(a, "Newton.", law("Newton's second law", "m*a = m*g*sin(alpha) - F"), answers="b", scale=g),
+    )
+"""
+REST, SLIDES = "slope <= mus*N", "slope > mus*N"
+
+
+def written(rest: str = REST, slides: str = SLIDES) -> str:
+    return WHOLE.replace("REST", rest).replace("SLIDES", slides)
+
+
+@pytest.fixture
+def bank(make):
+    return make(whole=written(), asks=ASKS, front=FRONT)
+
+
+def test_each_draw_has_the_answers_of_its_own_case(bank):
+    problem = problem_of(bank)
+    solution = solve(bank, problem)
+    met = set()
+    for variant in sample(problem, 40):
+        m, degrees, mus, muk = (float(variant.values[name]) for name in ("m", "alpha", "mus", "muk"))
+        angle = math.radians(degrees)
+        key = make_key(solution, variant)
+        slides = math.tan(angle) > mus
+        friction = (muk * math.cos(angle) if slides else math.sin(angle)) * m * 9.81
+        assert key["a"].value == pytest.approx(friction)
+        assert key["b"].value == pytest.approx(9.81 * math.sin(angle) - friction / m, abs=1e-12)
+        assert ("**Here the block slides.**" in told(solution, variant)) is slides
+        met.add(slides)
+    assert met == {True, False}
+
+
+def told(solution, variant) -> str:
+    key = make_key(solution, variant)
+    return worked_solution(key.solution, variant, key.values, {}, ())
+
+
+def test_laws_of_both_cases_are_put_back(bank):
+    assert unproven(bank, problem_of(bank)) == (6, [])
+
+
+def test_the_cache_keeps_the_cases(bank, monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    problem = problem_of(bank)
+    first = cache.solution_of(bank, problem)
+    monkeypatch.setattr(cache, "_solved", None)
+    again = cache.solution_of(bank, problem)
+    assert again == first
+    assert [each.text for each in again.regimes] == ["the block stays at rest", "the block slides"]
+
+
+def test_verify_says_where_none_or_two_hold(make):
+    for slides, said in (
+        ("slope > 2*mus*N", "no case holds for"),
+        ("slope > mus*N/2", "'the block stays at rest' and 'the block slides' holds for"),
+    ):
+        bank = make(whole=written(slides=slides), asks=ASKS, front=FRONT)
+        complaints = [each for each in verify(bank, problem_of(bank), 2).complaints if said in each]
+        assert len(complaints) == 1
+        assert complaints[0].startswith("cart.py:11: ")
+
+
+def test_numbers_at_which_no_case_holds_have_no_answer(make):
+    bank = make(whole=written(slides="slope > 2*mus*N"), asks=ASKS, front=FRONT)
+    problem = problem_of(bank)
+    solution = solve(bank, problem)
+    between = next(each for each in sample(problem, 60) if not solution.regimes_at(each.exact))
+    with pytest.raises(Undefined, match="none of the cases hold; exactly one must"):
+        make_key(solution, between)
+    assert make_key(solution, chapter(problem)).solution.case == "the block stays at rest"
+
+
+@pytest.mark.parametrize(
+    ("rest", "slides", "said"),
+    [
+        (REST, "slope > 200*mus*N", "the case 'the block slides': it holds for none of"),
+        (REST, "True", "is no condition of a case; write relations"),
+        (REST, "sympy.Or(slope > mus*N, slope < 0)", "is no condition of a case; write relations"),
+    ],
+)
+def test_faults_are_said_at_the_case(refused, rest, slides, said):
+    line, sentence = refused(whole=written(rest, slides), asks=ASKS, front=FRONT)
+    assert line == 13
+    assert said in sentence
+
+
+def test_one_case_is_none(refused):
+    one = written().replace(
+        '            case("the block slides"', '            ) or cases(case("the block slides"'
+    )
+    _line, sentence = refused(
+        whole=one.replace("cases(\n", "(cases(\n").replace(
+            'wrong("F = mus*N"))])),\n        )', 'wrong("F = mus*N"))]))))'
+        ),
+        asks=ASKS,
+        front=FRONT,
+    )
+    assert "cases(…) needs two cases or more" in sentence
