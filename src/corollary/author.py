@@ -58,12 +58,12 @@ def derivation(*entries: Entry | Cases) -> tuple[Branch, ...]:
 
 def cases(*stated: Case) -> Cases:
     """Regimes of which exactly one holds for the numbers drawn, such as rest and sliding."""
-    return Cases(stated, _line())
+    return Cases(stated, line_of_word())
 
 
 def case(text: str, condition: Boolean, *entries: Entry) -> Case:
     """One regime: what the student reads of it, when it holds, and the steps that are taken then."""
-    return Case(text, condition, entries, _line())
+    return Case(text, condition, entries, line_of_word())
 
 
 def step(

@@ -20,13 +20,12 @@ ENOUGH = 2  # mistakes of a quantity: with one alone, everything else that is wr
 SAME = 1e-9  # relative
 
 
-def remark(bank: Bank, key: Key, tally: Tally) -> None:
+def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:
     """Notes on the givens and on the mistakes; `key` is that of the problem's own numbers."""
-    solution = key.solution
     file, path = solution.problem.path.name, bank.solution(solution.problem).name
     for line, sentence in (*_outside(solution.problem), *_unused(solution)):
         tally.note(f"{file}:{line}: {sentence}")
-    for line, sentence in (*_few(solution), *_alike(key)):
+    for line, sentence in (*_few(key.solution), *_alike(key)):
         tally.note(f"{path}:{line}: {sentence}")
 
 
@@ -46,11 +45,14 @@ def _unused(solution: Solution) -> Iterator[tuple[int, str]]:
     """Givens that no law, no formula and no program has."""
     if any(isinstance(entry, Code | Plot) for entry in solution.entries):
         return  # judges are programs, and may use any given
-    laws = [law for find in solution.unknowns for law in find.laws]
+    every = [each.solution for each in solution.regimes] or [solution]
+    unknowns = [find for each in every for find in each.unknowns]
+    laws = [law for find in unknowns for law in find.laws]
     laws += [law for proof in solution.proofs.values() for law in (*proof.laws, proof.target)]
     laws += [law for example in solution.examples.values() for law in example.laws]
     used = {name for law in laws for relation in law.here for name in names(relation)}
-    for find in (*solution.unknowns, *(each.bound for each in solution.neglected)):
+    used |= {name for each in solution.regimes for one in each.conditions for name in names(one)}
+    for find in (*unknowns, *(each.bound for each in solution.neglected)):
         used |= _letters(find)
     for choice in solution.choices.values():
         used |= {

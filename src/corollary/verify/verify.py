@@ -63,7 +63,7 @@ class Verification:
             yield "samples"
             check_samples(own, tally)
             check_printed(bank, solution, tally)
-            remark(bank, own, tally)
+            remark(bank, solution, own, tally)
             for stage in SLOW:
                 yield stage
                 match stage:
