@@ -9,6 +9,7 @@ import sqlite3
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import closing
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -28,7 +29,7 @@ from corollary.atomic import write_whole
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.submission import MarkedSubmission, Submission
 from corollary.nbgrader.config import NotOurs
-from corollary.nbgrader.gradebook import GradebookLocked, NotRegistered, gradebook
+from corollary.nbgrader.gradebook import GradebookLocked, NotRegistered, gradebook, programs_on_path
 from corollary.nbgrader.graded import graded
 from corollary.nbgrader.marks import synchronized, write_graded
 from corollary.nbgrader.register import register
@@ -484,6 +485,22 @@ def test_a_locked_gradebook_is_said_in_one_sentence(
         other.close()
     assert not course.notebook("autograded", "ada", "week_1").exists()
     record(course, week, [marked(week, ADA, *GOOD)], {"ada": nb})
+
+
+def test_a_new_gradebook_has_the_tables_and_the_revision_that_nbgraders_own_has(
+    course: Course, tmp_path: Path
+):
+    with programs_on_path(), Gradebook(f"sqlite:///{tmp_path / 'theirs.db'}"):
+        pass
+
+    def told(path: Path) -> tuple[list[tuple[str, str]], list[tuple[str]]]:
+        with closing(sqlite3.connect(path)) as base:
+            tables = base.execute("SELECT name, sql FROM sqlite_master WHERE type = 'table'").fetchall()
+            return sorted(
+                (name, " ".join(sql.split())) for name, sql in tables if name != "alembic_version"
+            ), base.execute("SELECT version_num FROM alembic_version").fetchall()
+
+    assert told(course.gradebook) == told(tmp_path / "theirs.db")
 
 
 def test_an_unknown_set_is_said(course: Course, week: ProblemSet):

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
+import sqlite3
 import sys
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from errno import ENOSPC
 from importlib.util import find_spec
 from pathlib import Path
@@ -125,12 +126,25 @@ def _new(course: Course, place: CourseDirectory) -> None:
 
     draft = course.gradebook.with_name(".gradebook.draft")
     draft.unlink(missing_ok=True)
-    with programs_on_path(), Gradebook(f"sqlite:///{draft}", place.course_id) as book:
+    _stamp(draft)
+    with Gradebook(f"sqlite:///{draft}", place.course_id) as book:
         has_seen(
             book, read_manual(course).count
         )  # its rows are filled with what persons gave as they are made
         book.db.commit()
     os.replace(draft, course.gradebook)
+
+
+def _stamp(draft: Path) -> None:
+    """Writes which of its revisions nbgrader makes tables of, by which its `db upgrade` goes. In an empty file nbgrader does so
+    itself, but starts the program `alembic` for it, which takes longer than all the rest."""
+    import nbgrader
+    from alembic.script import ScriptDirectory
+
+    head = ScriptDirectory(str(Path(nbgrader.__file__).parent / "alembic")).get_current_head()
+    with closing(sqlite3.connect(draft)) as base, base:
+        base.execute("CREATE TABLE alembic_version (version_num VARCHAR(32) NOT NULL)")
+        base.execute("INSERT INTO alembic_version VALUES (?)", (head,))
 
 
 def seen(book: Gradebook) -> int | None:
