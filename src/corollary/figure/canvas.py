@@ -220,7 +220,7 @@ class Canvas:
             best, cost = each.spots[0], math.inf
             for place, spot in enumerate(each.spots):
                 box = box_of(spot, width, size)
-                found = self.covered(box) - (shared(box, self.areas) if place < each.wanted else 0)
+                found = self.covered(box, wanted=place < each.wanted)
                 if found < cost:
                     best, cost = spot, found
                 if cost <= FREE:
@@ -235,9 +235,10 @@ class Canvas:
             self.shapes.append((FRONT, _text(words, x, box[1] + size * 0.28, anchor, size, each.fill)))
         self.waiting.clear()
 
-    def covered(self, box: Box) -> float:
-        """How much of a box is occupied already; texts weigh more."""
-        return shared(box, self.areas) + 2 * shared(box, self.occupied) + 4 * shared(box, self.words)
+    def covered(self, box: Box, *, wanted: bool = False) -> float:
+        """How much of a box is occupied already; texts weigh more, and an area nothing where the text is `wanted`."""
+        areas = 0.0 if wanted else shared(box, self.areas)
+        return areas + 2 * shared(box, self.occupied) + 4 * shared(box, self.words)
 
     def extent(self) -> Box:
         """The box around everything."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 Box = tuple[float, float, float, float]
 """Left, bottom, right, top."""
@@ -24,8 +24,7 @@ class WaitingText:
     upright: bool
 
 
-@dataclass(frozen=True, slots=True)
-class TextSpot:
+class TextSpot(NamedTuple):
     """A place for a text: `across` and `up` say which point of the text stands there (-1: its left or lower end; 0: its middle)."""
 
     x: float
@@ -56,12 +55,17 @@ def around(box: Box) -> list[TextSpot]:
 
 
 def lies(spot: TextSpot, flag: str) -> bool:
-    return {
-        "above": spot.up < 0,
-        "below": spot.up > 0,
-        "right": spot.across < 0,
-        "left": spot.across > 0,
-    }.get(flag, False)
+    match flag:
+        case "above":
+            return spot.up < 0
+        case "below":
+            return spot.up > 0
+        case "right":
+            return spot.across < 0
+        case "left":
+            return spot.across > 0
+        case _:
+            return False
 
 
 def box_of(spot: TextSpot, width: float, size: float) -> Box:

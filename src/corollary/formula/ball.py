@@ -23,7 +23,7 @@ from corollary.formula.ast import (
     children,
     rebuilt,
 )
-from corollary.formula.compiled import program
+from corollary.formula.compiled import MOST_CACHED, program
 from corollary.formula.errors import Undefined
 from corollary.formula.exact import exactly
 from corollary.formula.rational_pi import RationalPi
@@ -122,7 +122,7 @@ def sign(tree: Expr, values: Values) -> int | None:
 
 def holds(relation: Relation, values: Values) -> bool | None:
     """Whether a condition is true; None when undecided. Raises Undefined when a side has no value."""
-    found = sign(Sum((relation.left, Negative(relation.right))), values)
+    found = sign(_difference(relation), values)
     if found is None:
         return None
     match relation.sign:
@@ -140,6 +140,22 @@ def holds(relation: Relation, values: Values) -> bool | None:
             return found >= 0
         case other:
             raise ValueError(f"{other} compares nothing; use = != < <= > >=")
+
+
+# By identity, as programs are kept: a condition is asked of every draw. The relation is held, so its id stays its own.
+_DIFFERENCES: dict[int, tuple[Relation, Expr]] = {}
+
+
+def _difference(relation: Relation) -> Expr:
+    """Left side less right side."""
+    cached = _DIFFERENCES.get(id(relation))
+    if cached is not None and cached[0] is relation:
+        return cached[1]
+    if len(_DIFFERENCES) >= MOST_CACHED:
+        _DIFFERENCES.clear()
+    made = Sum((relation.left, Negative(relation.right)))
+    _DIFFERENCES[id(relation)] = relation, made
+    return made
 
 
 def _refined(

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from corollary.answers.evaluation import balls
 from corollary.answers.tolerance import within
 from corollary.derive.solution import ClosedForms, Rule, Solution, Unknown
+from corollary.derive.statements import Mistake
 from corollary.formula.ast import names
 from corollary.formula.ball import Undefined
-from corollary.grading.key import Key, make_key
-from corollary.grading.replay import WhatIf, ancestors, replay
+from corollary.grading.key import Key, make_key, named
+from corollary.grading.replay import WhatIf, ancestors, exchanged, replay
 from corollary.grading.rounding import MOST
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import draws
@@ -88,21 +90,35 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
     A mistake counts for the part of its own step, or, at a step nobody is asked about, for the parts reached from it
     through such steps only. One that never changes a part is no mistake for it.
     """
-    solution, givens = key.solution, key.variant.exact
-    for place, find in enumerate(solution.unknowns):
-        for mistake in find.mistakes:
-            for part in first_asked(solution, place):
-                truth = key.truths[part]
-                if not differs(solution, place, mistake.rule, truth.place):
-                    continue
-                try:
-                    values = replay(solution, givens, WhatIf(rules={place: mistake.rule}), truth.place)[
-                        truth.place
-                    ]
-                except Undefined:
-                    continue
-                if within(values, truth.values, truth.tolerance + APART, truth.scale):
-                    yield part, mistake.text
+    solution = key.solution
+    known = balls(key.variant.exact | named(solution, key.values))
+    for place, mistake, part, at in _suspects(solution):
+        if part not in key.truths:
+            continue
+        truth = key.truths[part]
+        try:
+            values = exchanged(solution, known, place, mistake.rule, at)
+        except Undefined:
+            continue
+        if within(values, truth.values, truth.tolerance + APART, truth.scale):
+            yield part, mistake.text
+
+
+def _suspects(solution: Solution) -> list[tuple[int, Mistake[Rule], str, int]]:
+    """The mistakes that show: the place of each, the parts where it shows first, and their places."""
+    if id(solution) not in _SUSPECTS:
+        places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part}
+        _SUSPECTS[id(solution)] = (
+            solution,
+            [
+                (place, mistake, part, places[part])
+                for place, find in enumerate(solution.unknowns)
+                for mistake in find.mistakes
+                for part in first_asked(solution, place)
+                if differs(solution, place, mistake.rule, places[part])
+            ],
+        )
+    return _SUSPECTS[id(solution)][1]
 
 
 def first_asked(solution: Solution, place: int) -> list[str]:
@@ -127,6 +143,7 @@ def differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
 
 # With the solution itself, so that no later one has its id: a preview solves anew as long as it is open.
 _DIFFERS: dict[tuple[int, int, int, int], tuple[Solution, bool]] = {}
+_SUSPECTS: dict[int, tuple[Solution, list[tuple[int, Mistake[Rule], str, int]]]] = {}
 
 
 def _changes(problem: Problem, solution: Solution, place: int, rule: Rule, at: int) -> bool:

@@ -10,7 +10,7 @@ from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number, 
 from corollary.answers.expected import Values
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import names
-from corollary.formula.ball import Undefined, precision_of
+from corollary.formula.ball import Ball, Undefined, precision_of
 from corollary.scenes.run import BadSetting, GuardFailed, components
 
 
@@ -52,6 +52,22 @@ def replay(
             if place == until:
                 break
     return found
+
+
+def exchanged(
+    solution: Solution, known: Mapping[str, Ball], place: int, rule: Rule, until: int
+) -> tuple[float, ...]:
+    """What the find at `until` becomes when the rule of an earlier one (or its own) is exchanged, from all values as they are:
+    only what is made of it is worked out again. Raises Undefined where a value does not exist."""
+    values, answer = dict(known), tuple[float, ...]()
+    with precision_of(BITS):
+        for at in range(place, until + 1):
+            if at == place or place in ancestors(solution, at):
+                find = solution.unknowns[at]
+                by = rule if at == place else find.local
+                answer = numbers(by.trees, values) if isinstance(by, ClosedForms) else compute(by, values)
+                values |= zip(find.names, map(ball_of, answer), strict=True)
+    return answer
 
 
 def compute(rule: Rule, values: Letters) -> Values:

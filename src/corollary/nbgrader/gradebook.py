@@ -138,8 +138,9 @@ def _new(course: Course, place: CourseDirectory) -> None:
 def _stamp(draft: Path) -> None:
     """Writes which of its revisions nbgrader makes tables of, by which its `db upgrade` goes. In an empty file nbgrader does so
     itself, but starts the program `alembic` for it, which takes longer than all the rest."""
-    import nbgrader
     from alembic.script import ScriptDirectory
+
+    import nbgrader
 
     head = ScriptDirectory(str(Path(nbgrader.__file__).parent / "alembic")).get_current_head()
     with closing(sqlite3.connect(draft)) as base, base:

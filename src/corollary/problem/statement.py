@@ -22,14 +22,12 @@ def filled(text: str, variant: Variant) -> str:
 
     def fill(hole: re.Match[str]) -> str:
         symbol, style = hole[1], hole[2] or ""
-        given = variant.problem.given(symbol)
-        bare = number(given, variant.values[symbol])
+        given, value = variant.problem.given(symbol), variant.values[symbol]
+        bare = number(given, value) if style in ("number", "svg") else written(variant, symbol)
         if style == "svg":
             return bare.replace("−", "-")
         in_formula = text.count("$", 0, hole.start()) % 2 == 1
-        return in_convention(
-            bare if style == "number" else written(variant, symbol), "{,}" if in_formula else ","
-        )
+        return in_convention(bare, "{,}" if in_formula else ",")
 
     return HOLE.sub(fill, text)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property, lru_cache
 
 from corollary.formula.ast import Name, names
 from corollary.formula.errors import Undefined
@@ -19,7 +20,7 @@ class OutOfRange(ValueError):
     """A given's value contradicts the physics; one sentence says which and why."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Variant:
     """`values` are in each given's own unit, by symbol; `index` is the place in the grid (None: chosen by hand)."""
 
@@ -27,9 +28,9 @@ class Variant:
     values: Mapping[str, Fraction]
     index: int | None
 
-    @property
+    @cached_property
     def exact(self) -> dict[str, RationalPi]:
-        """The givens in SI, exactly."""
+        """The givens in SI, exactly; made once, so not to be changed."""
         return {
             given.symbol: RationalPi(*given.unit.to_si(self.values[given.symbol]))
             for given in self.problem.givens
@@ -134,7 +135,13 @@ def written(variant: Variant, symbol: str) -> str:
 
 def number(given: Given, value: Fraction) -> str:
     """The bare number, with the decimals of the given's grid where they suffice."""
-    places = max(given.places, decimal_places(value))
+    return _with_places(value, given.places)
+
+
+@lru_cache(maxsize=4096)
+def _with_places(value: Fraction, least: int) -> str:
+    """On a sheet a number is written many times, and the next student's is often the same."""
+    places = max(least, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
         text = next(
             (text for n in range(1, 7) if Fraction(text := decimal_text(value, n)) == value),
