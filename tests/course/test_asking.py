@@ -34,7 +34,7 @@ def test_without_anybody_to_ask_nothing_moves(corrected: Path, graded: Path) -> 
     assert done.points["ada"] == 5.0
     (changed,) = done.document["changed"]
     assert (changed["student"], changed["before"], changed["after"]) == ("ada", 5.0, 2.5)
-    assert changed["why"] == "changed: what the set gives for a verdict"
+    assert changed["why"] == "changed: what late work keeps"
     record = json.loads((graded / ".corollary/graded/one/ada.json").read_text())
     assert record["points"] == 5.0
     assert grade(graded, "--yes", name=corrected).points["ada"] == 2.5

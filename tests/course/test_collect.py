@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import stat
+import subprocess
 import zipfile
 from datetime import UTC, datetime
 from pathlib import Path
@@ -19,6 +20,8 @@ from corollary.records.files import open_course
 from corollary.records.hand_in_time import handed_in as moment_of
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
+
+from .conftest import COMMAND
 
 NOW = datetime(2026, 12, 20, tzinfo=UTC)
 ROSTER = (
@@ -376,13 +379,27 @@ def test_of_two_files_handed_in_at_one_moment_it_is_said_by_what_one_is_taken(
     found = collected(course, archive(tmp_path / "dates.zip", files, 2), times=times)
     assert taken(course)["ada"] == files[second]
     (left,) = found.of(OLDER)
-    assert left.why.startswith("nothing says that it is older than")
-    assert left.why.endswith("which is taken for the later date of its file")
+    assert left.why == f"was handed in at the same moment as {second}, whose file has the later date"
+    assert found.conflicts == (f"ada: {first} {left.why}; that one is taken",)
     shutil.rmtree(course / "submitted/ada/one")
     found = collected(course, archive(tmp_path / "no_dates.zip", files, 2, minutes=0), times=times)
     assert taken(course)["ada"] == files[first]
-    assert [each.why.rpartition(", ")[2] for each in found.of(OLDER)] == ["which is taken for its name"]
+    assert [each.why.rpartition(", ")[2] for each in found.of(OLDER)] == ["whose name comes last"]
     assert any("that one is taken" in each for each in found.conflicts)
+
+
+def test_of_two_files_without_a_time_nothing_is_said_of_when(course: Path, tmp_path: Path) -> None:
+    folder = "Ada Lovelace_171_assignsubmission_file_"
+    first, second = f"{folder}/one (1).ipynb", f"{folder}/one.ipynb"
+    files = {first: sheet(course, "ada", note="a"), second: sheet(course, "ada", note="b")}
+    zipped = archive(tmp_path / "all.zip", files, 10, minutes=0)
+    line = [COMMAND, "collect", "one", zipped, "--course", course, "--dry-run"]
+    done = subprocess.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr
+    why = f"says no time, and neither does {first}, whose name comes last"
+    assert f"ada: {second} {why}; that one is taken" in done.stderr
+    assert done.stdout.count("not said") == 2
+    assert "UTC" not in done.stdout
 
 
 def test_a_guessed_time_makes_nothing_older(course: Path, tmp_path: Path) -> None:

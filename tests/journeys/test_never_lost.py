@@ -255,7 +255,7 @@ def test_a_regrade_shows_who_changes_before_it_writes(
     status, told, _ = grade(own, course, "--regrade", "--yes")
     assert (status, told["written"]) == (0, True)
     assert [each["student"] for each in told["changed"]] == ["ben"]
-    assert told["changed"][0]["why"] == "changed: what the set gives for a verdict"
+    assert told["changed"][0]["why"] == "changed: what late work keeps"
     assert in_gradebook(course) != before
     # What nobody agreed to left no trace, not even with those whose marks stay as they are.
     assert len(list(history(course, "pair"))) == 2 * len(ROSTER)

@@ -12,13 +12,13 @@ from corollary.cli.ending import FAILS, HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.collect import Collected, collect
 from corollary.records.assigned import is_assigned
-from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
+from corollary.records.collected import ACCEPTED, GUESSED, NOBODY, OLDER, UNCHANGED, UNUSABLE, Arrival
 from corollary.records.files import one_writer, open_course
 from corollary.records.origin import set_of
 
 HEADINGS = {
     ACCEPTED: "Taken",
-    OLDER: "Not taken: older",
+    OLDER: "Not taken: another one is",
     UNUSABLE: "Cannot be used",
     NOBODY: "Nobody knows whose",
 }
@@ -63,6 +63,13 @@ def run(
     return HOLDS if found.of(ACCEPTED) or found.of(UNCHANGED) else FAILS
 
 
+def handed_in(arrival: Arrival) -> str:
+    """When, as far as anybody said it: the time of a download, or of the deadline in its place, is nobody's."""
+    if arrival.time == GUESSED:
+        return "not said"
+    return arrival.when.partition(".")[0] + " UTC" * bool(arrival.when)
+
+
 def show(found: Collected, name: str, dry_run: bool) -> None:
     """What was not taken, and with a dry run what would be; then how many."""
     from rich.table import Table
@@ -82,12 +89,7 @@ def show(found: Collected, name: str, dry_run: bool) -> None:
             "student", "file", "handed in", "", title=title, title_justify="left", title_style="bold"
         )
         for each in arrivals:
-            cells = (
-                each.student or "?",
-                each.file,
-                each.when.partition(".")[0] + " UTC" * bool(each.when),
-                each.why,
-            )
+            cells = (each.student or "?", each.file, handed_in(each), each.why)
             table.add_row(*(Text(visible(cell)) for cell in cells))
         out.print(table)
     accepted, same, older = (len(found.of(outcome)) for outcome in (ACCEPTED, UNCHANGED, OLDER))

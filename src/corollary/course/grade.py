@@ -4,23 +4,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from time import monotonic
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
+from corollary.course.batches import together
 from corollary.course.generate import source_notebook
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
+from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.marks import current_manual, stale_pages, synchronized, write_graded
-from corollary.nbgrader.revealed import with_right_values
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
 from corollary.records.causes import dependencies, is_extended, is_handed_in_anew, why
@@ -48,12 +48,6 @@ from corollary.sandbox.runner import Runner
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook
-
-
-TOGETHER: Final = 16
-"""Submissions that are written in one transaction."""
-LONGEST_UNWRITTEN: Final = 2.0
-"""Seconds after which those that are marked are written with the next one, however few."""
 
 
 class NotGenerated(LookupError):
@@ -173,17 +167,37 @@ def grade_set(
     asked = False
     not_run: dict[str, str] = {}
     changed: tuple[Change, ...] = ()
-    made_again: set[str] = set()
-    if todo and not (regrade or dry_run):
+
+    def take(several: Sequence[GradedSubmission], book: Gradebook | None) -> None:
+        """Writes what may be written at once, and holds the rest."""
+        nonlocal asked
+        at_once: list[GradedSubmission] = []
+        for one in several:
+            if one.marked.machine_failed:
+                not_run[one.submission.student.id] = one.marked.trouble
+                continue
+            old, moved = standing(one), None
+            if old is not None and (moved := change_by(one, old)) is not None:
+                found.append(moved)
+                if is_extended(old, one.submission.depends, moved, deadlines):
+                    extended.append(moved)
+            moves = moved is not None and moved.moves_points and moved not in extended
+            asked = asked or moves
+            waits = dry_run or moves or (regrade and old is not None)
+            (held if waits else at_once).append(one)
+        if at_once:
+            write_graded(course, problem_set, at_once, given, book)
+
+    left, known = len(todo), set[str]()
+    if todo and not regrade:  # a regrade runs every notebook again
         marked_before = (each for each in todo if page_facts_place(course, name, each).exists())
-        pages = (
-            with_right_values(course, problem_set, solutions, submission(each)) for each in marked_before
-        )
+        again = (from_record(course, problem_set, solutions, submission(each)) for each in marked_before)
         with _gradebook(course, dry_run) as book:
-            for several in together(page for page in pages if page is not None):
-                write_graded(course, problem_set, several, given, book)
-                made_again |= {one.marked.student.id for one in several}
-    to_run = [student for student in todo if student not in made_again]
+            for several in together(one for one in again if one is not None):
+                take(several, book)
+                known |= {one.marked.student.id for one in several}
+                left = _counted(progress, several, left)
+    to_run = [student for student in todo if student not in known]
     if to_run:
         for problem in problem_set.problems:
             solutions.of(problem)  # once, before there are workers who would each do it
@@ -193,32 +207,16 @@ def grade_set(
             (execute or here(jobs, len(to_run)))(context, map(submission, to_run)) as graded,
             _gradebook(course, dry_run) as book,
         ):
-            left = len(to_run)
             for several in together(graded):
-                at_once: list[GradedSubmission] = []
-                for one in several:
-                    if one.marked.machine_failed:
-                        not_run[one.submission.student.id] = one.marked.trouble
-                        continue
-                    old, moved = standing(one), None
-                    if old is not None and (moved := change_by(one, old)) is not None:
-                        found.append(moved)
-                        if is_extended(old, one.submission.depends, moved, deadlines):
-                            extended.append(moved)
-                    moves = moved is not None and moved.moves_points and moved not in extended
-                    asked = asked or moves
-                    waits = dry_run or moves or (regrade and old is not None)
-                    (held if waits else at_once).append(one)
-                if at_once:
-                    write_graded(course, problem_set, at_once, given, book)
-                for one in several:
-                    left -= 1
-                    progress(one.submission.student.id, left)
-            changed = largest_first(found)
-            if not dry_run and (not asked or ask(changed)):
+                take(several, book)
+                left = _counted(progress, several, left)
+    if todo:
+        changed = largest_first(found)
+        if not dry_run and (not asked or ask(changed)):
+            with _gradebook(course, dry_run) as book:
                 for several in together(held):
                     write_graded(course, problem_set, several, given, book)
-                held = []
+            held = []
     if todo and not dry_run:
         manual = synchronized(course)  # a person may have given some meanwhile
     unwritten = {one.marked.student.id for one in held}
@@ -254,17 +252,11 @@ def grade_set(
     )
 
 
-def together(graded: Iterable[GradedSubmission]) -> Iterator[list[GradedSubmission]]:
-    """Submissions in groups that are written at once: a transaction and a disk that is waited for cost as much for one."""
-    several: list[GradedSubmission] = []
-    since = monotonic()
-    for one in graded:
-        several.append(one)
-        if len(several) >= TOGETHER or monotonic() - since > LONGEST_UNWRITTEN:
-            yield several
-            several, since = [], monotonic()
-    if several:
-        yield several
+def _counted(progress: Callable[[str, int], None], several: Sequence[GradedSubmission], left: int) -> int:
+    for one in several:
+        left -= 1
+        progress(one.submission.student.id, left)
+    return left
 
 
 def _written(

@@ -68,8 +68,9 @@ class Found:
             return f"says no time, and {name} does"
         if self.order[:3] != other.order[:3]:
             return LATER
-        by = "the later date of its file" if self.order[3] != other.order[3] else "its name"
-        return f"nothing says that it is older than {name}, which is taken for {by}"
+        apart = "was handed in at the same moment as" if self.known else "says no time, and neither does"
+        by = "file has the later date" if self.order[3] != other.order[3] else "name comes last"
+        return f"{apart} {name}, whose {by}"
 
     def arrival(self, outcome: str, why: str) -> Arrival:
         """What became of it."""

@@ -19,6 +19,7 @@ from corollary.notebook.content import with_names
 from corollary.notebook.locate import answer_id, cells_by_id, code_to_run, plot_cells, written_text
 from corollary.notebook.notebook import notebook as handed_out
 from corollary.notebook.worksheet import Prompt, Worksheet
+from corollary.problem.problem_set import ProblemSet
 from corollary.sandbox.file import Unreadable
 from corollary.sandbox.job import Cell, Job
 from corollary.sandbox.notebook import Notebook
@@ -52,8 +53,7 @@ def mark(
         _grade(sheet, keys, exercise.problem.code, notebook, executed, secret, reveal)
         for exercise in sheet.exercises
     )
-    share = sheet.problem_set.scheme.late if late > 0 else 1.0
-    trouble = executed.trouble
+    share, trouble = late_share(sheet.problem_set, late), executed.trouble
     return Marked(
         sheet.student, grades, executed.cells, executed.figures, executed.isolation.line, trouble, late, share
     )
@@ -161,6 +161,11 @@ def _explained(part: PartGrade, prompt: Prompt, runs: Mapping[str, CellRun]) -> 
     return replace(part, verdict=Unread(sentence, blank=True), feedback=sentence)
 
 
+def late_share(problem_set: ProblemSet, late: float) -> float:
+    """What is kept of the marks of work that came so many seconds after the deadline."""
+    return problem_set.scheme.late if late > 0 else 1.0
+
+
 def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
     """A submission that could not be marked through no fault of its student: no points yet, and a person decides on every part."""
     grades = tuple(
@@ -173,9 +178,7 @@ def not_marked(sheet: Worksheet, why: str, late: float) -> Marked:
         )
         for exercise in sheet.exercises
     )
-    return Marked(
-        sheet.student, grades, (), (), "", why, late, sheet.problem_set.scheme.late if late > 0 else 1.0
-    )
+    return Marked(sheet.student, grades, (), (), "", why, late, late_share(sheet.problem_set, late))
 
 
 def _unreadable(sheet: Worksheet, keys: Keys, why: str, late: float) -> Marked:

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 _ = catalogue(__name__)
 
+LATE_SHARE = "what late work keeps"
+
 
 @dataclass(frozen=True, slots=True)
 class Submission:
@@ -131,7 +133,8 @@ def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
 def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, bytes]:
     """What `state_of` is a digest of, thing by thing, under the names that people read. Raises NotDerivable."""
     found = {
-        "what the set gives for a verdict": repr(problem_set.scheme).encode(),
+        "what the set gives for a verdict": repr(replace(problem_set.scheme, late=1.0)).encode(),
+        LATE_SHARE: repr(problem_set.scheme.late).encode(),
         "the weights of the problems": repr((problem_set.weights, *_adapted(problem_set))).encode()
         if _adapted(problem_set)
         else repr(problem_set.weights).encode(),

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
+from corollary.grading.submission import LATE_SHARE
 from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Deadlines, Terms
 from corollary.records.files import Course
@@ -15,6 +16,8 @@ from corollary.records.regrading import Change
 from corollary.sandbox.file import bytes_of
 
 NOTEBOOK, TIME, DEADLINE = "the notebook", "when it was handed in", "the deadline"
+WITHOUT_A_RUN = frozenset({TIME, DEADLINE, LATE_SHARE})
+"""Of these marks can be given again without running the notebook a second time."""
 BOTH = "what was handed in"
 """In the records of earlier versions, one digest of the notebook and its time."""
 
@@ -54,14 +57,14 @@ def is_extended(old: Record, depends: Mapping[str, str], change: Change, deadlin
     """Whether a student's marks change by nothing but more time that this student was given, or an excuse: whoever gave it has
     agreed to that. Time that is taken back takes marks, and is asked about."""
     lateness_alone = not change.parts and change.out_of == change.out_of_before and change.by > 0
-    return lateness_alone and change.student in deadlines.extensions and _changed(old, depends) == [DEADLINE]
+    return lateness_alone and change.student in deadlines.extensions and changed(old, depends) == [DEADLINE]
 
 
 def why(old: Record, depends: Mapping[str, str]) -> str:
     """A few words on why marks are others than before."""
     if not old.depends:
         return "they were given by an earlier version, which did not record what they depend on"
-    names = _changed(old, depends)
+    names = changed(old, depends)
     if not names:
         return "nothing was changed; the notebook ran otherwise than before"
     about: dict[str, str] = {}
@@ -71,7 +74,8 @@ def why(old: Record, depends: Mapping[str, str]) -> str:
     return f"changed: {', '.join(about.get(name, name) for name in names)}"
 
 
-def _changed(old: Record, depends: Mapping[str, str]) -> list[str]:
+def changed(old: Record, depends: Mapping[str, str]) -> list[str]:
+    """The names of what marks depend on that are not as they were when these were given."""
     names = [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
     if NOTEBOOK in old.depends:
         return names

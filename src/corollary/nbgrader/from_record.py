@@ -1,4 +1,5 @@
-"""Feedback whose right values may be seen by now, made of what is recorded: no notebook is run for it a second time."""
+"""Marks given again from what is recorded, where nothing changed that running a notebook could tell: dates, the share that late
+work keeps, and what students may see by now."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
@@ -8,18 +9,24 @@ from dataclasses import replace
 
 import msgspec
 import nbformat
+from nbformat import NotebookNode
 
 from corollary.answers.verdict import Right, Unmarked
 from corollary.grading.feedback import revealed
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.key import Key
+from corollary.grading.marking import late_share
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import Submission
 from corollary.nbgrader.graded import GradedSubmission
-from corollary.nbgrader.marked_notebook import notebook_text, with_verdicts
+from corollary.nbgrader.marked_notebook import NOBODY, notebook_text, with_verdicts
 from corollary.nbgrader.marks import stored_facts
+from corollary.notebook.notebook import notebook
+from corollary.notebook.worksheet import worksheet
+from corollary.problem.dates import written
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import Variant
+from corollary.records.causes import DEADLINE, WITHOUT_A_RUN, changed
 from corollary.records.files import Course
 from corollary.records.marks import read_record
 from corollary.records.record import Record, record_of
@@ -29,19 +36,19 @@ from corollary.render.feedback_page import feedback_page
 from corollary.render.markdown import html
 
 
-def with_right_values(
+def from_record(
     course: Course, problem_set: ProblemSet, solutions: Solutions, submission: Submission
 ) -> GradedSubmission | None:
-    """The submission as it was marked, with the right values and worked solutions in its feedback; None where more than that has
-    changed, or something of it is not as it was recorded: then it is marked again."""
+    """The submission as it was marked, with the lateness of now and with or without right values, as its student may see them now;
+    None where something else has changed, or is not as it was recorded: then its notebook is run again."""
     student = submission.student.id
     record, facts = (
         read_record(course, problem_set, student),
         stored_facts(course, problem_set.name, student),
     )
-    if record is None or facts is None or record.trouble or not submission.reveal or submission.retained:
+    if record is None or facts is None or record.trouble or submission.retained:
         return None
-    if record.depends != submission.depends or any(each.solution for each in facts.exercises):
+    if not set(changed(record, submission.depends)) <= WITHOUT_A_RUN:
         return None
     marked = _marked(record, submission)
     if marked is None or _as_recorded(record, marked) != record:
@@ -56,8 +63,16 @@ def with_right_values(
         worked = {code: html(solutions.worked_solution_of(key)) for code, key in keys.items()}
     except Exception:  # a key of its numbers cannot be made any more: marking it again says so
         return None
-    marked = replace(marked, grades=tuple(_revealed(keys[g.variant.problem.code], g) for g in marked.grades))
-    facts = _with(facts, worked, marked, submission.rubric)
+    seen = any(each.solution for each in facts.exercises)
+    if seen != submission.reveal:
+        grades = [_seen(keys[each.variant.problem.code], each, submission.reveal) for each in marked.grades]
+        if None in grades:
+            return None
+        marked = replace(marked, grades=tuple(each for each in grades if each is not None))
+    marked = replace(marked, late=submission.late, late_share=late_share(problem_set, submission.late))
+    if record.depends.get(DEADLINE) != submission.depends.get(DEADLINE):
+        _with_title_of(node, problem_set, submission)
+    facts = _with(facts, worked if submission.reveal else {}, marked, submission)
     return GradedSubmission(
         submission=replace(submission, content=b""),
         marked=marked,
@@ -108,30 +123,43 @@ def _as_recorded(record: Record, marked: Marked) -> Record:
     return msgspec.structs.replace(again, version=record.version)
 
 
-def _revealed(key: Key, grade: Grade) -> Grade:
-    parts = [
-        replace(part, feedback=f"{part.feedback} {solution}")
-        if not isinstance(part.verdict, Right) and (solution := revealed(key, part.part, part.answer))
-        else part
-        for part in grade.parts
-    ]
+def _seen(key: Key, grade: Grade, reveal: bool) -> Grade | None:
+    """With the right values said in the feedback of what is not right, or without; None where they were said otherwise."""
+    parts: list[PartGrade] = []
+    for part in grade.parts:
+        sentence = f" {solution}" if (solution := revealed(key, part.part, part.answer)) else ""
+        if isinstance(part.verdict, Right) or not sentence:
+            parts.append(part)
+        elif reveal:
+            parts.append(replace(part, feedback=part.feedback + sentence))
+        elif part.feedback.endswith(sentence):
+            parts.append(replace(part, feedback=part.feedback.removesuffix(sentence)))
+        else:
+            return None
     return replace(grade, parts=tuple(parts))
 
 
-def _with(facts: PageFacts, worked: dict[str, str], marked: Marked, rubric: bool) -> PageFacts:
-    """The facts with worked solutions, and with rubrics where students may read them by now."""
+def _with_title_of(node: NotebookNode, problem_set: ProblemSet, submission: Submission) -> None:
+    """The title of the marked notebook with the date of now, as a new one would have it."""
+    title = notebook(worksheet(problem_set, NOBODY, submission.variants)).cells[0]
+    node.cells = [title if cell.get("id") == title.id else cell for cell in node.cells]
+
+
+def _with(facts: PageFacts, worked: dict[str, str], marked: Marked, submission: Submission) -> PageFacts:
+    """The facts with these worked solutions, the deadline of now, and rubrics where students may read them by now."""
     rubrics = {
         grade.variant.problem.answer_name(part.part): part.verdict.rubric
         for grade in marked.grades
         for part in grade.parts
-        if rubric and isinstance(part.verdict, Unmarked)
+        if submission.rubric and isinstance(part.verdict, Unmarked)
     }
 
     def part_facts(part: PartFacts) -> PartFacts:
-        return msgspec.structs.replace(part, rubric=rubrics.get(part.key, part.rubric))
+        return msgspec.structs.replace(part, rubric=rubrics.get(part.key, ()))
 
     def exercise(each: ExerciseFacts) -> ExerciseFacts:
         parts = tuple(map(part_facts, each.parts))
         return msgspec.structs.replace(each, solution=worked.get(each.code, ""), parts=parts)
 
-    return msgspec.structs.replace(facts, exercises=tuple(map(exercise, facts.exercises)))
+    due = "" if submission.due is None else written(submission.due)
+    return msgspec.structs.replace(facts, exercises=tuple(map(exercise, facts.exercises)), due=due)
