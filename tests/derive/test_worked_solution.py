@@ -41,7 +41,7 @@ def test_law_letters_number_and_unit():
     assert "*Check:* It points the way the ball goes" in first
 
 
-def test_a_find_nobody_asks_about_is_reported_too():
+def test_a_find_nobody_asks_about_is_told_too():
     text = told("X12.5")
     assert r"**First find $\Delta p_{r}$.**" in text
     assert text.index("**First find") < text.index("### (d)")

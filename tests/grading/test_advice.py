@@ -81,7 +81,7 @@ def leaks(key: Key, part: str, said: str, answer: object) -> list[str]:
 
 
 @pytest.mark.parametrize("code", [problem.code for problem in BANK if problem.givens])
-def test_nothing_of_the_key_is_reported_to_a_wrong_answer(code):
+def test_nothing_of_the_key_is_told_to_a_wrong_answer(code):
     key = key_of(code)
     for factor in WRONG + OFF:
         answers = bent(key, factor)

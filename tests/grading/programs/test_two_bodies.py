@@ -96,7 +96,7 @@ def test_newtons_third_law_is_missed_when_it_is_missing():
     assert "only A feels a force" in said.sentence
 
 
-def test_what_the_scene_says_is_right_and_reported_to_be_no_stepping():
+def test_what_the_scene_says_is_right_and_told_to_be_no_stepping():
     def exact(case):
         (ax, ay), (bx, by) = case["rA"], case["rB"]
         settings = {name: case[name] for name in ("mA", "mB", "R", "k", "eta", "vA", "vB")}
