@@ -1,6 +1,6 @@
 """Scenes raced in one run: the planned route against the chapter's loop, scipy and heyoka at equal error.
 
-python benchmarks/scenes.py [--error 1e-9] [--json]
+python benchmarks/scenes.py [--error 1e-9] [--json] [--speed]
 
 Times are the processor's, best of several, so only ratios within one run mean anything. heyoka and numba are optional: what is
 missing is left out, with the reason. Compilation is never counted.
@@ -45,7 +45,13 @@ def main() -> None:
     )
     options.add_argument("--error", type=float, default=1e-9, help="the error at which methods are compared")
     options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
+    options.add_argument(
+        "--speed", action="store_true", help="instead: rows and pairs beside what is written by hand"
+    )
     asked = options.parse_args()
+    if asked.speed:
+        beside_what_is_written_by_hand()
+        return
     rows = [compared(case, asked.error) for case in cases()]
     result = {
         "error": asked.error,
@@ -56,6 +62,17 @@ def main() -> None:
         print(json.dumps(result))
     else:
         show(result)
+
+
+def beside_what_is_written_by_hand() -> None:
+    """Writes the table of `speed`; the loop in lists is continued by its order, as everywhere here."""
+    import speed  # numba is for this only
+
+    def lists(count: int, wanted: float, truth: Any) -> float:
+        reference = Reference(tuple(truth), 14, "the finest steps")
+        return book_loop(cradles.case(count, speed.Q, reference), wanted)["seconds"]
+
+    speed.RESULTS.write_text(speed.report(timed, lists), encoding="utf-8")
 
 
 def cases() -> list[Case]:
