@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 import io
 from collections.abc import Iterator
+from datetime import UTC, datetime
 from pathlib import Path
 
 from babel.messages.catalog import Catalog
@@ -18,6 +19,7 @@ from babel.messages.pofile import read_po, write_po
 PACKAGE = Path(__file__).parents[1] / "src" / "corollary"
 KEYWORDS = {"_": None, "N_": None, "plural": (1, 2)}
 LAWS = "laws"
+NEVER = datetime(2000, 1, 1, tzinfo=UTC)  # what is compiled changes only when a text does
 
 
 def templates() -> dict[Path, str]:
@@ -55,7 +57,9 @@ def catalogues() -> dict[Path, bytes]:
                 '"Content-Type: text/plain; charset=utf-8\\n"\n"Plural-Forms: nplurals=2; plural=(n != 1);\\n"\n\n'
             )
             found[path] = header.encode() + source.getvalue()
-            write_mo(compiled, read_po(io.BytesIO(found[path]), locale=language, domain=place.stem))
+            ready = read_po(io.BytesIO(found[path]), locale=language, domain=place.stem)
+            ready.creation_date = ready.revision_date = NEVER
+            write_mo(compiled, ready)
             found[path.with_suffix(".mo")] = compiled.getvalue()
     return found
 

@@ -199,7 +199,7 @@ def _read(path: Path, _state: int) -> ProblemTranslation:
 
 def _text_list(path: Path, lines: list[str], first: int, complaints: list[Diagnostic]) -> TextList:
     """`> The original.` and below it the translation, each over as many lines as it takes."""
-    found, quoted, words, begun = TextList(), list[str](), list[str](), first
+    found, quoted, words, begun, parted = TextList(), list[str](), list[str](), first, False
 
     def close() -> None:
         original, theirs = " ".join(" ".join(quoted).split()), "\n".join(words).strip()
@@ -220,11 +220,13 @@ def _text_list(path: Path, lines: list[str], first: int, complaints: list[Diagno
 
     for at, line in enumerate(lines, first):
         if line.startswith(">"):
-            if words or not quoted:
+            if words or not quoted or parted:
                 close()
-                quoted, words, begun = [], [], at
+                quoted, words, begun, parted = [], [], at, False
             quoted.append(line[1:])
         elif line.strip() or words:
             words.append(line)
+        else:
+            parted = True
     close()
     return found
