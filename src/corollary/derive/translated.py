@@ -44,6 +44,8 @@ def translated(solution: Solution, say: Say) -> Solution:
         },
         entries=tuple(_entry(entry, say) for entry in solution.entries),
         neglected=tuple(_neglected(each, say) for each in solution.neglected),
+        case=say(solution.case) if solution.case else "",
+        regimes=tuple(replace(each, solution=translated(each.solution, say)) for each in solution.regimes),
     )
 
 
