@@ -26,7 +26,7 @@ def derive(m, k, x, g):
         ),
         step(
             v,
-            "The energy of the spring lifts the pellet by x and gives it its speed.",
+            "The energy of the spring lifts the ball by x and gives it its speed.",
             law("Conservation of energy", "E = m*v^2/2 + m*g*x", E=E),
             where=v > 0,
             answers="b",
@@ -37,7 +37,7 @@ def derive(m, k, x, g):
                     where=v > 0,
                 ),
                 mistake(
-                    "Count in that the pellet has been lifted meanwhile.",
+                    "Count in that the ball has been lifted meanwhile.",
                     wrong("E = m*v^2/2", E=E),
                     where=v > 0,
                 ),
@@ -55,7 +55,7 @@ def derive(m, k, x, g):
             answers="c",
             mistakes=[
                 mistake(
-                    "Counted from where the pellet lay at first, the compression belongs to the height "
+                    "Counted from where the ball lay at first, the compression belongs to the height "
                     "already.",
                     wrong("E = m*g*(H - x)", E=E),
                 ),
@@ -85,8 +85,8 @@ def scene(m, k, x, g, answer):
     lower = m * g / k
     t = acos(-lower / (x - lower)) / w if x > lower else pi
     push = ForceFunction(0, lambda at, y, u: (-k * (y[0] - x),))
-    pellet = Body(m, (0.0,), (0.0,))
-    leaving = Scene((pellet,), (Weight(g), push), until=t)
+    ball = Body(m, (0.0,), (0.0,))
+    leaving = Scene((ball,), (Weight(g), push), until=t)
     top = Scene((Body(m, (x,), (answer["b"],)),), (Weight(g),), until=answer["b"] / g)
     return [
         simulate(leaving, velocities=(answer["b"],), trajectory=(x,)),

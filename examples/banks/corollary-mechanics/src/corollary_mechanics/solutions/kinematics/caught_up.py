@@ -21,7 +21,9 @@ def derive(v, a):
                     wrong("v = a*t"),
                 ),
                 mistake(
-                    "The factor 1/2 is missing in the way of the car.", wrong("v*t = a*t^2"), where=t > 0
+                    "You have turned the factor round: when is the mean speed of the car, half of what it has "
+                    "then, that of the cyclist?",
+                    wrong("v = 2*a*t"),
                 ),
             ],
             check="The car's mean speed is that of the cyclist.",

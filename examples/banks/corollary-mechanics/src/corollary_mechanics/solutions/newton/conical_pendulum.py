@@ -39,8 +39,8 @@ def derive(m, L, theta, g):
                     where=v > 0,
                 ),
                 mistake(
-                    "Only one component of the tension points to the middle of the circle.",
-                    wrong("S = m*v^2/r", S=S),
+                    "That component of the tension carries the weight; which one points to the middle of the circle?",
+                    wrong("S*cos(theta) = m*v^2/r", S=S),
                     where=v > 0,
                 ),
                 mistake(

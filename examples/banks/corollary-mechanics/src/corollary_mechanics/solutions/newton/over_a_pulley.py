@@ -16,9 +16,9 @@ def derive(m, M, h, g):
             answers="a",
             mistakes=[
                 mistake(
-                    "The net force moves both blocks, not only the heavier one.",
-                    wrong("(M - m)*g = M*a"),
-                    law("Tension", "T = m*(g + a)"),
+                    "You let the string pull with all the weight of the heavier block; then that one would not "
+                    "be accelerated.",
+                    law("Tension", "T = M*g"),
                     instead="Newton's second law, heavier block",
                 ),
                 mistake(

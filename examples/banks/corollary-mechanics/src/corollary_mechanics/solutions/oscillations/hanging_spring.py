@@ -51,7 +51,10 @@ def derive(m, d, b, g):
                     "That is all of the spring's force; the weight takes some of it away.",
                     wrong("k*(d + b) = m*a"),
                 ),
-                mistake("It would be so if the weight were added once more.", wrong("k*b + m*g = m*a")),
+                mistake(
+                    "The further pull acts in full at that moment; halves belong to energies.",
+                    wrong("k*b/2 = m*a"),
+                ),
             ],
         ),
         step(

@@ -41,8 +41,8 @@ def derive(M, R, n, N, mu):
             mistakes=[
                 mistake("The factor 1/2 of the kinetic energy is missing.", wrong("Q = I*n^2", Q=Q, I=I)),
                 mistake(
-                    "That would be the energy if the whole disc moved as fast as its rim.",
-                    wrong("Q = M*R^2*n^2/2", Q=Q),
+                    "The push points to the axis and does no work. Which force rubs along the rim?",
+                    wrong("Q = N*R*n*t/2", Q=Q, N=N),
                 ),
             ],
             check="Neither the push nor the friction matters for the heat, only for the time.",

@@ -18,7 +18,10 @@ def derive(n, t, M, R):
                     "All the mass would have to sit on the rim; a disc has half as large a moment of inertia.",
                     wrong("K = M*R^2*n^2/2"),
                 ),
-                mistake("The factor 1/2 of the kinetic energy is missing.", wrong("K = I*n^2", I=I)),
+                mistake(
+                    "A rotation is $2\\pi$ radians: the angular velocity, not the number of turns, is squared.",
+                    wrong("K = I*(n/(2*pi))^2/2", I=I),
+                ),
             ],
         ),
         step(
