@@ -18,6 +18,7 @@ from corollary.derive.spoken import frame_of_word, line_of_word
 from corollary.derive.statements import (
     Choice,
     Code,
+    Confirm,
     Doubt,
     Entry,
     Example,
@@ -103,6 +104,11 @@ def mistake(
 def route(because: str, *laws: Law) -> Route[Law]:
     """Another way to the same unknown."""
     return Route(because, only_laws(laws), line_of_word())
+
+
+def confirm(because: str, *laws: Law) -> Confirm:
+    """Laws that must hold for what was found without them, such as an energy balance: `verify` puts the answers in."""
+    return Confirm(Statement("", because, line_of_word()), only_laws(laws))
 
 
 def reject(reason: str, **roots: object) -> Rejected:

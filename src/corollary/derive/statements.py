@@ -270,15 +270,22 @@ class Neglected(Generic[BoundT, SupposedT]):
         return self.bound.statement
 
 
+@dataclass(frozen=True, slots=True)
+class Confirm:
+    """Laws that nothing is found from: they must hold for what was found otherwise, as an energy balance must."""
+
+    statement: Statement
+    laws: tuple[Law, ...]
+
+
 Finding = Step | Optimum | Simulated
 StatedChoice = Choice["Boolean | bool"]
 StatedExample = Example["sympy.Symbol", "sympy.Expr", "Law"]
 StatedProof = Proof["Law"]
 StatedNeglected = Neglected[Step, Supposed]
-Entry = (
-    Finding | StatedChoice | StatedExample | Code | Plot | StatedProof | Explain | Printed | StatedNeglected
-)
-ENTRIES = (Step, Optimum, Simulated, Choice, Example, Code, Plot, Proof, Explain, Printed, Neglected)
+Asked = StatedChoice | StatedExample | Code | Plot | StatedProof | Explain
+Entry = Finding | Asked | Printed | StatedNeglected | Confirm
+ENTRIES = (Step, Optimum, Simulated, Choice, Example, Code, Plot, Proof, Explain, Printed, Neglected, Confirm)
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,7 @@ from corollary.verify.programs import check_programs
 from corollary.verify.remarks import remark
 from corollary.verify.samples import check_claims, check_samples
 from corollary.verify.translations import check_translations
+from corollary.verify.unchecked import note_unchecked
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
 
 SLOW = ("laws put back", "variants", "scenes", "programs")
@@ -64,6 +65,7 @@ class Verification:
             check_samples(own, tally)
             check_printed(bank, solution, tally)
             remark(bank, solution, own, tally)
+            note_unchecked(bank, own, tally)
             for stage in SLOW:
                 yield stage
                 match stage:

@@ -1,0 +1,64 @@
+"""Which of the author's laws nothing checks beyond dimensions: no printed value, no scene, and nothing that must hold besides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from corollary.derive.load import load
+from corollary.derive.put_back import unseen
+from corollary.derive.simulation import Seen, simulations
+from corollary.derive.statements import Confirm, Printed
+from corollary.grading.key import Key
+from corollary.grading.neglect import neglected_in
+from corollary.grading.replay import ancestors
+from corollary.problem.bank import Bank
+from corollary.verify.checked import Tally
+
+OTHER = 1.25  # times an answer: what a scene must find for it then is something else
+
+
+def note_unchecked(bank: Bank, key: Key, tally: Tally) -> None:
+    """One note that names the laws in which a wrong sign would not be seen. Raises NotDerivable."""
+    missing = list(_unchecked(bank, key))
+    if missing:
+        path = bank.solution(key.variant.problem)
+        tally.note(
+            f"{path.name}:{missing[0][1]}: nothing but dimensions checks the signs of "
+            f"{', '.join(f'{name} (line {line})' for name, line in missing)}; "
+            "confirm(…), a scene or printed(…) would"
+        )
+
+
+def _unchecked(bank: Bank, key: Key) -> Iterator[tuple[str, int]]:
+    solution = key.solution
+    parts = {entry.statement.part for entry in solution.entries if isinstance(entry, Printed)}
+    parts |= set(_in_scenes(bank, key))
+    seen: set[int] = set()
+    for place, find in enumerate(solution.unknowns):
+        if find.part in parts:
+            seen |= {place, *ancestors(solution, place)}
+    confirmed = any(isinstance(entry, Confirm) for entry in load(bank, solution.problem).derivation.entries)
+    for place, find in enumerate(solution.unknowns):
+        if place in seen or not find.laws:
+            continue
+        line = find.statement.line
+        names = (
+            unseen(bank, solution.problem, line)
+            if confirmed and not solution.case
+            else [law.name for law in find.laws]
+        )
+        yield from ((name, line) for name in names)
+
+
+def _in_scenes(bank: Bank, key: Key) -> Iterator[str]:
+    """The parts whose answers a scene is held against: with another answer it expects something else."""
+    answers: dict[str, Seen] = {part: truth.value for part, truth in key.truths.items()}
+    usual = _expected(bank, key, answers)
+    for part, value in answers.items():
+        other = tuple(OTHER * x for x in value) if isinstance(value, tuple) else OTHER * value
+        if usual and _expected(bank, key, answers | {part: other}) != usual:
+            yield part
+
+
+def _expected(bank: Bank, key: Key, answers: dict[str, Seen]) -> list[object]:
+    return [dict(each.expect) for each in simulations(bank, key.variant, answers, neglected_in(key))]
