@@ -353,6 +353,13 @@ def test_a_length_and_an_angle_are_a_vector_in_a_plane_only():
     assert (found.status, found.why) == ("refused", "a length and an angle give a vector in a plane only")
 
 
+def test_a_length_and_an_angle_are_for_axes_and_not_for_two_bodies():
+    found = read_quantities("5 m/s at 30 deg", unit("m/s"), 2, ("A", "B"))
+    assert isinstance(found, ParseError)
+    assert found.status == "refused"
+    assert isinstance(read_quantities("5 m/s at 30 deg", unit("m/s"), 2, ("v_x", "v_y")), tuple)
+
+
 @pytest.mark.parametrize(
     ("text", "expected", "shown"),
     [

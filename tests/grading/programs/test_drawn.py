@@ -195,6 +195,25 @@ def test_velocities_of_two_balls(drawn):
     assert "begin and end well" in sentence(drawn("P12.14", "h", VELOCITIES + STRAIGHT + DRAW))
 
 
+BELOW = (
+    "fig, (p, q) = plt.subplots(2, 1, sharex=True)\np.plot(1e3 * t, 100 * a, 'o', ms=2); q.plot(1e3 * t, b)\n"
+    "p.set_ylabel('v_A [cm/s]'); q.set_ylabel('v_B / (m/s)'); q.set_xlabel('t [ms]')\nplt.show()"
+)
+
+
+def test_each_ball_may_have_axes_of_its_own_below_the_others(drawn):
+    found = drawn("P12.14", "h", VELOCITIES + BELOW)
+    assert isinstance(found, Right), sentence(found)
+    for changed in (
+        BELOW.replace("1e3 * t, b", "1e3 * t, a"),
+        BELOW.replace("1e3 * t, b", "1e3 * (t + T / 2), b"),
+        BELOW.replace("'v_B / (m/s)'", "'v_B [cm/s]'"),
+        BELOW.replace("'v_B / (m/s)'", "'v_B'"),
+        STRAIGHT + BELOW,
+    ):
+        assert isinstance(drawn("P12.14", "h", VELOCITIES + changed), Wrong), changed
+
+
 ROW = """
 def contact():
     return {k}, {q}

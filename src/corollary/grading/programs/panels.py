@@ -50,7 +50,7 @@ def straight(curve: DrawnCurve) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """One pair of axes: `what` it shows in words, its quantities, the curves asked for.
+    """One pair of axes, or several that share their quantities: `what` it shows in words, its quantities, the curves asked for.
 
     `missing` says more of the curves (in SI) when those asked for are not among them; `helps` tells curves that may stand beside
     them; `any_origin`: x may be counted from anywhere, as a time may.
@@ -100,7 +100,7 @@ def judge_panels(panels: Sequence[Panel], figures: Sequence[Axes]) -> Fault | Do
     compared = [[_found(panel, axes) for axes in read] for panel in panels]
     for panel, of_axes in zip(panels, compared, strict=True):
         labelled = [(axes, found) for axes, found in zip(read, of_axes, strict=True) if found is not None]
-        right = [axes for axes, found in labelled if not found.missing]
+        right = [axes for axes, found in labelled if not found.missing] or _spread(panel, read)
         if not right:
             return _unlabelled(panel, read) or _incomplete(panel, [found for _axes, found in labelled])
         if fault := _wrong_name(panel, right):
@@ -134,6 +134,18 @@ def _found(panel: Panel, axes: _Seen) -> _Found | None:
     """The panel's curves in these axes, in the units that their labels name; None when the labels name other quantities."""
     x, y = axes.x.unit(panel.x.unit.dimension), axes.y.unit(panel.y.unit.dimension)
     return None if x is None or y is None else _compared(panel, axes.in_units(x, y))
+
+
+def _spread(panel: Panel, read: Sequence[_Seen]) -> list[_Seen]:
+    """Axes that hold the curves asked for together, as when each ball has its own below the other's; x counts from one origin."""
+    holding: list[_Seen] = []
+    drawn: list[DrawnCurve] = []
+    for axes in read:
+        x, y = axes.x.unit(panel.x.unit.dimension), axes.y.unit(panel.y.unit.dimension)
+        if x is not None and y is not None:
+            holding.append(axes)
+            drawn.extend(axes.in_units(x, y))
+    return holding if len(panel.asked) > 1 and not _compared(panel, drawn).missing else []
 
 
 def _compared(panel: Panel, drawn: list[DrawnCurve]) -> _Found:
