@@ -14,10 +14,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from corollary.answers.quantity import Reading, read_quantity
+from corollary.answers.verdict import word
 from corollary.formula.numerals import decimal_text
+from corollary.grading.feedback import sentence
+from corollary.grading.from_json import from_json
+from corollary.grading.judge import judge
+from corollary.grading.solutions import Solutions
 from corollary.messages import in_convention, language, languages
+from corollary.notebook.notebook import notebook
+from corollary.notebook.worksheet import worksheet
 from corollary.problem.bank import open_bank
 from corollary.problem.dates import in_words, moment
+from corollary.problem.problem_set import find_set
+from corollary.problem.roster import Student
 from corollary.problem.statement import formulas_in_convention
 from corollary.problem.variant import chapter
 from corollary.units.unit import unit
@@ -100,3 +109,35 @@ def test_a_translation_says_every_number_of_its_original():
         assert german.title != problem.title
         assert "0,43" in filled(german.statement, chapter(german))
     assert in_language(problem) is problem
+
+
+def test_a_german_worksheet_has_no_english_sentence_of_the_catalogues():
+    with language("de"):
+        bank = open_bank(None)
+        problem_set = find_set(bank, "momentum_1")
+        sheet = worksheet(problem_set, Student("ada", "Ada"), map(chapter, problem_set.problems))
+        words = "\n".join(cell.source for cell in notebook(sheet).cells)
+    assert "Impuls und Kraftstoß" in words
+    assert "23:59 Uhr" in words
+    texts = "".join(MESSAGES["templates"]().values())
+    template = read_po(io.BytesIO(texts.encode()))
+    english = [str(m.id) for m in template if m.id and isinstance(m.id, str) and len(m.id.split()) > 3]
+    assert len(english) > 300
+    assert [text for text in english if HOLE.sub("", text) == text and text in words] == []
+    for problem in problem_set.problems:
+        assert problem.title not in words
+        assert not [part.text for part in problem.parts if part.text and part.text in words]
+
+
+def test_answers_with_commas_to_a_german_sheet_are_right():
+    bank = open_bank(None)
+    with language("de"):
+        solutions = Solutions(bank)
+        key = solutions.key(chapter(bank["X12.5"]))
+        typed = {"a": "8,60 kg m/s", "b": "8,6 Ns", "c": "86,0 N", "d": "3,70 N"}
+        judged = judge(key, {part: from_json(text) for part, text in typed.items()})
+        found = {part: verdicts[0] for part, (verdicts, _) in judged.items()}
+        said = sentence(found["a"]), sentence(found["d"])
+    assert [word(found[name]) for name in "abcd"] == ["right", "right", "right", "wrong"]
+    assert said[0] == "Richtig."
+    assert said[1].startswith("Nicht richtig.")
