@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from tests.derive.conftest import FRONT
 
 from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import RationalPi, evaluate
@@ -315,3 +316,20 @@ def test_a_word_spoken_by_a_function_stands_where_the_function_speaks_it(refused
             return step(symbol, "Here.", momentum(symbol, m, F), answers="a")
         return derivation(found(p))""")
     assert line == 9
+
+
+def test_a_circuit_of_two_loops_is_one_step(solved):
+    """Three currents from a node and two loops; with 3 V and 0.5, 2 and 2 ohm the first is 2 A, and the others share it."""
+    found = solved(
+        """
+        I1, I2, I3 = unknowns("I1 I2 I3")
+        return derivation(step((I1, I2, I3), "Kirchhoff.", law("Node", "I1 = I2 + I3"),
+            law("First loop", "v*m/m = m*I1*t/t + t*I2*m/m"), law("Second loop", "t*I2 = t*I3"), answers="a"))
+        """,
+        asks='## Currents {#a .vector unit="1" components="1 2 3"}\n?\n',
+        front=FRONT.replace("unit: kg", 'unit: "1"')
+        .replace("unit: m/s", 'unit: "1"')
+        .replace("unit: s", 'unit: "1"'),
+    )
+    givens = {name: RationalPi(Fraction(number)) for name, number in (("m", "1/2"), ("v", "3"), ("t", "2"))}
+    assert [float(evaluate(tree, givens, 60)) for tree in found.answer("a").in_givens] == [2, 1, 1]
