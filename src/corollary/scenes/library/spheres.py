@@ -25,7 +25,7 @@ SETTINGS = (
     Setting("vB", "velocity of B (x, y)", "m/s", (0.0, 0.0), many=True),
 )
 
-SAFE = 3.0  # by benchmarks/calibration.py
+SAFE, LUCK = 3.0, 3e-4  # by benchmarks/calibration.py
 NAMES = ("velocities", "duration", "largest_overlap", "peak_force", "impulse", "energy_ratio")
 
 
@@ -118,7 +118,8 @@ def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float,
         abs(coarse.force / fine.force - 1.0),
         0.0 if fine.sticks else abs(coarse.duration / fine.duration - 1.0),
     ]
-    return fine, SAFE * max(*seen, 5e-15), coarse.evaluations + fine.evaluations
+    # Agreement far below what a step is allowed is luck.
+    return fine, SAFE * max(*seen, 5e-15, LUCK * tolerance), coarse.evaluations + fine.evaluations
 
 
 SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play)
