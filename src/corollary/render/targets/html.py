@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from corollary.messages import spoken
 from corollary.notebook.worksheet import Exercise, Worksheet
 from corollary.problem.roster import Student
 from corollary.render.exports import Target
@@ -15,6 +16,7 @@ def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
     problem = exercise.problem
     return page(
         "exercise.html",
+        lang=spoken(),
         title=f"{problem.code} {problem.title}",
         exercise=exercise,
         drawing=drawing(exercise),
@@ -26,6 +28,7 @@ def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
 def write_worksheet(sheet: Worksheet, solutions: Mapping[str, str]) -> str:
     return page(
         "worksheet.html",
+        lang=spoken(),
         title=sheet.problem_set.title,
         problem_set=sheet.problem_set,
         exercises=sheet.exercises,
