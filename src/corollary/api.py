@@ -142,6 +142,8 @@ def _as_a_process_holds_it(answer: AnswerValue) -> AnswerValue:
 def _in_own_unit(problem: Problem, name: str, value: GivenValue) -> Fraction:
     """What somebody says a given is, in the unit in which the given is kept."""
     given = _given(problem, name)
+    if given.words:
+        return _place_of(given, value)
     match value:
         case float() | str():
             return _read(given, str(value))
@@ -149,6 +151,16 @@ def _in_own_unit(problem: Problem, name: str, value: GivenValue) -> Fraction:
             return _from_si(given, Fraction(value), 0)
         case _:
             raise OutOfRange(f"{name}: {json.dumps(value, default=str)} is no number")
+
+
+def _place_of(given: Given, value: GivenValue) -> Fraction:
+    """The place of a word in its list, from the word or the place."""
+    if value in given.words:
+        return Fraction(given.words.index(str(value)))
+    place = exact(str(value))
+    if place is None or place not in range(len(given.words)):
+        raise OutOfRange(f"{given.symbol}={value}: say one of {', '.join(given.words)}")
+    return place
 
 
 def _read(given: Given, text: str) -> Fraction:

@@ -13,6 +13,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.cases import Branch, Case, Cases, branches
+from corollary.derive.derivation import Entry, Limit, Special
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.spoken import frame_of_word, line_of_word
 from corollary.derive.statements import (
@@ -20,7 +21,6 @@ from corollary.derive.statements import (
     Code,
     Confirm,
     Doubt,
-    Entry,
     Example,
     Exchange,
     Explain,
@@ -50,6 +50,7 @@ from corollary.scenes.scene import Scene
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]
 HALF_PI = sympy.pi / 2
+oo = sympy.oo
 
 
 def derivation(*entries: Entry | Cases) -> tuple[Branch, ...]:
@@ -260,12 +261,21 @@ def explain(part: str, *rubric: str, answer: str) -> Explain:
     return Explain(Statement(part, "", line_of_word()), rubric, answer)
 
 
-def printed(part: str, text: str, where: str, *, erratum: str = "") -> Printed:
-    """What the chapter prints: `printed("a", "2.28 kg m/s", "(12.31)")`; several components are parted by semicolons.
+def limit(of: object, letter: sympy.Symbol, to: object, equals: object, because: str = "") -> Limit:
+    """Claims what something comes to when a given goes to a value, or to `oo`: `limit(F, dt, oo, 0)`. `verify` proves it."""
+    words = Statement("", because, line_of_word())
+    return Limit(words, as_expression(of), letter, as_expression(to), as_expression(equals))
 
-    A formula, the letter of an option, and an order of magnitude (`"~10^3 N"`) may be printed, too. `erratum` puts what is
-    known to be wrong on record.
-    """
+
+def at(because: str = "", /, **values: object) -> Special:
+    """Claims what is found in a special case: `at(mA=mB, v_B=v)` for a given `mA` and an unknown `v_B`. `verify` proves it."""
+    here = {name: as_expression(value) for name, value in values.items()}
+    return Special(Statement("", because, line_of_word()), here)
+
+
+def printed(part: str, text: str, where: str, *, erratum: str = "") -> Printed:
+    """What the chapter prints: values (several parted by semicolons), a formula, an option's letter, an order of magnitude
+    (`"~10^3 N"`). `erratum` puts what is known to be wrong on record."""
     return Printed(Statement(part, "", line_of_word()), text, where, erratum)
 
 

@@ -123,8 +123,11 @@ def test_holes(complaints):
     found = complaints(CART + MASS, "One of {{tau}},\ntwo of {{m|decimal}},\nthree of {{2 m}}.\n" + ASKS)
     assert found == [
         (7, "{{tau}} is not among the givens (m)"),
-        (8, "{{m|decimal}}: the styles are number and svg"),
-        (9, "a hole must hold one symbol: {{m}} or {{m|number}}"),
+        (8, "{{m|decimal}}: the styles are number and svg, or how many figures (1 to 15)"),
+        (
+            9,
+            "{{2 m}}: formula '2 m', at character 3: a product sign is missing here; write * for every product",
+        ),
     ]
 
 

@@ -41,7 +41,10 @@ def _symbols(givens: tuple[Given, ...]) -> tuple[Symbol, ...]:
     if found is None:
         if len(_SYMBOLS) >= MOST_CACHED:
             _SYMBOLS.clear()
-        found = givens, tuple(Symbol(given.symbol, given.unit, given.meaning) for given in givens)
+        found = (
+            givens,
+            tuple(Symbol(given.symbol, given.unit, given.meaning) for given in givens if not given.words),
+        )
         _SYMBOLS[id(givens)] = found
     return found[1]
 

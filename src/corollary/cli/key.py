@@ -29,6 +29,7 @@ def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_
     given = ", ".join(
         f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
         for name, value in record["given"].items()
+        if not problem.given(name).words
     )
     print(f"{problem.code}  {problem.title}\n  given (SI): {given}")
     for part, entry in record["parts"].items():

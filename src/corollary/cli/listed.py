@@ -56,6 +56,11 @@ def _given(given: Given) -> dict[str, Any]:
         "from": float(given.grid.first),
         "to": float(given.grid.last),
         "step": float(given.grid.step),
+        **(
+            {"in": list(given.words or map(float, given.grid.values))}
+            if given.words or given.grid.values
+            else {}
+        ),
     }
 
 

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from corollary.derive.statements import Choice, Derivation, Entry, Finding
+from corollary.derive.derivation import Derivation, Entry
+from corollary.derive.statements import Choice, Finding
 from corollary.formula.ast import Relation
 
 if TYPE_CHECKING:  # as in statements.py: what is solved already is used without any algebra

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from corollary.answers.questions import checked
 from corollary.derive.cases import Branch
-from corollary.derive.statements import SOLUTION, Derivation
+from corollary.derive.derivation import Derivation
+from corollary.derive.statements import SOLUTION
 from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
@@ -83,7 +84,7 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(path, 1, "defines no function derive(…) with the givens as arguments")
     line = derive.__code__.co_firstlineno
     wanted = list(inspect.signature(derive).parameters)
-    have = [given.symbol for given in problem.givens]
+    have = [given.symbol for given in problem.givens if not given.words]  # words are for the statement
     if strange := [name for name in wanted if name not in have]:
         raise NotDerivable(
             path,

@@ -10,12 +10,14 @@ from fractions import Fraction
 
 import sympy
 
+from corollary.derive.claims import unfulfilled
+from corollary.derive.derivation import Derivation, Limit, Special
 from corollary.derive.functions import is_differential, letters_in, put_back
 from corollary.derive.known import Known, vanishes
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.sampled import holds
 from corollary.derive.solve import Solver, solvers
-from corollary.derive.statements import Confirm, Derivation, Neglected, Step
+from corollary.derive.statements import Confirm, Neglected, Step
 from corollary.formula.ast import Negative, Number, Relation, Sum
 from corollary.laws.law import Law, sides, symbols
 from corollary.problem.bank import Bank
@@ -40,6 +42,10 @@ def _put_back(solver: Solver) -> tuple[int, list[str]]:
             sentences = list(_unconfirmed(solver.known, entry))
             proven += len(entry.laws) - len(sentences)
             left += [str(solver.failing(each, entry.statement.line)) for each in sentences]
+        if isinstance(step, Limit | Special):
+            differences = list(unfulfilled(step, solver.known))
+            proven += not differences
+            left += [str(solver.failing(each, step.statement.line)) for each in differences]
         if isinstance(step, Step):
             for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
                 for one, other in sides(law):

@@ -7,7 +7,10 @@ from types import FrameType
 
 from corollary.derive.statements import SOLUTION
 
-WORDS = "corollary.author"  # the module that holds the words: its own frames are nobody's line
+WORDS = {
+    "corollary.author",
+    "corollary.misconceptions",
+}  # the modules that hold the words: their own frames are nobody's line
 
 
 def line_of_word() -> int:
@@ -18,7 +21,7 @@ def line_of_word() -> int:
 def frame_of_word() -> FrameType:
     """The innermost frame of a solution's file, even where a word is spoken by a function of another file; else the caller's."""
     caller: FrameType | None = sys._getframe()  # pyright: ignore[reportPrivateUsage]
-    while caller is not None and caller.f_globals.get("__name__") in {WORDS, __name__}:
+    while caller is not None and caller.f_globals.get("__name__") in {*WORDS, __name__}:
         caller = caller.f_back
     frame = caller
     while frame is not None and not str(frame.f_globals.get("__name__", "")).startswith(SOLUTION):

@@ -283,13 +283,3 @@ StatedChoice = Choice["Boolean | bool"]
 StatedExample = Example["sympy.Symbol", "sympy.Expr", "Law"]
 StatedProof = Proof["Law"]
 StatedNeglected = Neglected[Step, Supposed]
-Asked = StatedChoice | StatedExample | Code | Plot | StatedProof | Explain
-Entry = Finding | Asked | Printed | StatedNeglected | Confirm
-ENTRIES = (Step, Optimum, Simulated, Choice, Example, Code, Plot, Proof, Explain, Printed, Neglected, Confirm)
-
-
-@dataclass(frozen=True, slots=True)
-class Derivation:
-    """The entries in the order in which they are found."""
-
-    entries: tuple[Entry, ...]

@@ -77,7 +77,7 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
         raise ValueError(misfit.why + _remedy(tree, measured))
     for side, other in ((tree.left, tree.right), (tree.right, tree.left)):
         number = constant(side)
-        if number and not names(side) and (angle := _angle(other, units)):
+        if number and not names(side) and (angle := angle_measured(other, units)):
             raise ValueError(f"{angle} is an angle; write {written(side)} deg, or {written(side)} rad")
     relation = substitute(tree, {name: _tree(value) for name, (value, _unit) in quantities.items()})
     assert isinstance(relation, Relation)
@@ -107,15 +107,15 @@ def _remedy(tree: Relation, measured: Mapping[str, Dimension]) -> str:
     return ""
 
 
-def _angle(tree: Expr, units: Mapping[str, Unit]) -> str:
+def angle_measured(tree: Expr, units: Mapping[str, Unit]) -> str:
     """The given in degrees that a side measures, as `theta`, `abs(theta - phi)` or `2*theta` do; "" for none."""
     match tree:
         case Name(name):
             return name if name in units and units[name].pi and units[name].dimension == ONE else ""
         case Negative(term):
-            return _angle(term, units)
+            return angle_measured(term, units)
         case Sum(parts) | Product(parts) | Call("abs" | "min" | "max", parts):
-            return next(filter(None, (_angle(part, units) for part in parts)), "")
+            return next(filter(None, (angle_measured(part, units) for part in parts)), "")
         case _:
             return ""
 

@@ -11,23 +11,40 @@ from corollary.units.unit import Unit
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """The exact values first, first + step, …; `count` of them, in the given's own unit."""
+    """The exact values first, first + step, …; `count` of them, in the given's own unit. Or the `values` of a list, as they
+    stand in it: `first` is then the smallest, and `step` 0."""
 
     first: Fraction
     step: Fraction
     count: int
+    values: tuple[Fraction, ...] = ()
+
+    @classmethod
+    def listing(cls, values: tuple[Fraction, ...]) -> Grid:
+        """The grid that has these values and no others."""
+        return cls(min(values), Fraction(0), len(values), values)
 
     def __getitem__(self, index: int) -> Fraction:
-        return self.first + self.step * index
+        return self.values[index] if self.values else self.first + self.step * index
+
+    def place(self, value: Fraction) -> int | None:
+        """Where a value stands; None when it lies beside the grid."""
+        if self.values:
+            return self.values.index(value) if value in self.values else None
+        steps = (value - self.first) / self.step if self.step else Fraction(0)
+        inside = steps.denominator == 1 and 0 <= steps < self.count
+        return int(steps) if inside and self[int(steps)] == value else None
 
     @property
     def last(self) -> Fraction:
-        return self[self.count - 1]
+        """The largest value."""
+        return max(self.values) if self.values else self[self.count - 1]
 
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """`source` says where the value of a constant of nature is from."""
+    """`source` says where the value of a constant of nature is from. `words` are what a given that is no number stands for:
+    its values are their places, 0, 1, …"""
 
     symbol: str
     meaning: str
@@ -37,6 +54,7 @@ class Given:
     line: int
     places: int
     source: str = ""
+    words: tuple[str, ...] = ()
 
     @property
     def sign(self) -> int:

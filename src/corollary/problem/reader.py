@@ -2,31 +2,27 @@
 
 from __future__ import annotations
 
-import keyword
 import re
 from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
 
 from corollary.formula.ast import Name, Number, Relation
-from corollary.formula.functions import SPELLINGS
 from corollary.problem.conditions import relations
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.figure import is_svg
 from corollary.problem.figure_lines import read_lines
 from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode, split
 from corollary.problem.given import Given, Grid, decimal_places
+from corollary.problem.givens import read_given
 from corollary.problem.parts_markdown import read_parts
 from corollary.problem.problem import Condition, Description, Problem
-from corollary.problem.statement import HOLE, holes
+from corollary.problem.statement import HOLE, LETTER, holes, misfit
 from corollary.units.constants import CONSTANTS
-from corollary.units.unit import Unit, unit
+from corollary.units.unit import Unit
 
 CODE = re.compile(r"[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$")
-SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
 DIFFICULTIES = ("1", "2", "3", "4", "5")
-RESERVED = {*SPELLINGS, *keyword.kwlist, "pi", "log", "answer"}
-"""Words that formulas and solutions need for themselves."""
 
 
 def read_problem(path: Path) -> Problem:
@@ -47,7 +43,7 @@ def read_problem(path: Path) -> Problem:
     givens = tuple(
         given
         for symbol, node in rows.items()
-        if (given := _given(path, symbol, node, complaints)) is not None
+        if (given := read_given(path, symbol, node, complaints)) is not None
     )
     known = frozenset(rows)  # those with a fault too
     constants = [
@@ -89,7 +85,7 @@ def read_problem(path: Path) -> Problem:
             front.complain(first_line + at, sentence)
     statement, parts = read_parts(path, body, line, complaints)
     for text, first in ((body, line), (figure, first_line), (alt, alt_line)):
-        _check_holes(path, text, first, known, complaints)
+        _check_holes(path, text, first, {given.symbol: given for given in givens}, known, complaints)
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
         if holes(text):
             complaints.append(
@@ -134,76 +130,6 @@ def _description(front: Reader) -> Description:
     return Description(int(difficulty or 0), tuple(tags), author, licence, version)
 
 
-def _given(
-    path: Path, symbol: str, node: TableNode | TextNode | ListNode, complaints: list[Diagnostic]
-) -> Given | None:
-    if not isinstance(node, TableNode):
-        complaints.append(
-            Diagnostic(
-                path,
-                node.line,
-                f"{symbol} must be a table: {{is: …, value: …, from: …, to: …, step: …, unit: …}}",
-            )
-        )
-        return None
-    before = len(complaints)
-    row = Reader(path, node, symbol, complaints)
-    if not SYMBOL.match(symbol):
-        row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
-    elif symbol in RESERVED:
-        row.complain(
-            node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter"
-        )
-    meaning, (unit_text, unit_line) = row.text("is"), row.line_of("unit", "1")
-    value = row.fraction("value")
-    first, last, step = (row.fraction(name, "") for name in ("from", "to", "step"))
-    row.finish()
-    try:
-        measured_in = unit(unit_text)
-    except ValueError as error:
-        row.complain(unit_line, f"unit of {symbol}: {error}")
-        return None
-    if len(complaints) > before or value is None:
-        return None
-    if first is None and last is None and step is None:
-        return Given(
-            symbol,
-            meaning,
-            measured_in,
-            value,
-            Grid(value, type(value)(0), 1),
-            node.line,
-            max(decimal_places(value), _decimals(node.entries["value"])),
-        )
-    if first is None or last is None or step is None:
-        row.complain(
-            node.line, f"{symbol} needs all of from, to and step, or none of them (then it is always {value})"
-        )
-        return None
-    if step <= 0 or last < first:
-        row.complain(
-            node.line,
-            f"{symbol} has no values from {first} to {last} in steps of {step}; from must not exceed to, and step be positive",
-        )
-        return None
-    count = (last - first) // step + 1
-    if first + (count - 1) * step != last:
-        row.complain(
-            node.line,
-            f"{symbol} does not reach `to` in whole steps; the last value would be {float(first + (count - 1) * step):g}",
-        )
-        return None
-    return Given(
-        symbol,
-        meaning,
-        measured_in,
-        value,
-        Grid(first, step, int(count)),
-        node.line,
-        decimal_places(first, step),
-    )
-
-
 def _constant(
     path: Path, node: TableNode | TextNode | ListNode, known: set[str], complaints: list[Diagnostic]
 ) -> Given | None:
@@ -241,28 +167,24 @@ def _conditions(
         return []
 
 
-def _decimals(node: TableNode | TextNode | ListNode) -> int:
-    """How many decimals a constant is written with: 9.80 keeps its zero."""
-    written = re.fullmatch(r"\s*[-−]?\d*\.(\d+)\s*", node.text if isinstance(node, TextNode) else "")
-    return len(written[1]) if written else 0
-
-
 def _check_holes(
-    path: Path, text: str, line: int, known: frozenset[str], complaints: list[Diagnostic]
+    path: Path,
+    text: str,
+    line: int,
+    givens: Mapping[str, Given],
+    known: frozenset[str],
+    complaints: list[Diagnostic],
 ) -> None:
-    for symbol, style, at in holes(text):
-        if symbol not in known:
-            complaints.append(
-                Diagnostic(
-                    path, line + at, f"{{{{{symbol}}}}} is not among the givens ({', '.join(sorted(known))})"
-                )
-            )
-        if style not in {"", "number", "svg"}:
-            complaints.append(
-                Diagnostic(path, line + at, f"{{{{{symbol}|{style}}}}}: the styles are number and svg")
-            )
+    """`known` are the givens with those that have a fault of their own: one fault is one complaint."""
+    for hole in holes(text):
+        if not set(LETTER.findall(hole.formula)) & (known - givens.keys()) and (why := misfit(hole, givens)):
+            complaints.append(Diagnostic(path, line + hole.line, why))
     for at, words in enumerate(HOLE.sub("", text).splitlines()):
         if "{{" in words and "}}" in words:
             complaints.append(
-                Diagnostic(path, line + at, "a hole must hold one symbol: {{m}} or {{m|number}}")
+                Diagnostic(
+                    path,
+                    line + at,
+                    "a hole holds a given, or arithmetic of givens: {{m}}, {{m|number}}, {{2*m in g}}",
+                )
             )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from corollary.problem.reader import CODE, DIFFICULTIES, RESERVED, SYMBOL
+from corollary.problem.givens import RESERVED, SYMBOL
+from corollary.problem.reader import CODE, DIFFICULTIES
 from corollary.units.constants import CONSTANTS
 
 NUMBER = {
@@ -31,13 +32,22 @@ def schema() -> dict[str, Any]:
             },
             "to": {**NUMBER, "description": "The last value of the grid, reached in whole steps."},
             "step": {**NUMBER, "description": "Between two values of the grid."},
+            "in": {
+                "type": "array",
+                "items": WORDS,
+                "minItems": 2,
+                "uniqueItems": True,
+                "description": "The values that students' numbers are drawn from, or words; the first is the problem's own.",
+            },
             "unit": {
                 "type": ["string", "number"],
                 "description": "As kg*m/s^2; a plain number when left out.",
             },
         },
-        "required": ["is", "value"],
-        "dependentRequired": {name: ["from", "to", "step"] for name in ("from", "to", "step")},
+        "required": ["is"],
+        "oneOf": [{"required": ["value"], "not": {"required": ["in"]}}, {"required": ["in"]}],
+        "dependentRequired": {name: ["from", "to", "step", "value"] for name in ("from", "to", "step")},
+        "dependentSchemas": {"in": {"not": {"required": ["from"]}}},
         "additionalProperties": False,
     }
     return {

@@ -77,7 +77,7 @@ def in_language(problem: Problem) -> Problem:
     known = frozenset(given.symbol for given in problem.givens)
 
     def chosen(theirs: str, original: str) -> str:
-        return theirs if theirs and all(symbol in known for symbol, _, _ in holes(theirs)) else original
+        return theirs if theirs and all(hole.letters <= known for hole in holes(theirs)) else original
 
     parts = tuple(
         replace(
@@ -172,7 +172,7 @@ def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
 
 
 def _holes(text: str) -> frozenset[str]:
-    return frozenset(f"{{{{{symbol}}}}}" for symbol, _, _ in holes(text))
+    return frozenset(f"{{{{{hole.formula}}}}}" for hole in holes(text))
 
 
 def _beside(path: Path, language: str) -> Path | None:

@@ -13,7 +13,7 @@ from corollary.formula.numerals import decimal_text
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.problem import Condition, Problem
-from corollary.units.unit import show
+from corollary.units.unit import Unit, show
 
 
 class OutOfRange(ValueError):
@@ -78,16 +78,10 @@ def index_of(problem: Problem, values: Mapping[str, Fraction]) -> int | None:
     """The place in the grid of these numbers, in the givens' own units; None when they lie beside it."""
     index = 0
     for given in problem.givens:
-        steps = (
-            (values[given.symbol] - given.grid.first) / given.grid.step if given.grid.step else Fraction(0)
-        )
-        if (
-            steps.denominator != 1
-            or not 0 <= steps < given.grid.count
-            or given.grid[int(steps)] != values[given.symbol]
-        ):
+        place = given.grid.place(values[given.symbol])
+        if place is None:
             return None
-        index = index * given.grid.count + int(steps)
+        index = index * given.grid.count + place
     return index
 
 
@@ -126,21 +120,30 @@ def first_broken(variant: Variant, *, hard_only: bool = False) -> Condition | No
 
 
 def written(variant: Variant, symbol: str) -> str:
-    """A given as a student reads it: number and unit, with as many decimals as its grid has."""
+    """A given as a student reads it: number and unit, with as many decimals as its grid has; or its word."""
     given = variant.problem.given(symbol)
-    unit = show(given.unit)
-    gap = "" if unit in {"", "%", "°"} else "\N{NO-BREAK SPACE}"
-    return number(given, variant.values[symbol]) + gap + unit
+    if given.words:
+        return number(given, variant.values[symbol])
+    return with_unit(number(given, variant.values[symbol]), given.unit)
+
+
+def with_unit(number: str, unit: Unit) -> str:
+    """A number with its unit behind it, which no line end parts."""
+    symbol = show(unit)
+    return number + ("" if symbol in {"", "%", "°"} else "\N{NO-BREAK SPACE}") + symbol
 
 
 def number(given: Given, value: Fraction) -> str:
-    """The bare number, with the decimals of the given's grid where they suffice."""
-    return _with_places(value, given.places)
+    """The bare number, with the decimals of the given's grid where they suffice; the word of a given that is none."""
+    if given.words:
+        return given.words[int(value)]
+    return decimals(value, given.places)
 
 
 @lru_cache(maxsize=4096)
-def _with_places(value: Fraction, least: int) -> str:
-    """On a sheet a number is written many times, and the next student's is often the same."""
+def decimals(value: Fraction, least: int) -> str:
+    """An exact number with at least so many decimals, and as many as it takes. On a sheet it is written many times, and the
+    next student's is often the same."""
     places = max(least, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
         text = next(

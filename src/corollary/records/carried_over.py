@@ -15,11 +15,11 @@ from typing import Any
 from corollary.notebook.worksheet import exercise
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
-from corollary.problem.statement import HOLE
 from corollary.problem.variant import OutOfRange, Variant, at, chapter, index_of, size
 from corollary.records.files import Course, NotACourse
 from corollary.records.numbers import Assigned, numbers_of
 
+HOLE = re.compile(r"\{\{\s*([A-Za-z_]\w*)\s*(?:\|\s*(\w+)\s*)?\}\}")  # all that there were then
 NUMBER = r"(−?-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?)"
 
 

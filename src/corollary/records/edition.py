@@ -17,7 +17,7 @@ from corollary.problem.figure_lines import in_letters
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
-from corollary.problem.statement import HOLE
+from corollary.problem.statement import renamed
 from corollary.records.option_letters import letters_now
 from corollary.units.unit import PURE, Unit, canonical, unit
 
@@ -169,22 +169,19 @@ def _part(today: Part, asked: AskedPart, old: Problem | None) -> Part:
 def _in_letters(old: Problem, now: Mapping[str, str]) -> Problem:
     """The words of before with today's letters in their holes."""
 
-    def other(text: str) -> str:
-        return HOLE.sub(lambda hole: hole[0].replace(hole[1], now.get(hole[1], hole[1]), 1), text)
-
     parts = tuple(
         replace(
             part,
-            text=other(part.text),
-            options=tuple(replace(option, text=other(option.text)) for option in part.options),
+            text=renamed(part.text, now),
+            options=tuple(replace(option, text=renamed(option.text, now)) for option in part.options),
         )
         for part in old.parts
     )
     return replace(
         old,
-        statement=other(old.statement),
-        figure=other(in_letters(old.figure, now) if not is_svg(old.figure) else old.figure),
-        figure_alt=other(old.figure_alt),
+        statement=renamed(old.statement, now),
+        figure=renamed(in_letters(old.figure, now) if not is_svg(old.figure) else old.figure, now),
+        figure_alt=renamed(old.figure_alt, now),
         parts=parts,
     )
 
@@ -193,9 +190,9 @@ def _given(today: Given, edition: Edition, before: str | None, old: Problem | No
     """Today's given in the unit, and with the decimals, it was handed out in."""
     if before is None:
         return today
-    places = next((given.places for given in old.givens if given.symbol == before), None) if old else None
     found = _same_dimension(today.unit, edition.units[before])
-    return replace(today, unit=found, places=today.places if places is None else places)
+    then = next((given for given in old.givens if given.symbol == before), today) if old else today
+    return replace(today, unit=found, places=then.places, words=then.words)
 
 
 def _same_dimension(today: Unit, before: str) -> Unit:

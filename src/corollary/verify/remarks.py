@@ -59,7 +59,7 @@ def _unused(solution: Solution) -> Iterator[tuple[int, str]]:
             name for held in choice.options.values() if not isinstance(held, bool) for name in names(held)
         }
     for given in solution.problem.givens:
-        if given.symbol not in used:
+        if given.symbol not in used and not given.words:
             yield (
                 given.line,
                 f"the given {given.symbol} is used in no answer; leave it out, unless it is there to be left aside",

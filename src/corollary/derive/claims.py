@@ -1,0 +1,96 @@
+"""What an author claims of the answers: limits, and special cases; held against the closed forms by algebra."""
+
+# pyright: reportUnknownArgumentType=false, reportUnknownMemberType=false, reportUnknownVariableType=false
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy
+
+from corollary.derive.derivation import Limit, Special
+from corollary.derive.known import Known, vanishes
+
+UNSETTLED = (sympy.nan, sympy.zoo)
+
+
+def unfulfilled(claim: Limit | Special, known: Known) -> Iterator[str]:
+    """A sentence for each thing that is not as claimed."""
+    measured = known.measured & {symbol for each in _expressions(claim) for symbol in each.free_symbols}
+    if measured:
+        names = ", ".join(sorted(symbol.name for symbol in measured))
+        yield f"{names} comes from a simulation: only of closed forms can be said what they are somewhere else"
+    elif isinstance(claim, Limit):
+        yield from _limit(claim, known)
+    else:
+        yield from _special(claim, known)
+
+
+def _expressions(claim: Limit | Special) -> Iterator[Any]:
+    if isinstance(claim, Limit):
+        yield from (claim.of, claim.equals)
+    else:
+        yield from claim.values.values()
+        yield from (sympy.Symbol(name, real=True) for name in claim.values)
+
+
+def _limit(claim: Limit, known: Known) -> Iterator[str]:
+    about = f"the limit of {claim.of} for {claim.letter} to {claim.to}"
+    expression, letter = known.with_asides(claim.of), known.with_asides(claim.letter)
+    if strange := _strange((claim.of, claim.letter, claim.to, claim.equals), known):
+        yield f"{about}: {strange} is neither given nor found"
+        return
+    if not isinstance(letter, sympy.Symbol):
+        yield f"{about}: {claim.letter} is found, and depends on givens; let one of these go to its limit"
+        return
+    if letter not in expression.free_symbols:
+        yield f"{about}: it does not depend on {claim.letter}, it is {expression} everywhere"
+        return
+    found = _towards(expression, letter, known.with_asides(claim.to))
+    wanted = known.with_asides(claim.equals)
+    if found is None:
+        yield f"{about} cannot be worked out; leave it out, or claim a special case with at(…)"
+    elif found != wanted and not (found.is_finite is not False and vanishes(found - wanted)):
+        yield f"{about} is {found}, not {claim.equals}"
+
+
+def _special(claim: Special, known: Known) -> Iterator[str]:
+    givens = {symbol.name: symbol for symbol in known.formulas if known.formulas[symbol] == symbol}
+    found = {symbol.name: symbol for symbol in (*known.formulas, *known.aside) if symbol.name not in givens}
+    at = {givens[name]: known.with_asides(value) for name, value in claim.values.items() if name in givens}
+    case = ", ".join(f"{symbol} = {value}" for symbol, value in at.items()) or "any numbers"
+    unknown = sorted(claim.values.keys() - givens.keys() - found.keys())
+    strange = unknown[0] if unknown else _strange(claim.values.values(), known)
+    if strange:
+        yield f"at {case}: {strange} is neither given nor found"
+        return
+    claimed = {found[name]: value for name, value in claim.values.items() if name in found}
+    if not claimed:
+        yield f"at {case}: it claims nothing; say what something found is there, as in at(mA=mB, v=0)"
+    for symbol, value in claimed.items():
+        there = known.with_asides(symbol).subs(at, simultaneous=True)
+        if there.has(*UNSETTLED) and len(at) == 1:  # 0/0, which has a limit
+            ((letter, to),) = at.items()
+            there = _towards(known.with_asides(symbol), letter, to)
+        wanted = known.with_asides(value).subs(at, simultaneous=True)
+        if there is None or there.has(*UNSETTLED):
+            yield f"at {case}: {symbol} has no value"
+        elif there != wanted and not vanishes(there - wanted):
+            yield f"at {case}: {symbol} is {there}, not {value}"
+
+
+def _strange(expressions: Any, known: Known) -> str:
+    """A letter that means nothing in this problem; "" where there is none."""
+    symbols = {symbol for each in expressions for symbol in sympy.sympify(each).free_symbols}
+    return next((name for name in sorted(symbol.name for symbol in symbols) if name not in known.names), "")
+
+
+def _towards(expression: Any, letter: sympy.Symbol, to: Any) -> Any:
+    """The limit, from both sides where the letter may lie on both; None where sympy has none."""
+    side = "+" if letter.is_nonnegative and to == 0 else "-" if letter.is_nonpositive and to == 0 else "+-"
+    try:
+        found: Any = sympy.limit(expression, letter, to, side if sympy.sympify(to).is_finite else "+")
+    except (NotImplementedError, ValueError, TypeError):  # too hard for it, or not the same from both sides
+        return None
+    return None if found.has(sympy.Limit) or found.has(sympy.AccumBounds) else found

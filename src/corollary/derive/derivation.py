@@ -1,0 +1,63 @@
+"""A derivation: all that an author states of a problem, in order."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from corollary.derive.statements import (
+    Choice,
+    Code,
+    Confirm,
+    Example,
+    Explain,
+    Neglected,
+    Optimum,
+    Plot,
+    Printed,
+    Proof,
+    Simulated,
+    StatedChoice,
+    StatedExample,
+    StatedNeglected,
+    StatedProof,
+    Statement,
+    Step,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """What something found comes to when a given goes to its limit."""
+
+    statement: Statement
+    of: sympy.Expr
+    letter: sympy.Symbol
+    to: sympy.Expr
+    equals: sympy.Expr
+
+
+if TYPE_CHECKING:  # as in statements
+    import sympy
+
+
+@dataclass(frozen=True, slots=True)
+class Special:
+    """What is found in a special case: values of givens and, with these, of unknowns, by their letters."""
+
+    statement: Statement
+    values: Mapping[str, sympy.Expr]
+
+
+Asserted = Limit | Special | Confirm
+Solved = Step | Optimum | Simulated | StatedChoice | StatedExample | StatedProof | StatedNeglected
+Entry = Solved | Code | Plot | Explain | Printed | Asserted
+ENTRIES = (Step, Optimum, Simulated, Choice, Example, Proof, Neglected, Code, Plot, Explain, Printed, Limit, Special, Confirm)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The entries in the order in which they are found."""
+
+    entries: tuple[Entry, ...]

@@ -1,0 +1,187 @@
+"""A small library of common misconceptions: each takes the law as it is right, and states the mistake that bends it.
+
+Each takes the name of the law whose place it takes (`instead`), as `mistake` does, and `where`, which root is meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, TypeAlias
+
+from corollary.derive.spoken import line_of_word
+from corollary.derive.statements import Exchange, Mistake
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    children,
+    names,
+    rebuilt,
+    substitute,
+)
+from corollary.formula.syntax import author_formula
+from corollary.formula.text import text
+from corollary.laws.law import wrong
+
+if TYPE_CHECKING:
+    from sympy.logic.boolalg import Boolean
+
+Where: TypeAlias = "Boolean | bool | None"
+OTHER_SIDE: Mapping[str, str] = {"sin": "cos", "cos": "sin"}
+ZERO_CELSIUS = Fraction("273.15")  # K
+
+
+def sine_for_cosine(right: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """Sine and cosine interchanged, wherever the law has them: `sine_for_cosine("F_x = F*cos(theta)")`."""
+    return _bent(
+        right,
+        lambda tree: _mapped(tree, _other_side),
+        "Sine and cosine have changed places: look which side of the triangle lies at the angle.",
+        instead,
+        where,
+    )
+
+
+def diameter_for_radius(right: str, r: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """The diameter in the place of the radius: `diameter_for_radius("A = pi*r^2", "r")`."""
+    sentence = "You took the diameter where the radius belongs."
+    return _replaced(right, r, lambda name: Product((Number(Fraction(2)), name)), sentence, instead, where)
+
+
+def radius_for_diameter(right: str, d: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """The radius in the place of the diameter."""
+    sentence = "You took the radius where the diameter belongs."
+    return _replaced(right, d, lambda name: Quotient(name, Number(Fraction(2))), sentence, instead, where)
+
+
+def celsius_for_kelvin(right: str, T: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """Degrees Celsius in a law that needs the absolute temperature: `celsius_for_kelvin("p*V = n*R*T", "T")`."""
+    sentence = "You took the temperature in °C; the law needs the absolute temperature, in K."
+    return _replaced(right, T, lambda name: Sum((name, Number(-ZERO_CELSIUS))), sentence, instead, where)
+
+
+def left_out(
+    right: str, letter: str, what: str, *, instead: str = "", where: Where = None
+) -> Mistake[Exchange]:
+    """A term that was forgotten, as if its letter were 0: `left_out("F - m*g = m*a", "g", "the weight")`."""
+    return _replaced(right, letter, lambda _: Number(Fraction(0)), f"You left {what} out.", instead, where)
+
+
+def sign_reversed(
+    right: str, letter: str, what: str, *, instead: str = "", where: Where = None
+) -> Mistake[Exchange]:
+    """The other direction: `sign_reversed("dp = m*v2 - m*v1", "v1", "the velocity before")`."""
+    sentence = f"Look at the sign of {what}."
+    return _replaced(right, letter, Negative, sentence, instead, where)
+
+
+def not_squared(right: str, letter: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """A square forgotten, wherever the letter has one: `not_squared("K = m*v^2/2", "v")`."""
+
+    def without_square(tree: Expr) -> Expr:
+        match tree:
+            case Power(Name(name) as base, Number(value)) if name == letter and value == 2:
+                return base
+            case _:
+                return tree
+
+    return _bent(
+        right, lambda tree: _mapped(tree, without_square), f"You forgot to square {letter}.", instead, where
+    )
+
+
+def squared(right: str, letter: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """A letter squared that is not: `squared("p = m*v", "v")`."""
+    sentence = f"{letter} is not squared here."
+    return _replaced(right, letter, lambda name: Power(name, Number(Fraction(2))), sentence, instead, where)
+
+
+def half_forgotten(right: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """The factor ½ forgotten: `half_forgotten("K = m*v^2/2")` doubles the right side."""
+    return _right_side(
+        right,
+        lambda side: Product((Number(Fraction(2)), side)),
+        "You forgot the factor one half.",
+        instead,
+        where,
+    )
+
+
+def upside_down(right: str, *, instead: str = "", where: Where = None) -> Mistake[Exchange]:
+    """The fraction the wrong way round: `upside_down("t = d/v")` states t = v/d."""
+    return _right_side(
+        right,
+        lambda side: Quotient(Number(Fraction(1)), side),
+        "Your fraction is upside down; compare the units of both sides.",
+        instead,
+        where,
+    )
+
+
+def swapped(
+    right: str, one: str, other: str, what: str, *, instead: str = "", where: Where = None
+) -> Mistake[Exchange]:
+    """Two letters interchanged: `swapped("m_A*v_A = m_B*v_B", "m_A", "m_B", "the masses")`."""
+    return _bent(
+        right,
+        lambda tree: substitute(tree, {one: Name(other), other: Name(one)}),
+        f"{what[:1].upper()}{what[1:]} have changed places.",
+        instead,
+        where,
+        one,
+        other,
+    )
+
+
+def _replaced(
+    right: str, letter: str, by: Callable[[Name], Expr], sentence: str, instead: str, where: Where
+) -> Mistake[Exchange]:
+    return _bent(
+        right, lambda tree: substitute(tree, {letter: by(Name(letter))}), sentence, instead, where, letter
+    )
+
+
+def _right_side(
+    right: str, change: Callable[[Expr], Expr], sentence: str, instead: str, where: Where
+) -> Mistake[Exchange]:
+    def bent(tree: Expr) -> Expr:
+        assert isinstance(tree, Relation)
+        return Relation(tree.sign, tree.left, change(tree.right))
+
+    return _bent(right, bent, sentence, instead, where)
+
+
+def _bent(
+    right: str, change: Callable[[Expr], Expr], sentence: str, instead: str, where: Where, *letters: str
+) -> Mistake[Exchange]:
+    """Raises ValueError where the law is none, or does not have what the misconception changes."""
+    tree = author_formula(right)
+    if not isinstance(tree, Relation):
+        raise ValueError(f"{right!r} is no law; write an equation, such as K = m*v^2/2")
+    if strange := [letter for letter in letters if letter not in names(tree)]:
+        raise ValueError(f"{strange[0]} does not occur in {right!r}")
+    changed = change(tree)
+    if changed == tree:
+        raise ValueError(f"{right!r} stays as it is: there is nothing in it to be mistaken so")
+    return Mistake(sentence, Exchange((wrong(text(changed)),), instead, where), line_of_word())
+
+
+def _mapped(tree: Expr, change: Callable[[Expr], Expr]) -> Expr:
+    """Each node changed, from the leaves up."""
+    return change(rebuilt(tree, tuple(_mapped(part, change) for part in children(tree))))
+
+
+def _other_side(tree: Expr) -> Expr:
+    match tree:
+        case Call(function, arguments) if function in OTHER_SIDE:
+            return Call(OTHER_SIDE[function], arguments)
+        case _:
+            return tree

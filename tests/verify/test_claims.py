@@ -1,0 +1,50 @@
+"""Limits and special cases that an author claims: proven, or said with line and what holds instead."""
+
+from __future__ import annotations
+
+import pytest
+
+STEPS = """\
+return derivation(
+    step(p, "Mass times velocity.", momentum(p, m, v), answers="a"),
+    step(F, "Per time.", mean_force(F, p, t), answers="b"),
+    CLAIM,
+)
+"""
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "limit(F, t, oo, 0)",
+        "limit(1/t**2 + F*0, t, 0, oo)",
+        "limit(F, v, 0, 0, 'who stands needs no force')",
+        "limit((m*(v + t) - m*v)/t, t, 0, m)",
+        "at(v=0, p=0, F=0)",
+        "at('as if', m=v*t, p=v**2*t)",
+        "at(F=p/t)",
+    ],
+)
+def test_what_holds_is_proven(verified, claim):
+    checked = verified(STEPS.replace("CLAIM", claim))
+    assert checked.ok, checked.complaints
+    assert checked.checks["laws put back"] == 3  # two laws, and the claim
+
+
+@pytest.mark.parametrize(
+    ("claim", "words"),
+    [
+        ("limit(F, t, oo, 1)", "the limit of F for t to oo is 0, not 1"),
+        ("limit(p, t, 0, 0)", "it does not depend on t, it is m*v everywhere"),
+        ("limit(F, F, 0, 0)", "F is found, and depends on givens"),
+        ("at(v=0, p=m)", "at v = 0: p is 0, not m"),
+        ("at(v=0)", "at v = 0: it claims nothing"),
+        ("at(q=0, p=0)", "q is neither given nor found"),
+        ("at(t=0, F=0)", "at t = 0: F has no value"),
+    ],
+)
+def test_what_does_not_hold_is_said_with_its_line(verified, claim, words):
+    checked = verified(STEPS.replace("CLAIM", claim))
+    assert len(checked.complaints) == 1, checked.complaints
+    assert checked.complaints[0].startswith("cart.py:11: ")
+    assert words in checked.complaints[0]
