@@ -12,6 +12,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, cast
 
 from corollary.answers.questions import checked
+from corollary.derive.beside import importable, modules_beside
 from corollary.derive.cases import Branch
 from corollary.derive.derivation import Derivation
 from corollary.derive.statements import SOLUTION
@@ -78,6 +79,11 @@ def load(bank: Bank, problem: Problem) -> Loaded:
         raise NotDerivable(
             path, 0, f"is missing; {problem.path.name} needs a solution there, with a function derive(…)"
         )
+    with importable(path):
+        return _loaded(problem, path)
+
+
+def _loaded(problem: Problem, path: Path) -> Loaded:
     module = _module(path)
     derive = getattr(module, "derive", None)
     if not inspect.isfunction(derive):
@@ -109,10 +115,11 @@ def load(bank: Bank, problem: Problem) -> Loaded:
 
 
 def source(bank: Bank, problem: Problem) -> bytes:
-    """The text of a solution. Raises NotDerivable when it is missing."""
+    """The text of a solution, with that of the modules beside it that it imports. Raises NotDerivable when it is missing."""
     path = bank.solution(problem)
     try:
-        return path.read_bytes()
+        own = path.read_bytes()
+        return b"\0".join((own, *(each.read_bytes() for each in modules_beside(path, own))))
     except OSError as error:
         raise NotDerivable(path, 0, f"cannot be read: {error.strerror}") from None
 

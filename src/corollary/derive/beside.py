@@ -1,0 +1,68 @@
+"""Modules of an author's own that lie beside a solution: imported by their names, read anew each time, and part of its state."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import sys
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+
+@contextmanager
+def importable(solution: Path) -> Generator[None]:
+    """While a solution is loaded and derives: what lies in its folder can be imported, before anything else of that name.
+
+    Afterwards such modules are forgotten: another bank may have one of the same name, and its author may change it.
+    """
+    folder, writes = solution.parent, sys.dont_write_bytecode
+    before = _outside(folder)
+    sys.path.insert(0, str(folder))
+    sys.dont_write_bytecode = True  # a bank is not written to; and a compiled copy can be older than it looks
+    importlib.invalidate_caches()
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = writes
+        sys.path.remove(str(folder))
+        for name, module in list(sys.modules.items()):
+            if Path(getattr(module, "__file__", None) or "").parent == folder and name not in before:
+                del sys.modules[name]
+
+
+def _outside(folder: Path) -> set[str]:
+    """The modules loaded that lie there already: they belong to whoever loaded them."""
+    return {
+        name
+        for name, module in list(sys.modules.items())
+        if Path(getattr(module, "__file__", None) or "").parent == folder
+    }
+
+
+def modules_beside(solution: Path, source: bytes) -> list[Path]:
+    """The modules in its folder that a solution imports, and those that these do, by name; none where it is not Python."""
+    found: dict[str, Path] = {}
+    todo = [source]
+    while todo:
+        for name in _imported(todo.pop()):
+            path = solution.parent / f"{name}.py"
+            if name not in found and path != solution and path.is_file():
+                found[name] = path
+                todo.append(path.read_bytes())
+    return [found[name] for name in sorted(found)]
+
+
+def _imported(source: bytes) -> Iterator[str]:
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return
+    for node in ast.walk(tree):
+        match node:
+            case ast.Import(names):
+                yield from (alias.name.partition(".")[0] for alias in names)
+            case ast.ImportFrom(module=str(module), level=0):
+                yield module.partition(".")[0]
+            case _:
+                pass
