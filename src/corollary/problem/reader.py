@@ -16,6 +16,7 @@ from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.givens import read_given
 from corollary.problem.parts_markdown import read_parts
+from corollary.problem.pictures import pictures
 from corollary.problem.problem import Condition, Description, Problem
 from corollary.problem.statement import HOLE, LETTER, holes, misfit
 from corollary.units.constants import CONSTANTS
@@ -84,6 +85,7 @@ def read_problem(path: Path) -> Problem:
         for at, sentence in read_lines(figure, letters)[1] if len(letters) == len(known) else ():
             front.complain(first_line + at, sentence)
     statement, parts = read_parts(path, body, line, complaints)
+    complaints += [Diagnostic(path, line + at, sentence) for at, sentence in pictures(body)]
     for text, first in ((body, line), (figure, first_line), (alt, alt_line)):
         _check_holes(path, text, first, {given.symbol: given for given in givens}, known, complaints)
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
