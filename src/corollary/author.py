@@ -14,6 +14,11 @@ from sympy.logic.boolalg import Boolean
 
 from corollary.derive.cases import Branch, Case, Cases, branches
 from corollary.derive.derivation import Entry, Limit, Special
+from corollary.derive.letters import function as function
+from corollary.derive.letters import unknown as unknown
+from corollary.derive.letters import unknowns as unknowns
+from corollary.derive.letters import variable as variable
+from corollary.derive.letters import vector as vector
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.spoken import frame_of_word, line_of_word
 from corollary.derive.statements import (
@@ -41,11 +46,6 @@ from corollary.derive.statements import (
 )
 from corollary.grading.programs import member
 from corollary.laws.law import Law, as_expression, known_by_name, only_laws
-from corollary.laws.letters import function as function
-from corollary.laws.letters import unknown as unknown
-from corollary.laws.letters import unknowns as unknowns
-from corollary.laws.letters import variable as variable
-from corollary.laws.letters import vector as vector
 from corollary.scenes.scene import Scene
 
 Unknowns = sympy.Symbol | tuple[sympy.Symbol, ...]

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import Any, Final
 
 from corollary.figure.drawing import PRIMITIVES
@@ -19,9 +19,8 @@ from corollary.formula.syntax import author_formula
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, Dimension
 
-INSIDE = r"[^()\"]"
-for _depth in range(6):  # brackets in brackets, such as (a*tan(asin(sin(alpha)/n)),0)
-    INSIDE = rf"[^()\"]|\((?:{INSIDE})*\)"
+# Brackets in brackets, six deep, such as (a*tan(asin(sin(alpha)/n)),0).
+INSIDE: Final = reduce(lambda inside, _: rf"[^()\"]|\((?:{inside})*\)", range(6), r"[^()\"]")
 TOKEN = re.compile(rf'"(?P<text>[^"]*)"|(?P<word>[a-z]+)=(?P<value>(?:(?!\s){INSIDE})+)|(?P<bare>[^\s"=]+)')
 NAME = re.compile(r"[A-Za-z]\w*$|\d+$")
 ANCHOR = re.compile(r"([A-Za-z]\w*|\d+)(\.(left|right|top|bottom))?$")
