@@ -72,7 +72,7 @@ def rows_of_others() -> list[tuple[str, ...]]:
 
 
 def _numbers(word: str) -> tuple[str, ...]:
-    """A word in the singular and the plural, in English and in German (`Sekunden`)."""
+    """A word in the singular and the plural, in English and in German (`Sekunden`); others stand in the tables."""
     return (word, word + "s", word + "n", *(() if word[-1] == "e" else (word + "en",)))
 
 
@@ -123,7 +123,7 @@ arcsec  |                    | pi/648000         |               |
 MECHANICS = """
 g       | kg                 | 1/1000            | n u m k       | gram gramme gramm
 m       | m                  | 1                 | f p n u m c d k | meter metre mètre
-s sec secs | s               | 1                 | f p n u m     | second seconde sekunde sekund
+s sec secs | s               | 1                 | f p n u m     | second seconde sekunde sekund sekunder
 N       | kg m s^-2          | 1                 | u m k M G     | newton
 J       | kg m^2 s^-2        | 1                 | u m k M G T   | joule
 W       | kg m^2 s^-3        | 1                 | u m k M G T   | watt
@@ -132,9 +132,9 @@ Hz      | s^-1               | 1                 | m k M G T     | hertz
 eV      | kg m^2 s^-2        | 1.602176634e-19   | m k M G T     | electronvolt
 t       | kg                 | 1000              |               | tonne
 u Da    | kg                 | 1.66053906892e-27 |               | dalton
-min     | s                  | 60                |               | minute
-h       | s                  | 3600              |               | hour hr heure stunde timme
-rad     |                    | 1                 | m             | radian
+min     | s                  | 60                |               | minute minutt minutter
+h       | s                  | 3600              |               | hour hr heure stunde timme timer
+rad     |                    | 1                 | m             | radian radianer
 deg ° º |                    | pi/180            |               | degree degré grad grader
 %       |                    | 1/100             |               | percent
 """
