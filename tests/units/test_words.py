@@ -15,6 +15,7 @@ from corollary.units.unit import Unit, read_unit, unit
         ("kilogram meters per second", "kg*m/s"), ("kg m per s", "kg*m/s"), ("Meter pro Sekunde", "m/s"), ("metres par seconde", "m/s"),
         ("[kg m/s]", "kg*m/s"), ("(kg m/s)", "kg*m/s"), ("kg(m/s)", "kg*m/s"), ("(kg m)/s", "kg*m/s"), ("J/(kg m)", "J/(kg*m)"),
         ("kmph", "km/h"), ("kilometers per hour", "km/h"), ("milliseconds", "ms"), ("Joules", "J"), ("m/(s)", "m/s"),
+        ("meter per sekund", "m/s"), ("newton sekunder", "N*s"), ("millisekunder", "ms"), ("minutter", "min"), ("km per timer", "km/h"), ("radianer", "rad"),
     ],
 )  # fmt: skip
 def test_words_are_units(typed, meant):
