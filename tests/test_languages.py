@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.verdict import word
 from corollary.formula.numerals import decimal_text
+from corollary.grading.advice import advice
 from corollary.grading.feedback import sentence
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
@@ -168,3 +169,13 @@ def test_answers_with_commas_are_right(code: str, right: str, wrong: str):
     assert [word(found[name]) for name in "abcd"] == ["right", "right", "right", "wrong"]
     assert said[0] == right
     assert said[1].startswith(wrong)
+
+
+@each_language
+def test_advice_names_quantities_in_the_language_alone(code: str):
+    bank = open_bank(None)
+    with language(code):
+        problem = in_language(bank["X12.5"])
+        said = advice(Solutions(bank).key(chapter(problem)), problem.part("a"))
+    assert problem.given("m").meaning in said
+    assert "the " not in said

@@ -10,7 +10,7 @@ from corollary.derive.solution import AppliedLaw, ClosedForms, Unknown
 from corollary.derive.statements import Choice
 from corollary.formula.ast import Name, Relation, names
 from corollary.grading.key import Key
-from corollary.messages import catalogue
+from corollary.messages import catalogue, spoken
 from corollary.problem.given import Given
 from corollary.problem.part import Part
 from corollary.problem.translation import text_in_language
@@ -88,7 +88,8 @@ def _named(laws: Iterable[AppliedLaw]) -> Iterator[str]:
 
 def _described(key: Key, given: Given) -> str:
     """What a given means, with its article: `the mass of the ball`, `your mass`; a translation has its own."""
-    if (theirs := text_in_language(key.variant.problem, given.meaning)) != given.meaning:
+    theirs = text_in_language(key.variant.problem, given.meaning)
+    if theirs != given.meaning or spoken() != "en":  # the variant may be of a translated problem already
         return theirs
     first = given.meaning.partition(" ")[0]
     return given.meaning if first[:1].isupper() or first in WITHOUT_ARTICLE else f"the {given.meaning}"
