@@ -132,3 +132,12 @@ def test_a_list_of_texts_that_cannot_be_read(problem: Problem, lines: str, sente
     translated(problem, f"---\ntitle: Ein Ball\n---\n# Texts\n\n{lines}")
     with pytest.raises(Malformed, match=sentence):
         translation(problem, "de")
+
+
+def test_a_translation_left_alone_is_called_that(problem: Problem):
+    translated(problem)
+    problem.path.unlink()
+    with pytest.raises(Malformed) as error:
+        read_problem(problem.path.with_name("ball.de.md"))
+    (complaint,) = error.value.complaints
+    assert "this is ball.md in another language (de)" in str(complaint)

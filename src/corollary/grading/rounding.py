@@ -129,13 +129,19 @@ def _steps(solution: Solution, letters: Sequence[str], rounded: Callable[[float]
         _Step(
             find,
             steps_in(trees, places),
-            [by_operations(tree, places, rounded) for tree in trees],
+            # Who works in °C does not write down products of kelvins: where the scale has a zero of its own, only the answer.
+            [by_operations(tree, places, _as_it_is if zero else rounded) for tree in trees],
             [places[name] for name in find.names],
-            _zero_of_scale(solution, find),
+            zero,
         )
         for find in solution.unknowns
         for trees in [find.local.trees if isinstance(find.local, ClosedForms) else ()]
+        for zero in [_zero_of_scale(solution, find)]
     ]
+
+
+def _as_it_is(x: float) -> float:
+    return x
 
 
 def _zero_of_scale(solution: Solution, find: Unknown) -> float:

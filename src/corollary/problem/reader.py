@@ -36,6 +36,13 @@ def read_problem(path: Path) -> Problem:
         front.line_of("title"),
         front.text("source", ""),
     )
+    original, _, language = path.stem.rpartition(".")
+    if not code and original and "of" in table.entries:
+        alone = (
+            f"this is {original}.md in another language ({language}), and {original}.md is not beside it; "
+            "put it back, or remove this file"
+        )
+        raise Malformed([Diagnostic(path, 1, alone)])
     if code and not CODE.match(code):
         front.complain(
             code_line, f"code: {code} is no code; use letters and digits, parted by points, such as X12.5"
