@@ -12,8 +12,8 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; 
 MADE_FROM := pyproject.toml .ci/constraints.txt
 LATER := not whole and not browser and not client and not term
 comma := ,
-FOR_DEMO := nbgrader,isolation
-FOR_TEST := $(FOR_DEMO),dask,test$(if $(strip $(EXTRAS)),$(comma)$(strip $(EXTRAS)))
+FOR_DEMO := nbgrader,isolation,proofs
+FOR_TEST := $(FOR_DEMO),dask,pdf,test$(if $(strip $(EXTRAS)),$(comma)$(strip $(EXTRAS)))
 
 # One stamp for each group of packages; each group is put on top of the one before it.
 DEMO := $(VENV)/.has-demo
@@ -40,7 +40,7 @@ $(BIN)/python:
 
 $(DEMO): $(MADE_FROM) | $(BIN)/python
 	$(call install,what builds the package,hatchling editables)
-	$(call install,Corollary with nbgrader and isolation (about 130 packages$(comma) 150 MB),--no-build-isolation --editable '.[$(FOR_DEMO)]')
+	$(call install,Corollary with nbgrader$(comma) isolation and proofs (about 130 packages$(comma) 190 MB),--no-build-isolation --editable '.[$(FOR_DEMO)]')
 	@touch $@
 
 $(TEST): $(DEMO)
