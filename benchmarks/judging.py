@@ -1,6 +1,9 @@
 """The judge measured: honest work rejected, listed mistakes accepted, formulas compared, random answers, the time of a verdict.
 
 python benchmarks/judging.py [--students 2000] [--only X12.5,X12.7] [--no-students] [--only-students] [--no-wild] [--json]
+                             [--keep FOLDER]
+
+With --keep each problem's counts are written into the folder when it is done, and read from there when they are there already.
 """
 
 from __future__ import annotations
@@ -22,7 +25,9 @@ from rich.table import Table
 from students import FIXED, SORTS, Tallies, simulate, wild
 
 from corollary.answers.equality import Different, Equal, Undecided, compare
+from corollary.atomic import write_whole
 from corollary.derive.load import NotDerivable
+from corollary.derive.solution import Solution
 from corollary.formula.ast import Expr, names
 from corollary.formula.errors import ParseError
 from corollary.formula.syntax import author_formula, parse
@@ -57,6 +62,7 @@ def main() -> None:
     options.add_argument("--no-wild", action="store_true", help="leave out answers that are just anything")
     options.add_argument("--only-students", action="store_true", help="leave out formulas and times")
     options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
+    options.add_argument("--keep", type=Path, help="folder with a file for each problem that is done")
     asked = options.parse_args()
     solutions = Solutions(open_bank(None))
     problems, left_out = _derivable(solutions, asked.only.split(",") if asked.only else [])
@@ -68,7 +74,9 @@ def main() -> None:
         numeric = [solutions.of(problem) for problem in problems if size(problem) > 1]
         numeric = [solution for solution in numeric if any(find.part for find in solution.unknowns)]
         tallies = {
-            each.problem.code: _told(each.problem.code, lambda each=each: simulate(each, asked.students))
+            each.problem.code: _told(
+                each.problem.code, lambda each=each: kept(each, asked.students, asked.keep)
+            )
             for each in numeric
         }
         result["problems"] = {code: each.record() for code, each in tallies.items()}
@@ -79,6 +87,18 @@ def main() -> None:
         print(json.dumps(result))
     else:
         show(result)
+
+
+def kept(solution: Solution, students: int, folder: Path | None) -> Tallies:
+    """The tallies of a problem, from the folder where they are there for as many students."""
+    if folder is None:
+        return simulate(solution, students)
+    file = folder / f"{solution.problem.code}-{students}.json"
+    if file.exists():
+        return Tallies.from_json(file.read_text(encoding="utf-8"))
+    tallies = simulate(solution, students)
+    write_whole(file, tallies.to_json())
+    return tallies
 
 
 def _derivable(solutions: Solutions, wanted: Sequence[str]) -> tuple[list[Problem], list[str]]:

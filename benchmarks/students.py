@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import random
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from typing import Any
 
@@ -46,7 +47,7 @@ class Tallies:
     answers: Counter[str] = field(default_factory=Counter)
     rejected: Counter[str] = field(default_factory=Counter)
     fixed_answers: Counter[str] = field(default_factory=Counter)
-    fixed_failed: Counter[tuple[str, float]] = field(default_factory=Counter)
+    fixed_failed: Counter[str] = field(default_factory=Counter)
     mistaken: Counter[str] = field(default_factory=Counter)
     worst: Counter[str] = field(default_factory=Counter)
 
@@ -75,9 +76,19 @@ class Tallies:
 
     def _fixed(self, sort: str) -> dict[str, float | None]:
         return {
-            f"{limit:.0%}": _percent(self.fixed_failed[sort, limit], self.fixed_answers[sort])
+            f"{limit:.0%}": _percent(self.fixed_failed[f"{sort}, {limit:.0%}"], self.fixed_answers[sort])
             for limit in FIXED
         }
+
+    def to_json(self) -> str:
+        return json.dumps({each.name: getattr(self, each.name) for each in fields(self)})
+
+    @staticmethod
+    def from_json(text: str) -> Tallies:
+        kept = json.loads(text)
+        return Tallies(
+            **{name: Counter(each) if isinstance(each, dict) else each for name, each in kept.items()}
+        )
 
     @staticmethod
     def together(several: Iterable[Tallies]) -> Tallies:
@@ -186,7 +197,9 @@ def _fixed(tallies: Tallies, sort: str, key: Key, part: str, values: Values, *, 
     if tallies.drawn > 0 and truth.scale:
         tallies.fixed_answers[sort] += 1
         for limit in FIXED:
-            tallies.fixed_failed[sort, limit] += within(values, truth.values, limit, truth.scale) == accepted
+            tallies.fixed_failed[f"{sort}, {limit:.0%}"] += (
+                within(values, truth.values, limit, truth.scale) == accepted
+            )
 
 
 def _givens(key: Key, dice: random.Random) -> Mapping[str, RationalPi]:
