@@ -9,6 +9,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import msgspec
+import numpy as np
+import pint
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
@@ -19,6 +21,10 @@ from corollary.sandbox import worker
 from corollary.sandbox.decode import Encoded, to_value
 from corollary.sandbox.refusals import PREDICATES
 from corollary.sandbox.worker.encode import MOST_ITEMS, encode
+from corollary.units.dimension import Unit
+from corollary.units.unit import read_unit
+
+PINT = pint.UnitRegistry()
 
 
 def decoded(encoded: object) -> Value:
@@ -142,6 +148,83 @@ def test_pint_quantities_are_known_by_name() -> None:
         "Quantity", (), {"__module__": "pint", "magnitude": 8.6, "units": "kilogram * meter / second"}
     )
     assert encode(kind()) == ("measured", 8.6, "kilogram * meter / second")
+
+
+@pytest.mark.parametrize(
+    ("units", "magnitude", "sent_as"),
+    [
+        ("kilogram * meter / second", 3.0, (3.0, "kilogram * meter / second")),
+        ("joule ** 0.5 * kilogram ** 0.5", 3.0, (3.0, "joule ** 0.5 * kilogram ** 0.5")),
+        ("millisecond", 3.0, (3.0, "millisecond")),
+        ("dimensionless", 3.0, (3.0, "")),
+        ("percent", 3.0, (3.0, "percent")),
+        ("mile_per_hour", 100.0, (44.704, "meter / second")),
+        ("knot", 3600.0, (1852.0, "meter / second")),
+        ("force_pound", 1.0, (4.4482216152605, "kilogram * meter / second ** 2")),
+        ("erg", 1e7, (1.0, "kilogram * meter ** 2 / second ** 2")),
+        ("megaelectron_volt", 1.0, (1.602176634e-13, "kilogram * meter ** 2 / second ** 2")),
+        ("turn / second", 0.5, (math.pi, "radian / second")),
+        ("degree_Celsius", 20.0, (293.15, "kelvin")),
+    ],
+)
+def test_units_that_no_reader_knows_go_out_in_base_units(units, magnitude, sent_as) -> None:
+    """The conversions are pint's own; what it calls `knot` nobody has to know who reads answers."""
+    tag, number, unit = encode(PINT.Quantity(magnitude, units))
+    assert (tag, number, unit) == ("measured", pytest.approx(sent_as[0], rel=1e-12), sent_as[1])
+    found = read_unit(str(unit) or "1")
+    assert isinstance(found, Unit)
+
+
+class Quantity(np.ndarray):
+    """As astropy's: an array with a unit, which makes a `value` without one and an `si` of the same class."""
+
+    __module__ = "astropy.units.quantity"
+    unit = ""
+    in_si: tuple[float, str] = (1.0, "")
+
+    @property
+    def value(self) -> object:
+        bare = self.view(np.ndarray)
+        return bare if bare.shape else bare[()]
+
+    @property
+    def si(self) -> Quantity:
+        return quantity(np.asarray(self.value) * self.in_si[0], self.in_si[1])
+
+
+class Angle(Quantity):
+    __module__ = "astropy.coordinates.angles.core"
+
+
+def quantity(value: object, unit: str, in_si: tuple[float, str] = (1.0, ""), kind=Quantity) -> Quantity:
+    made = np.asarray(value, float).view(kind)
+    made.unit, made.in_si = unit, in_si
+    return made
+
+
+@pytest.mark.parametrize(
+    ("value", "sent_as"),
+    [
+        (quantity(8.6, "kg m / s"), ("measured", 8.6, "kg m / s")),
+        (quantity(2.5, "kg km m / (h s)"), ("measured", 2.5, "kg km m / (h s)")),
+        (quantity(3.0, "1 / s"), ("measured", 3.0, "1 / s")),
+        (quantity(3.0, "kg m2 / s2"), ("measured", 3.0, "kg m2 / s2")),
+        (quantity(3.0, ""), ("measured", 3.0, "")),
+        (quantity(30.0, "deg", kind=Angle), ("measured", 30.0, "deg")),
+        (quantity(4.0, "J(1/2) kg(1/2)", (1.0, "kg m / s")), ("measured", 4.0, "kg m / s")),
+        (quantity(3.0, "10 m / s", (10.0, "m / s")), ("measured", 30.0, "m / s")),
+        (quantity(8e5, "dyn s", (2.0**-17, "N s")), ("measured", 8e5 / 2**17, "N s")),
+        (
+            quantity([7.5, -10.0], "N s"),
+            ("items", [("measured", 7.5, "N s"), ("measured", -10.0, "N s")], [2]),
+        ),
+    ],
+)
+def test_quantities_of_astropy(value, sent_as) -> None:
+    """Its texts of units are those that astropy 8.0 gave."""
+    assert encode(value) == sent_as
+    for _tag, _number, unit in sent_as[1] if sent_as[0] == "items" else [sent_as]:
+        assert isinstance(read_unit(unit or "1"), Unit)
 
 
 @pytest.mark.parametrize(

@@ -10,16 +10,20 @@ import pytest
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.formula.errors import ParseError
 from corollary.units import register
-from corollary.units.table import UNITS
-from corollary.units.unit import read_unit, show, unit
+from corollary.units.table import ENGLISH, ROWS, UNITS, WITH_PREFIXES, rows_of_others
+from corollary.units.unit import _READ, read_unit, show, unit
 
 
 @pytest.fixture
 def table_restored():
-    before = dict(UNITS)
+    """All that registering a unit changes is for the whole process: other tests carry what others registered into notebooks."""
+    before = dict(UNITS), dict(WITH_PREFIXES), set(ENGLISH), list(ROWS)
     yield
-    UNITS.clear()
-    UNITS.update(before)
+    for kept, content in zip((UNITS, WITH_PREFIXES, ENGLISH), before[:3], strict=True):
+        kept.clear()
+        kept.update(content)
+    ROWS[:] = before[3]
+    _READ.clear()
 
 
 def test_a_module_brings_a_unit(tmp_path, monkeypatch, table_restored):
@@ -38,6 +42,13 @@ def test_a_module_brings_a_unit(tmp_path, monkeypatch, table_restored):
     assert (found.fit, found.as_read) == ("fits", "2 kbbl/h")
     assert unit("kbbl").si == pytest.approx(158.987294928)
     assert show(unit("D*bbl^2")) == "D bbl²"
+    assert [row[0] for row in rows_of_others()] == ["bbl", "D"]
+
+
+def test_another_test_s_units_are_gone():
+    """Whichever of the two ran first."""
+    assert rows_of_others() == []
+    assert isinstance(read_unit("bbl"), ParseError)
 
 
 @pytest.mark.parametrize(

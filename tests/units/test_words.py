@@ -14,6 +14,7 @@ from corollary.units.unit import Unit, read_unit, unit
         ("Newton seconds", "N*s"), ("newton-seconds", "N*s"), ("N-s", "N*s"), ("N.s", "N*s"), ("kg.m/s", "kg*m/s"), ("kg.m.s-1", "kg*m/s"),
         ("kilogram meters per second", "kg*m/s"), ("kg m per s", "kg*m/s"), ("Meter pro Sekunde", "m/s"), ("metres par seconde", "m/s"),
         ("[kg m/s]", "kg*m/s"), ("(kg m/s)", "kg*m/s"), ("kg(m/s)", "kg*m/s"), ("(kg m)/s", "kg*m/s"), ("J/(kg m)", "J/(kg*m)"),
+        ("J / (kg m)", "J/(kg*m)"), ("kg km m / ( h s )", "kg*km*m/(h*s)"), ("J per (kg m)", "J/(kg*m)"), ("s ^ (1/2)", "s^0.5"),
         ("kmph", "km/h"), ("kilometers per hour", "km/h"), ("milliseconds", "ms"), ("Joules", "J"), ("m/(s)", "m/s"),
         ("meter per sekund", "m/s"), ("newton sekunder", "N*s"), ("millisekunder", "ms"), ("minutter", "min"), ("km per timer", "km/h"), ("radianer", "rad"),
     ],

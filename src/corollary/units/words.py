@@ -18,7 +18,7 @@ DELTA = r"(?:delta(?:_| ?(?=[°ºdK]))|[Δ∆]\s?)"
 DEGREES = r"(?:[°º]\s?|(?<![A-Za-z])deg(?:rees?)?\s?)(?:[CFK]|[Cc]elsius|[Ff]ahrenheit)"
 TEMPERATURE = rf"(?:{DELTA}?{DEGREES}|{DELTA}K)(?![A-Za-z])"
 PARTS = re.compile(rf"(?P<delta>{DELTA})?\s?(?P<degrees>[°ºd][^CFKcf]*)?(?P<scale>[CFKcf])\w*")
-GROUP = re.compile(r"(?<![/^])\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not below a slash, and not raised
+GROUP = re.compile(r"\(([^()^{}]+)\)(?!\s*[\^⁰¹²³⁴-⁹⁻*])")  # not raised
 
 
 def in_signs(text: str) -> str:
@@ -28,8 +28,14 @@ def in_signs(text: str) -> str:
     text = SPEED.sub(lambda found: SPEEDS[found[0]], text)
     text = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), text))
     for _ in range(3):
-        text = GROUP.sub(r" \1 ", text)
+        text = GROUP.sub(_opened, text)
     return text
+
+
+def _opened(group: re.Match[str]) -> str:
+    """What stands in brackets, without them, unless it is below a slash or a power: they hold that together."""
+    before = group.string[: group.start()].rstrip()
+    return group[0] if before.endswith(("/", "^", "**")) else f" {group[1]} "
 
 
 def temperature(symbol: str) -> str:

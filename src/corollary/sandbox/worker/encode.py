@@ -1,5 +1,6 @@
 """A student's value turned into inert data: by its exact type, never by what the value says of itself."""
 
+import re
 import sys
 from decimal import Decimal
 from fractions import Fraction
@@ -32,8 +33,15 @@ _NUMPY_WHOLES = {f"{sign}{size}" for sign in ("int", "uint") for size in (8, 16,
     "longlong",
     "ulonglong",
 }
-# What has `value` and `unit`; an angle is a quantity of its own kind.
-_ASTROPY_QUANTITIES = {"Quantity", "Angle", "Latitude", "Longitude"}
+# Units that the reader knows by the names that pint and astropy give them. What is in any other (`mile`, `dyn`, `force_pound`,
+# astropy's `J(1/2)` and `10 m`) the library itself turns into base units.
+_PLAIN_UNIT = re.compile(
+    "(?:micro|milli|centi|kilo|mega)?(?:meter|gram|second|newton|joule|watt|pascal|hertz|volt|ampere|coulomb|ohm|tesla)"
+    "|[numckMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|C|T|eV)|kelvin|K|mole|mol|minute|min|hour|h|day|d|year|yr"
+    "|radian|rad|degree|deg|percent|%|liter|l|bar|calorie|cal|u|t"
+)
+_NAME_OF_UNIT = re.compile(r"[^\W\d]+|%")
+_SCALE_OR_ROOT = re.compile(r"^(?!1 )\d|[(]\d")
 _NUMPY_COMPLEX = {"complex64", "complex128", "clongdouble", "complex256"}
 
 
@@ -84,9 +92,14 @@ def _encode(value, depth, left):
     if family == "sympy":
         return _sympy(value, kind, name, depth, left)
     if family == "pint" and name == "Quantity":
-        return _measured(_encode(value.magnitude, depth - 1, left), str(value.units))
-    if family == "astropy" and name in _ASTROPY_QUANTITIES:
-        return _measured(_encode(value.value, depth - 1, left), str(value.unit))
+        own = value if _is_plain(str(value.units)) else value.to_base_units()
+        unit = str(own.units)
+        return _measured(_encode(own.magnitude, depth - 1, left), "" if unit == "dimensionless" else unit)
+    if any(
+        _MODULE(each) == "astropy.units.quantity" and _NAME(each) == "Quantity" for each in _ANCESTORS(kind)
+    ):
+        own = value if _is_plain(str(value.unit)) else value.si
+        return _measured(_encode(own.value, depth - 1, left), str(own.unit))
     return _unfit(value, name)
 
 
@@ -183,6 +196,12 @@ def _sympy(value, kind, name, depth, left):
         OverflowError,
     ):  # a number with a unit, or a complex one: let its text be read
         return _text(_printable(str(value)))
+
+
+def _is_plain(unit):
+    if _SCALE_OR_ROOT.search(unit):
+        return False
+    return all(_PLAIN_UNIT.fullmatch(name) for name in _NAME_OF_UNIT.findall(unit))
 
 
 def _measured(magnitude, unit):
