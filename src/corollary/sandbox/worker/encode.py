@@ -35,7 +35,7 @@ _NUMPY_WHOLES = {f"{sign}{size}" for sign in ("int", "uint") for size in (8, 16,
 }
 # Units that the reader knows by the names that pint and astropy give them. What is in any other (`mile`, `dyn`, `force_pound`,
 # astropy's `J(1/2)` and `10 m`) the library itself turns into base units.
-_PLAIN_UNIT = re.compile(
+_READABLE_UNIT = re.compile(
     "(?:micro|milli|centi|kilo|mega)?(?:meter|gram|second|newton|joule|watt|pascal|hertz|volt|ampere|coulomb|ohm|tesla)"
     "|[numckMG]?(?:m|g|s|N|J|W|Pa|Hz|V|A|C|T|eV)|kelvin|K|mole|mol|minute|min|hour|h|day|d|year|yr"
     "|radian|rad|degree|deg|percent|%|liter|l|bar|calorie|cal|u|t"
@@ -92,13 +92,13 @@ def _encode(value, depth, left):
     if family == "sympy":
         return _sympy(value, kind, name, depth, left)
     if family == "pint" and name == "Quantity":
-        own = value if _is_plain(str(value.units)) else value.to_base_units()
+        own = value if _is_readable(str(value.units)) else value.to_base_units()
         unit = str(own.units)
         return _measured(_encode(own.magnitude, depth - 1, left), "" if unit == "dimensionless" else unit)
     if any(
         _MODULE(each) == "astropy.units.quantity" and _NAME(each) == "Quantity" for each in _ANCESTORS(kind)
     ):
-        own = value if _is_plain(str(value.unit)) else value.si
+        own = value if _is_readable(str(value.unit)) else value.si
         return _measured(_encode(own.value, depth - 1, left), str(own.unit))
     return _unfit(value, name)
 
@@ -198,10 +198,10 @@ def _sympy(value, kind, name, depth, left):
         return _text(_printable(str(value)))
 
 
-def _is_plain(unit):
+def _is_readable(unit):
     if _SCALE_OR_ROOT.search(unit):
         return False
-    return all(_PLAIN_UNIT.fullmatch(name) for name in _NAME_OF_UNIT.findall(unit))
+    return all(_READABLE_UNIT.fullmatch(name) for name in _NAME_OF_UNIT.findall(unit))
 
 
 def _measured(magnitude, unit):
