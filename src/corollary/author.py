@@ -96,10 +96,11 @@ def step(
 
 
 def mistake(
-    text: str, *laws: Law, instead: str = "", where: Boolean | bool | None = None
+    text: str, *laws: Law, instead: str | Sequence[str] = (), where: Boolean | bool | None = None
 ) -> Mistake[Exchange]:
-    """What a student is told who put these laws in the place of one law of the step; `where` chooses among several roots."""
-    return Mistake(text, Exchange(only_laws(laws), instead, where), line_of_word())
+    """What a student is told who put these laws in the place of one of the step, or of those named; `where` says which root."""
+    named = (instead,) if isinstance(instead, str) else instead
+    return Mistake(text, Exchange(only_laws(laws), tuple(filter(None, named)), where), line_of_word())
 
 
 def route(because: str, *laws: Law) -> Route[Law]:

@@ -171,7 +171,9 @@ def _bent(
     changed = change(tree)
     if changed == tree:
         raise ValueError(f"{right!r} stays as it is: there is nothing in it to be mistaken so")
-    return Mistake(sentence, Exchange((wrong(text(changed)),), instead, where), line_of_word())
+    return Mistake(
+        sentence, Exchange((wrong(text(changed)),), (instead,) if instead else (), where), line_of_word()
+    )
 
 
 def _mapped(tree: Expr, change: Callable[[Expr], Expr]) -> Expr:

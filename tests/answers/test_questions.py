@@ -42,14 +42,14 @@ def problem(tmp_path: Path) -> Callable[[str], Problem]:
         ("## A {#a .vector}", "name its components"),
         (
             '## A {#a .value components="x y"}',
-            "only .vector, .expression, .example and .proof parts have components",
+            "only .vector, .interval, .list, .expression, .example and .proof parts have components",
         ),
         ("## A {#a .code}", "function="),
         ('## A {#a .code function="f"}', "function="),
         ('## A {#a .value function="f(x)"}', "function="),
-        ("## A {#a .choice}", "lists options"),
-        ("## A {#a .choice}\n- (a) one", "lists options"),
-        ("## A {#a .value}\n- (a) one", "lists options"),
+        ("## A {#a .choice}", "list options"),
+        ("## A {#a .choice}\n- (a) one", "list options"),
+        ("## A {#a .value}\n- (a) one", "list options"),
         ("## A {#a .plot .value}", "needs one kind"),
     ],
 )
@@ -65,7 +65,7 @@ def test_a_heading_that_does_not_fit_its_answer_type(
 
 def test_what_is_known_is_named(problem: Callable[[str], Problem]):
     with pytest.raises(
-        Malformed, match=r"cart\.md:9: part a needs one kind of \.value, \.vector, \.expression, "
+        Malformed, match=r"cart\.md:9: part a needs one kind of \.value, \.vector, \.interval, "
     ):
         checked(problem("## A {#a .number}"))
 

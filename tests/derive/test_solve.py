@@ -147,6 +147,9 @@ GOOD = 'step(p, "Here.", momentum(p, m, v), answers="a")'
          "q is neither given"),
         ('step(p, "Here.", momentum(p, q, v), law("Two", "q = m", q=q, m=m), also=[q], answers="a",'
          ' mistakes=[mistake("Slip.", momentum(p, m, v), instead="Three")])', "say which law it takes the place of"),
+        ('step(p, "Here.", momentum(p, q, v), law("Two", "q = m", q=q, m=m), also=[q], answers="a",'
+         ' mistakes=[mistake("Slip.", momentum(p, m, v), instead=["Two", "Three"])])', "or a list of them"),
+        ('unknowns("gamma")', "gamma is a function in formulas; call the unknown gamma_1"),
         ('step(p, "Here.", momentum(p, m, v), answers="a", routes=[route("Other.", momentum(p, m, q))])', "q is neither given"),
         ('step((p, q), "Here.", momentum(p, m, v), momentum(q, m, v), answers="a")',
          "part a asks for one number, but p, q is found"),

@@ -45,6 +45,19 @@ SLOPE = (
 )
 
 
+@pytest.mark.parametrize("section", ["Intervals, lists and words"])
+def test_the_pair_verifies(tmp_path, section):
+    found = re.search(rf"\n### {section}\n.*?```markdown\n(.*?)```\n.*?```python\n(.*?)```", PAGE, re.DOTALL)
+    assert found is not None
+    for folder, ending, text in (("problems", "md", found[1]), ("solutions", "py", found[2])):
+        (tmp_path / folder / "x").mkdir(parents=True)
+        (tmp_path / folder / "x" / f"pair.{ending}").write_text(text, encoding="utf-8")
+    checked = verify(Bank(tmp_path), read_problem(tmp_path / "problems" / "x" / "pair.md"), 5)
+    assert checked.complaints == ()
+    assert checked.checks["kind samples"] > 20
+    assert checked.checks["mistakes apart"] > 0
+
+
 @pytest.mark.parametrize(("section", "problem"), [("Functions of time", FALLING), ("Cases", SLOPE)])
 def test_the_example_verifies(tmp_path, section, problem):
     found = re.search(rf"\n## {section}\n.*?```python\n(.*?)```", PAGE, re.DOTALL)

@@ -45,16 +45,16 @@ def test_the_modules_themselves_load_where_nothing_is_installed(tmp_path: Path):
 
 @pytest.fixture
 def plugin(installed):
-    """A package of somebody else's with an answer type `interval`, whose reading.py begins so."""
+    """A package of somebody else's with an answer type `ratio`, whose reading.py begins so."""
 
     def put(first_line: str) -> None:
         files = {
             "their_package/__init__.py": '"""Theirs."""\nimport numpy\n',
-            "their_package/interval/__init__.py": "",
-            "their_package/interval/bounds.py": "LOW = 0\n",
-            "their_package/interval/reading.py": first_line + "\nTYPE = None\n",
+            "their_package/ratio/__init__.py": "",
+            "their_package/ratio/bounds.py": "LOW = 0\n",
+            "their_package/ratio/reading.py": first_line + "\nTYPE = None\n",
         }
-        installed("theirs", {"corollary.answers": ["interval = their_package.interval"]}, files)
+        installed("theirs", {"corollary.answers": ["ratio = their_package.ratio"]}, files)
 
     packing.modules.cache_clear()
     yield put
@@ -64,25 +64,25 @@ def plugin(installed):
 def test_reading_that_needs_more_than_python_is_refused_in_one_sentence(plugin):
     plugin("import numpy as np")
     with pytest.raises(NotCarried) as raised:
-        modules(("interval",))
+        modules(("ratio",))
     assert str(raised.value) == (
-        "the answer type interval of their_package cannot be read in a notebook: their_package.interval.reading imports "
+        "the answer type ratio of their_package cannot be read in a notebook: their_package.ratio.reading imports "
         "numpy, which a student's computer may not have; what reading.py imports must be in Python's standard library"
     )
 
 
 def test_reading_of_others_is_carried_with_what_it_imports(plugin):
     plugin("from .bounds import LOW\nfrom corollary.answers.answer_type import AnswerType")
-    carried = modules(("interval",))
-    assert carried["their_package.interval.bounds"] == "LOW = 0\n"
+    carried = modules(("ratio",))
+    assert carried["their_package.ratio.bounds"] == "LOW = 0\n"
     assert carried["their_package"] == "'Theirs.'\n"
 
 
 def test_catalogues_go_with_the_modules_of_their_rooms(plugin, translated):
     plugin("from .bounds import LOW")
     translated("their_package", {"too low": "tro malalta"})
-    assert not catalogues(modules(("interval",)))
+    assert not catalogues(modules(("ratio",)))
     with language("eo"):
-        carried = catalogues(modules(("interval",)))
+        carried = catalogues(modules(("ratio",)))
     assert b"tro malalta" in b64decode(carried["their_package"])
     assert carried["corollary.answers"] == ""

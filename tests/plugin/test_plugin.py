@@ -80,34 +80,23 @@ def test_its_problem_is_verified(run):
 
 
 def test_the_key_is_in_the_unit_it_brings(run):
-    """A = v √(m/k) = 0.80 · √(0.5/40) m = 0.0894 m = 3.52 inches."""
+    """A = v √(m/k) = 0.80 · √(0.5/40) m = 0.0894 m = 3.52 inches; (0.8² − 0.4²)/0.4² = 3."""
     parts = json.loads(run("key", "SPR.1", "--bank", "springs", "--json"))["parts"]
-    amplitude = 0.8 * (0.5 / 40) ** 0.5
-    assert parts["a"]["value"] == pytest.approx(amplitude, rel=1e-15)
-    assert parts["b"]["value"] == pytest.approx([-amplitude, amplitude], rel=1e-15)
+    assert parts["a"]["value"] == pytest.approx(0.8 * (0.5 / 40) ** 0.5, rel=1e-15)
+    assert parts["b"]["value"] == pytest.approx(3, rel=1e-15)
 
 
 def test_its_answers_are_judged(run, tmp_path: Path):
-    right = [
-        "-3.52 inch to 3.52 inch",
-        "between 3.52 inch and -3.52 inches",
-        "-8.94 cm < x < 8.94 cm",
-        ["-0.0894 m", "0.0894 m"],
-        "-3.52 to 3.52",
-    ]
-    wrong = {
-        "0 to 3.52 inch": "mistaken", "-1.76 to 1.76 inch": "mistaken", "-3 to 3.52 inch": "wrong", "3.52 inch": "unread",
-        "-7.04 to 7.04 inch": "slip", "-3.52 kg to 3.52 kg": "wrong",
-    }  # fmt: skip
+    right = ["3 : 1", "6 to 2", "1.5 : 0.5", 3, "(v^2 - u^2) : u^2", "v^2/u^2 - 1"]
+    wrong = {"1 : 3": "mistaken", "3 : 4": "mistaken", "5 : 1": "wrong", "a lot : little": "unread"}
     found = judged(run, tmp_path, *({"b": each} for each in [*right, *wrong]))
     verdicts = [each["parts"]["b"]["verdict"] for each in found]
     assert verdicts[: len(right)] == ["right"] * len(right)
     assert dict(zip(wrong, verdicts[len(right) :], strict=True)) == wrong
-
-
-def test_an_interval_follows_from_a_wrong_amplitude(run, tmp_path: Path):
-    (found,) = judged(run, tmp_path, {"a": "0.05 m", "b": "-5.0 cm to 5.0 cm"})
-    assert found["parts"]["b"]["verdict"] == "follows"
+    amplitudes = judged(
+        run, tmp_path, *({"a": each} for each in ("3.52 inch", "3.52 inches", "8.94 cm", "3.52"))
+    )
+    assert {each["parts"]["a"]["verdict"] for each in amplitudes} == {"right"}
 
 
 def test_it_is_dealt_answered_marked_and_exported(run, python: Path, tmp_path: Path):
@@ -118,7 +107,7 @@ def test_it_is_dealt_answered_marked_and_exported(run, python: Path, tmp_path: P
     for name, sheet in sheets.items():
         nb = nbformat.read(sheet, as_version=4)
         shown = answered(nb, python, tmp_path, name)
-        assert ("read as from" in shown) == (name == "ada"), shown
+        assert (" : 2" in shown) == (name == "ada"), shown
         handed_in = course / "submitted" / name / "springs"
         handed_in.mkdir(parents=True, exist_ok=True)
         nbformat.write(nb, handed_in / "springs.ipynb")
@@ -129,17 +118,20 @@ def test_it_is_dealt_answered_marked_and_exported(run, python: Path, tmp_path: P
     run("export", "springs", "--course", course, "--to", "cards", "-o", folder)
     cards = [path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.tsv"))]
     assert len(cards) == 2
-    assert all("Between which positions" in card for card in cards)
+    assert all("What is the ratio" in card for card in cards)
 
 
 def answered(nb, python: Path, tmp_path: Path, name: str) -> str:
-    """Ada's numbers as they come out for her (Ben leaves his cells alone); what `check` says of the interval, run bare."""
+    """Ada's numbers as they come out for her (Ben leaves his cells alone); what `check` says of the ratio, run bare."""
     statement = next(cell.source for cell in nb.cells if "A block of mass" in cell.source)
     m, k, v = (float(number) for number in re.findall(r"(\d+\.?\d*)[^\d.]{1,20}?(?:kg|N/m|m/s)", statement))
-    amplitude = v * (m / k) ** 0.5
+    way = next(cell.source for cell in nb.cells if "On the way out" in cell.source)
+    found = re.search(r"(\d+\.?\d*)[^\d.]{1,20}?m/s", way)
+    assert found is not None
+    inches, ratio = v * (m / k) ** 0.5 / 0.0254, (v / float(found[1])) ** 2 - 1
     sources = {
-        "SPR_1_a_answer": f"SPR_1_a = '{amplitude:.4g} m'",
-        "SPR_1_b_answer": f"SPR_1_b = '{-amplitude / 0.0254:.4g} to {amplitude / 0.0254:.4g} inches'",
+        "SPR_1_a_answer": f"SPR_1_a = '{inches:.4g} inches'",
+        "SPR_1_b_answer": f"SPR_1_b = '{2 * ratio:.5g} : 2'",
     }
     code = []
     for cell in nb.cells:

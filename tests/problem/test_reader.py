@@ -59,7 +59,8 @@ def test_a_chapter_value_may_lie_off_the_grid(read):
         ("  2m: {is: mass, value: 1}", "is no symbol"),
         ("  pi: {is: mass, value: 1}", "meaning of its own"),
         ("  lambda: {is: length, value: 1}", "meaning of its own"),
-        ("  sin: {is: length, value: 1}", "meaning of its own"),
+        ("  sin: {is: length, value: 1}", "sin is a function in formulas; call it sin_1"),
+        ("  gamma: {is: angle, value: 1}", "gamma is a function in formulas; call it gamma_1"),
     ],
 )
 def test_a_given_that_will_not_do(complaints, row, words):

@@ -98,12 +98,14 @@ class Unclear:
 
     `readings` are what it could mean when it has several meanings: never guessed among, but where one of them is right a
     person is asked. `benefit`: they are so far apart (1,234 is 1.234 or 1234) that the right one is the one meant.
+    `near` are the words of a list that are nearly written: where one of them is right a person is asked, too.
     """
 
     why: str
     as_read: str
     readings: tuple[Numbers | Formulas, ...] = ()
     benefit: bool = False
+    near: tuple[Letter, ...] = ()
 
 
 Answer = Numbers | Formulas | Letter | Chain | Prose | Blank | Unclear

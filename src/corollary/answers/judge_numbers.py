@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
@@ -12,6 +12,7 @@ from corollary.answers.answer import Numbers
 from corollary.answers.common_errors import slips
 from corollary.answers.expected import FollowThrough, Quantity, Values
 from corollary.answers.question import Question
+from corollary.answers.remade import remade
 from corollary.answers.tolerance import NEAR, coarse, coarse_polar, same_signs, within
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
@@ -81,24 +82,7 @@ def _above(values: Values, unit: Unit) -> Values:
 
 def _from_zero(wanted: Quantity, unit: Unit) -> Quantity:
     """The same quantity counted from the zero of its scale."""
-
-    def moved(
-        several: Callable[[], Iterable[tuple[Values, str]]] | None,
-    ) -> Callable[[], Iterable[tuple[Values, str]]] | None:
-        return several and (lambda: [(_above(values, unit), sentence) for values, sentence in several()])
-
-    def followed(ways: Callable[[], Iterable[FollowThrough]]) -> Callable[[], Iterable[FollowThrough]]:
-        return lambda: (
-            FollowThrough(_above(way.values, unit), way.earlier, moved(way.misconceptions), moved(way.slips))
-            for way in ways()
-        )
-
-    return replace(
-        wanted,
-        values=_above(wanted.values, unit),
-        routes=followed(wanted.routes),
-        follow_through=followed(wanted.follow_through),
-    )
+    return remade(wanted, lambda values: _above(values, unit))
 
 
 def _may_be_guessed(answer: Numbers, question: Question, value: Values, target: Values) -> bool:

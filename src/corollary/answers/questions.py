@@ -84,7 +84,8 @@ def _misfits(part: Part) -> Iterator[str]:
     ):
         yield f'part {part.id}: a .code part, and only that, has a function="name(arguments)"'
     if len(part.options) < 2 if "options" in needed else part.options:
-        yield f"part {part.id}: a .choice part, and only that, lists options, each as: - (a) text"
+        listing = [f".{name}" for name in names if "options" in answer_type(name).accepts]
+        yield f"part {part.id}: {' and '.join(listing)} parts, and only these, list options, each as: - (a) text"
 
 
 def _possible(types: tuple[str, ...], names: tuple[str, ...]) -> bool:

@@ -18,7 +18,9 @@ if TYPE_CHECKING:  # what is expected is made of certified numbers, which readin
     from corollary.answers.expected import Expected
 
 GROUP = "corollary.answers"
-BUILT_IN = ("value", "vector", "expression", "choice", "example", "code", "plot", "explain", "proof")
+BUILT_IN = (
+    "value", "vector", "interval", "list", "expression", "choice", "word", "example", "code", "plot", "explain", "proof"
+)  # fmt: skip
 
 
 class UnknownAnswerType(LookupError):

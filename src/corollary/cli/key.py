@@ -70,6 +70,8 @@ def _line(entry: dict[str, Any]) -> str:
         formula = _together(entry.get("expression", ""), ", ")
         formula = formula and f"   = {formula}"
         return f"{numbers if len(values) == 1 else f'({numbers})'}{unit}   [{how}]{formula}"
+    if "word" in entry:
+        return entry["word"]
     if "choice" in entry:
         return f"option ({entry['choice']})"
     return "; ".join(f"{name}: {_together(value, '; ')}" for name, value in entry.items())

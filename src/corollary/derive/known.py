@@ -12,7 +12,7 @@ from typing import Any, cast
 import sympy
 from sympy.core.function import AppliedUndef
 
-from corollary.derive.load import symbol_of
+from corollary.derive.signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
 from corollary.formula.ast import Expr, Number, Relation, names
 from corollary.formula.ball import RationalPi, Undefined, evaluate, holds

@@ -6,11 +6,17 @@ from __future__ import annotations
 
 import sympy
 
+from corollary.formula.functions import SPELLINGS
 from corollary.laws.law import known_by_name
 
 
 def unknowns(names: str) -> tuple[sympy.Symbol, ...]:
-    """Real unknowns, by their letters: `dp, J = unknowns("dp J")`."""
+    """Real unknowns, by their letters: `dp, J = unknowns("dp J")`. Raises ValueError for the name of a function."""
+    for name in names.split():
+        if name in SPELLINGS:
+            raise ValueError(
+                f"{name} is a function in formulas; call the unknown {name}_1, or use another letter"
+            )
     found = tuple(sympy.Symbol(name, real=True) for name in names.split())
     for symbol in found:
         known_by_name(symbol.name, symbol)

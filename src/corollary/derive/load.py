@@ -9,19 +9,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 from corollary.answers.questions import checked
 from corollary.derive.beside import importable, modules_beside
 from corollary.derive.cases import Branch
 from corollary.derive.derivation import Derivation
+from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
-from corollary.formula.ast import Name, Number, Relation
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
-
-if TYPE_CHECKING:
-    import sympy
 
 
 class NotDerivable(Exception):
@@ -45,27 +42,6 @@ class Loaded:
     line: int
     scene: Callable[..., Any] | None
     branches: tuple[Branch, ...]
-
-
-def symbol_of(problem: Problem, name: str) -> sympy.Symbol:
-    """A given as a symbol; it is positive (or not negative, …) when a `require:` of the problem says so."""
-    import sympy  # only here: a solution that is in the cache is used without it
-
-    known: dict[str, bool] = {}
-    turned = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
-    for condition in problem.conditions:
-        relation = condition.relation
-        if isinstance(relation.left, Number) and relation.sign in turned:  # 0 < m
-            relation = Relation(turned[relation.sign], relation.right, relation.left)
-        match relation:  # pyright: ignore[reportMatchNotExhaustive]
-            case Relation(sign, Name(left), Number(value)) if condition.hard and left == name and value == 0:
-                known |= {
-                    ">": {"positive": True},
-                    ">=": {"nonnegative": True},
-                    "<": {"negative": True},
-                    "<=": {"nonpositive": True},
-                }.get(sign, {})
-    return sympy.Symbol(name, real=True, **known)
 
 
 def load(bank: Bank, problem: Problem) -> Loaded:
@@ -142,7 +118,20 @@ def _module(path: Path) -> ModuleType:
     except SyntaxError as error:
         raise NotDerivable(path, error.lineno or 1, f"is not Python: {error.msg}") from None
     except (Exception, SystemExit) as error:
+        remedy = _remedy(error)
         raise NotDerivable(
-            path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}"
+            path, line_in(error, path), f"cannot be loaded: {type(error).__name__}: {error}{remedy}"
         ) from error
     return module
+
+
+def _remedy(error: BaseException) -> str:
+    """What to do about a law that no installed package brings, or a module that is not there."""
+    if isinstance(error, ImportError) and error.name == "corollary.laws":
+        return (
+            '; Corollary has no such law, nor has a package that is installed: write it as law("Name", "a = b"), or install '
+            "the package whose entry point corollary.laws brings it (a bank's own: pip install its folder)"
+        )
+    if isinstance(error, ModuleNotFoundError):
+        return "; put the module beside the solution, or install the package that has it"
+    return ""

@@ -197,18 +197,22 @@ def _count(number: int, what: str) -> str:
 
 
 def exchanged(laws: tuple[Law, ...], mistake: Mistake[Exchange]) -> tuple[Law, ...]:
-    """The laws of the step with one exchanged. Raises NoRoot when it is not clear which."""
+    """The laws of the step with one exchanged, or several. Raises NoRoot when it is not clear which."""
     wrong, instead = mistake.rule.laws, mistake.rule.instead
     if not wrong:
         raise NoRoot("it names no law; say which law was used wrongly")
     if not instead and len(laws) == 1:
         return wrong
-    wanted = instead or wrong[0].name
-    places = [place for place, stated in enumerate(laws) if stated.name == wanted]
-    if not wanted:  # `wrong("K = m*v^2")` is about the law of K
+    names = [stated.name for stated in laws]
+    if not instead and not wrong[0].name:  # `wrong("K = m*v^2")` is about the law of K
         left = wrong[0].textbook.left
         places = [place for place, stated in enumerate(laws) if stated.textbook.left == left]
-    if len(places) != 1:
-        names = ", ".join(stated.name for stated in laws)
-        raise NoRoot(f"say which law it takes the place of, instead= one of {names}")
-    return (*laws[: places[0]], *wrong, *laws[places[0] + 1 :])
+    else:
+        wanted = instead or (wrong[0].name,)
+        places = [place for place, name in enumerate(names) if name in wanted]
+    if len(places) != max(1, len(instead)):
+        raise NoRoot(
+            f"say which law it takes the place of, instead= one of {', '.join(names)}, or a list of them"
+        )
+    others = [stated for place, stated in enumerate(laws) if place not in places]
+    return (*others[: places[0]], *wrong, *others[places[0] :])

@@ -80,10 +80,10 @@ class Doubt:
 
 @dataclass(frozen=True, slots=True)
 class Exchange:
-    """`laws` take the place of the law named `instead`, or of the only one; `where` says which root is meant (None: as in the step)."""
+    """`laws` take the place of those named `instead`, or of the only one; `where` says which root is meant (None: as in the step)."""
 
     laws: tuple[Law, ...]
-    instead: str
+    instead: tuple[str, ...]
     where: Boolean | bool | None = None
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from corollary.answers.options import option_named
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -248,8 +249,8 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     """Choices, examples, proofs, programs and explanations."""
     lines: list[str] = []
     if part.id in solution.choices:
-        letter = f"**({letters[part.id].upper()})** " if letters.get(part.id) else ""
-        lines += [f"{letter}{solution.choices[part.id].statement.because}"]
+        option = option_named(part, letters.get(part.id, ""))
+        lines += [f"{f'**{option}** ' if option else ''}{solution.choices[part.id].statement.because}"]
     if part.id in solution.examples:
         example = solution.examples[part.id]
         lines += [example.statement.because, "", *(_law(law) + "\n" for law in example.laws)]

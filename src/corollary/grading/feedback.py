@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import assert_never
 
+from corollary.answers.options import option_named
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
@@ -53,9 +54,8 @@ def sentence(verdict: Verdict) -> str:
 def revealed(key: Key, part: Part, answered: str = "") -> str:
     """The answer in words, for feedback that may show it, an angle in degrees where it was answered so; empty where a part has none."""
     if part.id in key.choices:
-        if not key.choices[part.id]:
-            return ""
-        return _("The answer is ({letter}).", letter=key.choices[part.id].upper())
+        option = option_named(part, key.choices[part.id])
+        return _("The answer is {answer}.", answer=option) if option else ""
     truth = key.truths.get(part.id)
     if truth is None:
         return ""

@@ -85,6 +85,15 @@ def verdict_on(name: str, answer: Answer, expected: Expected) -> Verdict:
     match answer:
         case Blank():
             return Unread(_("No answer was given."), blank=True)
+        case Unclear(why, near=near) if any(
+            isinstance(verdict_on(name, each, expected), Right) for each in near
+        ):
+            return Unmarked(
+                _(
+                    "This is nearly the right word: a person will decide. ({reason})",
+                    reason=f"{why[0].upper()}{why[1:]}.",
+                )
+            )
         case Unclear(why, _excerpt, readings, benefit):
             verdicts = (verdict_on(name, each, expected) for each in readings)
             right = next((each for each in verdicts if isinstance(each, Right | Follows)), None)

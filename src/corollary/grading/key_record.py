@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from corollary.answers.evaluation import BITS
+from corollary.answers.options import option_named
+from corollary.answers.registry import answer_type
 from corollary.derive.solution import Solution, Unknown
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.formula.ast import Expr
@@ -105,9 +107,11 @@ def _part(
         return found[part.id]
     if part.id in solution.choices:
         try:
-            return {"choice": option_that_holds(solution.choices[part.id].options, variant.exact, part.id)}
+            letter = option_that_holds(solution.choices[part.id].options, variant.exact, part.id)
         except Undefined as why:
             return {"why": f"no option for these numbers: {why}"}
+        lettered = answer_type(part.answer_type).shows_letters
+        return {"choice": letter} | ({} if lettered else {"word": option_named(part, letter)})
     if part.id in solution.examples:
         example = solution.examples[part.id]
         return {

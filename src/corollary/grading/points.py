@@ -26,11 +26,16 @@ def share(verdict: Verdict, scheme: Scheme, answer_type: str = "value") -> float
         case Slip():
             return 0.0 if verdict.nothing else scheme.slip
         case Mistaken():
-            return 0.0 if verdict.nothing else scheme.choice if answer_type == "choice" else scheme.mistaken
+            return 0.0 if verdict.nothing else scheme.choice if _by_choosing(answer_type) else scheme.mistaken
         case Wrong() | Unread() | Unmarked():
             return 0.0
         case _:
             assert_never(verdict)
+
+
+def _by_choosing(name: str) -> bool:
+    """Whether such an answer is one of a few that the sheet names, so that a guess may meet it."""
+    return answer_type(name).stated_by == "choice"
 
 
 def grade(

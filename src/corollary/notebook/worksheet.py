@@ -83,13 +83,20 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
             problem,
             part,
             _text(problem, part, variant),
-            tuple(Option(option.letter, filled(option.text, variant)) for option in part.options),
+            _options(part, variant),
             part.points * weight,
         )
         for part in problem.parts
     )
     figure = drawn(variant)
     return Exercise(variant, filled(problem.statement, variant), figure.svg, figure.alt, prompts)
+
+
+def _options(part: Part, variant: Variant) -> tuple[Option, ...]:
+    """The options as they are listed below the question; none where the heading names them."""
+    if not answer_type(part.answer_type).shows_letters:
+        return ()
+    return tuple(Option(option.letter, filled(option.text, variant)) for option in part.options)
 
 
 def _text(problem: Problem, part: Part, variant: Variant) -> str:

@@ -36,9 +36,12 @@ def read_given(
     if not SYMBOL.match(symbol):
         row.complain(node.line, f"{symbol!r} is no symbol; use a letter, then letters, digits or _")
     elif symbol in RESERVED:
-        row.complain(
-            node.line, f"{symbol} has a meaning of its own in formulas or in Python; use another letter"
+        whose = (
+            "is a function in formulas"
+            if symbol in SPELLINGS
+            else "has a meaning of its own in formulas or in Python"
         )
+        row.complain(node.line, f"{symbol} {whose}; call it {symbol}_1, or use another letter")
     meaning, (unit_text, unit_line) = row.text("is"), row.line_of("unit", "1")
     listed = row.list_of("in")
     if "in" in node.entries:

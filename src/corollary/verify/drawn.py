@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from corollary.answers.expected import Values
+from corollary.answers.options import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
@@ -87,9 +88,9 @@ def keyed_parts(key: Key) -> Iterator[KeyedPart]:
     """Each part with its answer and the answers of its mistakes."""
     for part in key.variant.problem.parts:
         if part.id in key.choices:
-            letter = key.choices[part.id].upper()
+            letter = option_named(part, key.choices[part.id]).strip("()")
             foreseen = (
-                Foreseen(sentence, option.upper())
+                Foreseen(sentence, option_named(part, option).strip("()"))
                 for option, sentence in key.solution.choices[part.id].mistakes.items()
             )
             yield KeyedPart(part, letter, letter, "", 0.0, 0.0, tuple(foreseen))

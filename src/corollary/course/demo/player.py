@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from corollary.answers.evaluation import number
+from corollary.answers.options import option_named
 from corollary.derive.statements import Code, Explain, Plot
 from corollary.grading.key import Key, named
 from corollary.notebook.worksheet import Prompt, Worksheet
@@ -47,7 +48,8 @@ def right_sources(
                 f"{prompt.name} = {(write or plainly)(prompt, key.truths[prompt.part.id].values)}"
             )
         elif prompt.part.id in key.choices:
-            sources[f"{prompt.key}_answer"] = f'{prompt.name} = "{key.choices[prompt.part.id]}"'
+            option = option_named(prompt.part, key.choices[prompt.part.id]).strip("()")
+            sources[f"{prompt.key}_answer"] = f"{prompt.name} = {option!r}"
         elif prompt.part.id in key.solution.examples:
             sources[f"{prompt.key}_answer"] = f"{prompt.name} = {instance(key, prompt.part.id)!r}"
         else:

@@ -2,7 +2,7 @@
 
 from math import acos, sqrt
 
-from corollary.author import derivation, mistake, simulate, step, unknowns
+from corollary.author import choice, derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.scene import Body, Scene
@@ -53,6 +53,20 @@ def derive(R, rho, q, G):
                 mistake("That is the distance from the centre.", wrong("(q*v)^2/2 - G*M/R = -G*M/h")),
             ],
             check="As q goes to 1 the height grows without limit.",
+        ),
+        choice(
+            "d",
+            "Its energy is negative, as it is slower than the speed of escape, so that it is bound; a circle takes exactly "
+            "1/√2 of that speed.",
+            a=False,
+            b=True,
+            c=False,
+            d=False,
+            mistakes={
+                "a": "On a circle the speed is 71 % of that of escape, exactly.",
+                "c": "That is the orbit at the speed of escape itself.",
+                "d": "Then it would be faster than the speed of escape.",
+            },
         ),
     )
 

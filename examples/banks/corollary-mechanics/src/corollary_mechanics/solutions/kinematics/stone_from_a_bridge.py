@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(v, h, g):
-    s, H, t, w = unknowns("s H t w")
+    s, H, t, w, t1, t2 = unknowns("s H t w t1 t2")
     return derivation(
         step(s, "At the highest point the velocity is zero.", without_time(0, v_0=v, a=-g, s=s)),
         step(
@@ -62,6 +62,29 @@ def derive(v, h, g):
                     wrong("w = v + sqrt(2*g*h)"),
                 ),
             ],
+        ),
+        step(
+            (t1, t2),
+            "It passes that height on its way up and on its way down.",
+            law("Constant acceleration", "s/2 = v*t1 - g*t1^2/2"),
+            law("Back again", "s/2 = v*t2 - g*t2^2/2"),
+            where=t1 < t2,
+            answers="e",
+            mistakes=[
+                mistake(
+                    "Half of the height is not half of the time: it gets slower on its way up.",
+                    law("Half of the time", "t1 = v/(2*g)"),
+                    law("Half of the time", "t2 = 3*v/(2*g)"),
+                    instead=["Constant acceleration", "Back again"],
+                ),
+                mistake(
+                    "A factor is missing in the rise: $s = v^2/(2g)$.",
+                    law("Constant acceleration", "v^2/(2*g) = v*t1 - g*t1^2/2"),
+                    law("Back again", "v^2/(2*g) = v*t2 - g*t2^2/2"),
+                    instead=["Constant acceleration", "Back again"],
+                ),
+            ],
+            check="Both are as far from the moment at the top.",
         ),
         choice(
             "d",

@@ -9,7 +9,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, k, A):
-    T, v, u = unknowns("T v u")
+    T, v, u, low, high = unknowns("T v u low high")
     return derivation(
         step(
             T,
@@ -60,6 +60,27 @@ def derive(m, k, A):
                 ),
             ],
             check="Halfway it has 87 % of its largest speed already.",
+        ),
+        step(
+            (low, high),
+            "At half of the largest speed a quarter of the energy is kinetic, on either side.",
+            law("Conservation of energy", "k*A^2/2 = m*(v/2)^2/2 + k*x^2/2", A=A, v=v, x=low),
+            law("On the other side", "high = -low"),
+            where=low < 0,
+            answers="e",
+            mistakes=[
+                mistake(
+                    "Speed and distance do not go together in proportion; energies go with squares.",
+                    law("In proportion", "low = -A/2", A=A),
+                    instead="Conservation of energy",
+                ),
+                mistake(
+                    "It swings to both sides of its position of equilibrium.",
+                    law("One side", "high = 0"),
+                    instead="On the other side",
+                ),
+            ],
+            check="It is nearly all of the way: 87 % of it.",
         ),
         choice(
             "d",

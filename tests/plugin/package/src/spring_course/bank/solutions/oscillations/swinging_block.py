@@ -1,12 +1,11 @@
-"""A block on a spring: what it has at equilibrium is the spring's where it turns."""
+"""A block on a spring: what it has at equilibrium is the spring's where it turns, and shared on the way."""
 
-from corollary.author import derivation, mistake, step, unknown, vector
-from corollary.laws import energy_of_an_oscillator, law
+from corollary.author import derivation, mistake, step, unknowns
+from corollary.laws import energy_of_an_oscillator, law, wrong
 
 
-def derive(m, k, v):
-    A = unknown("A")
-    x = vector("x", "low high")
+def derive(m, k, v, u):
+    A, E, r = unknowns("A E r")
     return derivation(
         step(
             A,
@@ -27,20 +26,19 @@ def derive(m, k, v):
             check="A stiffer spring turns it round sooner.",
         ),
         step(
-            x,
-            "It turns where it is one amplitude away, on either side.",
-            law("Turning points", "x = a", x=x, a=(-A, A)),
+            E,
+            "What the block has lost of its kinetic energy is the spring's.",
+            law("Conservation of energy", "E + m*u^2/2 = m*v^2/2"),
+        ),
+        step(
+            r,
+            "The ratio of the two.",
+            law("Ratio", "r = E/(m*u^2/2)"),
             answers="b",
             mistakes=[
-                mistake(
-                    "It starts at equilibrium, but swings to both sides of it.",
-                    law("Turning points", "x = a", x=x, a=(0, A)),
-                ),
-                mistake(
-                    "The amplitude is the distance to each side, not between the two ends.",
-                    law("Turning points", "x = a", x=x, a=(-A / 2, A / 2)),
-                ),
+                mistake("That is the kinetic energy to the spring's.", wrong("r = (m*u^2/2)/E")),
+                mistake("That is to all of the energy.", wrong("r = E/(m*v^2/2)")),
             ],
-            check="The interval is as long on the one side as on the other.",
+            check="At equilibrium it is 0.",
         ),
     )

@@ -1,0 +1,77 @@
+"""How an interval is asked for and read: `-0.2 m to 0.2 m`, `[-0.2, 0.2] m`, `-0.2 m < x < 0.2 m`, `5.0 ± 0.2 m`, a list of two."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import final
+
+from corollary.answers.answer import Answer, Numbers
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.numbers import scalar
+from corollary.answers.question import Question
+from corollary.answers.vectors import vector
+from corollary.formula.value import Text, Value
+from corollary.messages import catalogue
+from corollary.units.unit import show
+
+_ = catalogue(__name__)
+
+LONGEST = 200
+FROM_TO = re.compile(
+    r"\s*(?:(?:from|between|von|zwischen|fra|mellom)\s+)?(?P<low>\S.*?)\s+(?:to|and|bis|und|til|og|\.\.\.?|…)\s+(?P<high>\S.*?)\s*",
+    re.IGNORECASE,
+)
+CHAIN = re.compile(r"(?P<low>[^<≤>≥=]+)(?:[<>]=?|[≤≥])\s*[^\W\d]\w*\s*(?:[<>]=?|[≤≥])(?P<high>[^<≤>≥=]+)")
+AROUND = re.compile(
+    r"\s*\(?\s*(?P<middle>[^±()]+?)\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\s*\)?\s*(?P<unit>[^±]*)"
+)
+
+
+@final
+class IntervalType(AnswerType):
+    name, word = "interval", "interval"
+    accepts = needs = frozenset({"components"})
+    lists_components = False
+
+    def heading(self, question: Question) -> str:
+        unit = show(question.unit)
+        return _("An interval, in {unit}.", unit=unit) if unit else _("An interval of plain numbers.")
+
+    def instructions(self, question: Question) -> str:
+        return _("Answer with an interval: from where to where.")
+
+    def blank(self, question: Question) -> str:
+        return f"{question.name} = None   # " + _('an interval as text: "-1.5 to 2.5"')
+
+    def read(self, value: Value, question: Question) -> Answer:
+        if isinstance(value, Text) and len(value.text) <= LONGEST:
+            if (around := AROUND.fullmatch(value.text)) is not None:
+                return _around(around["middle"], around["half"], around["unit"], question)
+            found = CHAIN.fullmatch(value.text) or FROM_TO.fullmatch(value.text)
+            if found is not None:
+                value = Text(f"{found['low']}; {found['high']}")
+        answer = vector(value, question)
+        if isinstance(answer, Numbers):
+            low, high = answer.as_read.removeprefix("(").removesuffix(")").split(", ", 1)
+            return replace(answer, as_read=_("from {low} to {high}", low=low, high=high))
+        return answer
+
+
+def _around(middle: str, half: str, unit: str, question: Question) -> Answer:
+    """`5.0 ± 0.2 m`: both ends have the figures of the middle."""
+    middle = f"{middle} {unit}".strip()
+    found, off = scalar(Text(middle), question), scalar(Text(f"{half} {unit}".strip()), question)
+    if not isinstance(found, Numbers):
+        return found
+    if not isinstance(off, Numbers):
+        return off
+    (x,), (d,) = found.values, off.values
+    d -= float(question.unit.offset)  # how far a temperature may be off has no zero
+    as_read = f"{found.as_read} ± {off.as_read}"
+    return replace(
+        found, values=(x - d, x + d), figures=2 * found.figures, sizes=2 * found.sizes, as_read=as_read
+    )
+
+
+TYPE = IntervalType()

@@ -1,0 +1,1 @@
+"""Several quantities in any order."""

@@ -1,0 +1,67 @@
+"""Several quantities judged in any order, and samples of answers whose verdict is known beforehand."""
+
+from __future__ import annotations
+
+from corollary.answers.answer import Answer, Formulas, Numbers
+from corollary.answers.expected import Expected, Quantity
+from corollary.answers.in_any_order import judge_in_any_order
+from corollary.answers.question import Question
+from corollary.answers.sample import Sample, Truth, to_be_typed
+from corollary.answers.verdict import Verdict, Wrong
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
+
+
+def judge(answer: Answer, expected: Expected) -> Verdict:
+    """All of them, in whichever order; of a list of another length, how many of it are right."""
+    wanted = expected.quantity
+    assert wanted is not None
+    assert isinstance(answer, Numbers | Formulas)
+    given = len(answer.values) if isinstance(answer, Numbers) else len(answer.trees)
+    if given != len(wanted.values):
+        return Wrong(_of_another_length(answer, wanted, given))
+    verdict = judge_in_any_order(answer, wanted, expected.question)
+    if isinstance(verdict, Wrong) and isinstance(answer, Numbers) and (right := _right(answer, wanted)):
+        return Wrong(_("{right} of your {given} values are right.", right=right, given=given))
+    return verdict
+
+
+def _of_another_length(answer: Numbers | Formulas, wanted: Quantity, given: int) -> str:
+    right = _right(answer, wanted) if isinstance(answer, Numbers) else 0
+    if right == given and given < len(wanted.values):
+        return _("What you give is right, but it is not all.")
+    if right == len(wanted.values):
+        return _("The right values are among yours, but there are others that are not right.")
+    return _("{right} of your {given} values are right.", right=right, given=given)
+
+
+def _right(answer: Numbers, wanted: Quantity) -> int:
+    """How many of the values wanted are in the list, each counted once."""
+    left, off = list(answer.values), wanted.tolerance * wanted.scale
+    for value in wanted.values:
+        near = min(left, key=lambda x: abs(x - value), default=None)
+        if near is not None and abs(near - value) <= min(off, max(wanted.tolerance * abs(value), 1e-9 * off)):
+            left.remove(near)
+    return len(answer.values) - len(left)
+
+
+def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
+    """The values in two orders, as a list and in words; one missing, one too many, one off."""
+    assert not isinstance(truth, str)
+    values, unit = to_be_typed(truth, question)
+    texts = [f"{value!r}{unit}" for value in values]
+    more = 2.7 * max(map(abs, values)) + 1.3
+    off = [f"{values[0] + more!r}{unit}", *texts[1:]]
+    return (
+        Sample(texts, "right"),
+        Sample(texts[::-1], "right"),
+        Sample("; ".join(texts), "right"),
+        Sample(" and ".join(texts), "right") if len(texts) == 2 else Sample(texts, "right"),
+        Sample(texts[1:] if len(texts) > 1 else [*texts, *texts], "wrong"),
+        Sample([*texts, f"{more!r}{unit}"], "wrong"),
+        Sample(off, "wrong"),
+        Sample([], "unread"),
+        Sample("some", "unread"),
+        Sample(None, "unread"),
+    )

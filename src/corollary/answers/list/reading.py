@@ -1,0 +1,79 @@
+"""How several quantities in any order are asked for and read: a list, or one text such as `2 s and 5 s`; how many is part of the answer."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import final
+
+from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.numbers import scalar
+from corollary.answers.question import Question
+from corollary.answers.vectors import vector
+from corollary.formula.value import Items, Nothing, Text, Value
+from corollary.messages import catalogue
+from corollary.units.unit import show
+
+_ = catalogue(__name__)
+
+MOST = 12  # numbers of one list
+AND = re.compile(r"\s+(?:and|or|und|oder|og|eller)\s+", re.IGNORECASE)
+
+
+@final
+class ListType(AnswerType):
+    name, word = "list", "list"
+    accepts = needs = frozenset({"components"})
+    lists_components = False
+
+    def heading(self, question: Question) -> str:
+        unit = show(question.unit)
+        return _("A list, in {unit}.", unit=unit) if unit else _("A list of plain numbers.")
+
+    def instructions(self, question: Question) -> str:
+        return _("Answer with a list of all of them, in any order.")
+
+    def blank(self, question: Question) -> str:
+        return f"{question.name} = []   # " + _("all of them, in any order: numbers, or texts with a unit")
+
+    def read(self, value: Value, question: Question) -> Answer:
+        if isinstance(value, Items) and all(isinstance(item, Nothing) for item in value.items):
+            return Blank()
+        found = vector(value, _unnamed(question, len(question.components)))
+        if isinstance(found, Unclear) and not found.readings:
+            for count in _counts(value):
+                other = _of(value, count, question)
+                if isinstance(other, Numbers | Formulas):
+                    return other
+        return found
+
+
+def _of(value: Value, count: int, question: Question) -> Answer:
+    """The value as a list of so many."""
+    if count > 1:
+        return vector(value, _unnamed(question, count))
+    found = scalar(value, question)
+    if isinstance(found, Numbers | Formulas):
+        return replace(found, as_read=f"({found.as_read})")
+    return found
+
+
+def _unnamed(question: Question, count: int) -> Question:
+    """The same question for so many numbers without names of their own."""
+    return replace(question, components=tuple(str(place + 1) for place in range(count)))
+
+
+def _counts(value: Value) -> range:
+    """How many numbers there may be."""
+    match value:
+        case Items(items):
+            return range(len(items), len(items) + 1) if len(items) <= MOST else range(0)
+        case Text(text):
+            marks = len(re.findall(r"[,;\n|]", text)) + len(AND.findall(text))
+            return range(1, min(MOST, marks + 1) + 1)
+        case _:
+            return range(1, 2)
+
+
+TYPE = ListType()

@@ -1,0 +1,89 @@
+"""Lists in any order: how many there are is part of the answer."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import permutations
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from corollary.answers.answer import Blank, Numbers, Unclear
+from corollary.answers.expected import Expected, Quantity
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type, judging
+from corollary.answers.verdict import Right, Wrong
+from corollary.formula.value import Items, Nothing, Real, Text
+from corollary.problem.reader import read_problem
+from corollary.units.unit import unit
+
+PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
+PART = replace(PROBLEM.part("a"), answer_types=("list",), components=("up", "down"), unit=unit("s"))
+QUESTION = question_of(PROBLEM, PART)
+
+
+def items(*each):
+    return Items(tuple(Text(one) if isinstance(one, str) else Real(one) for one in each), (len(each),))
+
+
+def read(typed):
+    return answer_type("list").read(typed if not isinstance(typed, str) else Text(typed), QUESTION)
+
+
+def judged(typed, truth=(0.4, 2.1)):
+    wanted = Quantity(truth, 2.14, 0.01, (0.0,) * len(truth), dict, None, dict, list, list, list)
+    return judging("list").judge(read(typed), Expected(QUESTION, quantity=wanted))
+
+
+@pytest.mark.parametrize(
+    ("typed", "values"),
+    [
+        (items("0.4 s", "2.1 s"), [0.4, 2.1]),
+        ("2.1 s and 0.4 s", [2.1, 0.4]),
+        ("2,1 s; 0,4 s", [2.1, 0.4]),
+        ("400 ms, 2.1 s", [0.4, 2.1]),
+        ("0.4 s", [0.4]),
+        (Real(0.4), [0.4]),
+        (items(0.4, 2.1, 3.0), [0.4, 2.1, 3.0]),
+        ("0.4 s; 2.1 s; 3 s", [0.4, 2.1, 3.0]),
+    ],
+)
+def test_any_number_of_values_is_read(typed, values):
+    found = read(typed)
+    assert isinstance(found, Numbers), found
+    assert list(found.values) == pytest.approx(values)
+
+
+def test_what_is_no_list():
+    assert isinstance(read(Nothing()), Blank)
+    assert isinstance(read(items()), Blank)
+    assert isinstance(read("soon"), Unclear)
+    assert isinstance(read(items("0.4 s", "soon")), Unclear)
+
+
+def test_missing_and_superfluous_values_are_said():
+    assert judged("2.10 s, 0.400 s") == Right()
+    assert judged("0.400 s") == Wrong("What you give is right, but it is not all.")
+    assert "there are others" in judged("0.400 s; 2.10 s; 3.00 s").why
+    assert judged("0.400 s; 2.50 s") == Wrong("1 of your 2 values are right.")
+
+
+def test_a_value_given_twice_counts_once():
+    assert isinstance(judged("0.400 s; 0.400 s"), Wrong)
+
+
+@given(st.lists(st.integers(1, 60), min_size=2, max_size=4, unique=True))
+def test_the_order_says_nothing(values):
+    truth = tuple(value / 4 for value in values)
+    scale = sum(x * x for x in truth) ** 0.5
+    question = replace(QUESTION, components=tuple(map(str, values)))
+    wanted = Quantity(truth, scale, 0.001, (0.0,) * len(truth), dict, None, dict, list, list, list)
+    verdicts = {
+        judging("list").judge(
+            answer_type("list").read(items(*order), question), Expected(question, quantity=wanted)
+        )
+        for order in permutations(truth)
+    }
+    assert verdicts == {Right()}

@@ -1,0 +1,1 @@
+"""A ratio of two numbers."""
