@@ -18,7 +18,7 @@ from corollary.derive.solution import ClosedForms, Solution
 from corollary.formula.ast import Expr, Number, Power, children, names, rebuilt
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.formula.value import Items, Text, Value
-from corollary.grading.assign import admitted, differs, first_asked
+from corollary.grading.assign import admitted, visible_mistakes
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.replay import WhatIf, replay
@@ -151,8 +151,7 @@ def _mistaken(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -
     solution = key.solution
     for place, find in enumerate(solution.unknowns):
         for wrong in find.mistakes:
-            asked = first_asked(solution, place)
-            shown = [part for part in asked if differs(solution, place, wrong.rule, key.truths[part].place)]
+            shown = [each.part for each in visible_mistakes(solution) if each.mistake is wrong]
             if not shown:
                 continue
             first = min(shown, key=list(key.truths).index)  # where it shows again it has been paid for

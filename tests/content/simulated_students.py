@@ -15,7 +15,7 @@ import corollary
 from corollary.answers.verdict import Mistaken, Right
 from corollary.formula.ball import Undefined
 from corollary.formula.value import Text, Value
-from corollary.grading.assign import admitted, differs, first_asked
+from corollary.grading.assign import admitted, visible_mistakes
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.replay import WhatIf, replay
@@ -32,22 +32,13 @@ def typed(key: Key, part: str, values: tuple[float, ...]) -> Value:
 
 def mistaken(key: Key) -> Iterator[tuple[str, str, Value]]:
     """Part, sentence and answer of everybody who makes one mistake and shows it."""
-    solution = key.solution
-    for place, find in enumerate(solution.unknowns):
-        for mistake in find.mistakes:
-            for part in first_asked(solution, place):
-                if not differs(solution, place, mistake.rule, key.truths[part].place):
-                    continue
-                try:
-                    values = replay(
-                        solution,
-                        key.variant.exact,
-                        WhatIf(rules={place: mistake.rule}),
-                        key.truths[part].place,
-                    )
-                except Undefined:
-                    continue
-                yield part, mistake.text, typed(key, part, values[key.truths[part].place])
+    for each in visible_mistakes(key.solution):
+        what_if = WhatIf(rules={each.place: each.mistake.rule})
+        try:
+            values = replay(key.solution, key.variant.exact, what_if, each.at)
+        except Undefined:
+            continue
+        yield each.part, each.mistake.text, typed(key, each.part, values[each.at])
 
 
 def play(code: str, count: int, counts: Counter[str]) -> list[str]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property, wraps
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from corollary.derive.statements import (
     Choice,
@@ -25,6 +27,9 @@ from corollary.formula.ast import Expr, Relation
 from corollary.formula.ball import RationalPi, Undefined, holds
 from corollary.problem.problem import Problem
 from corollary.units.dimensional_analysis import Dimension
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,7 +146,7 @@ class Regime:
     solution: Solution
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Solution:
     """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part.
 
@@ -160,6 +165,11 @@ class Solution:
     regimes: tuple[Regime, ...] = ()
     case: str = ""
 
+    @cached_property
+    def results(self) -> dict[Hashable, Any]:
+        """What functions made `once` gave for it."""
+        return {}
+
     def regimes_at(self, givens: Mapping[str, RationalPi]) -> list[Regime]:
         """The regimes whose conditions hold for these numbers."""
         return [each for each in self.regimes if all(holds(one, givens) for one in each.conditions)]
@@ -177,3 +187,16 @@ class Solution:
     def answer(self, part: str) -> Unknown | None:
         """What answers a part."""
         return next((find for find in self.unknowns if find.part == part), None)
+
+
+def once(work: Callable[Concatenate[Solution, P], R]) -> Callable[Concatenate[Solution, P], R]:
+    """A function of a solution, and of what can be hashed, whose results are kept with the solution and go when it goes."""
+
+    @wraps(work)
+    def recalled(solution: Solution, /, *arguments: P.args, **named: P.kwargs) -> R:
+        key = work, arguments, *named.items()
+        if key not in solution.results:
+            solution.results[key] = work(solution, *arguments, **named)
+        return solution.results[key]
+
+    return recalled

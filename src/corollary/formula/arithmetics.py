@@ -8,7 +8,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, assert_never
 
-from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Product, Quotient, Relation, Sum
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    names,
+)
 from corollary.formula.double_double import PI, DoubleDouble
 from corollary.formula.errors import NotAvailable
 from corollary.formula.exact import constant
@@ -17,6 +29,7 @@ from corollary.formula.functions import FUNCTIONS, Function
 __all__ = ["DOUBLES", "PAIRS", "Arithmetic", "NotAvailable", "arrays", "intervals", "ready"]
 
 Values = Mapping[str, Any]
+Evaluation = Callable[[Values], Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +37,8 @@ class Arithmetic:
     """Numbers that add, multiply and divide by themselves.
 
     `number` makes one of a fraction, `column` gives its form of a function (None where it has none), `power` raises one
-    number to another that is not whole.
+    number to another that is not whole. `rounded` is given each evaluation whose result another operation goes on from, and
+    gives the one to go on from instead (None: results are taken as they are).
     """
 
     name: str
@@ -32,13 +46,24 @@ class Arithmetic:
     pi: Any
     column: Callable[[Function], Callable[..., Any] | None]
     power: Callable[[Any, Any], Any] | None = None
+    rounded: Callable[[Evaluation], Evaluation] | None = None
 
 
-def ready(tree: Expr, arithmetic: Arithmetic) -> Callable[[Values], Any]:
-    """The formula as a function of its letters' numbers. Raises NotAvailable."""
+def ready(tree: Expr, arithmetic: Arithmetic) -> Evaluation:
+    """The formula as a function of its letters' numbers. Raises NotAvailable.
 
-    def made(part: Expr) -> Callable[[Values], Any]:
-        return ready(part, arithmetic)
+    Its parts are made ready in the order in which they are evaluated. Rounded is what an operation on letters gives; a sum or
+    a product is one, however many terms it has, and a change of sign is none.
+    """
+    rounded = arithmetic.rounded
+
+    def made(part: Expr) -> Evaluation:
+        if rounded is None or isinstance(part, Number | Name):
+            return ready(part, arithmetic)
+        if isinstance(part, Negative):
+            inner = made(part.term)
+            return lambda at: -inner(at)
+        return ready(part, arithmetic) if names(part) <= {"pi"} else rounded(ready(part, arithmetic))
 
     match tree:
         case Number(value):
@@ -49,7 +74,7 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Callable[[Values], Any]:
         case Name(name):
             return lambda at: at[name]
         case Negative(term):
-            inner = made(term)
+            inner = ready(term, arithmetic)
             return lambda at: -inner(at)
         case Sum(terms):
             return _joined([made(term) for term in terms], lambda a, b: a + b)
@@ -79,7 +104,7 @@ def ready(tree: Expr, arithmetic: Arithmetic) -> Callable[[Values], Any]:
             assert_never(tree)
 
 
-def _joined(parts: list[Callable[[Values], Any]], join: Callable[[Any, Any], Any]) -> Callable[[Values], Any]:
+def _joined(parts: list[Evaluation], join: Callable[[Any, Any], Any]) -> Evaluation:
     first, *rest = parts
 
     def run(at: Values) -> Any:
@@ -96,12 +121,22 @@ PAIRS = Arithmetic("double-double", DoubleDouble.of, PI, lambda row: row.double_
 
 
 def arrays() -> Arithmetic:
-    """Arrays of doubles; made when asked for, since what reads answers needs Python alone."""
+    """Arrays of doubles, NaN where there is no value; made when asked for, since what reads answers needs Python alone.
+
+    A function that numpy lacks is worked out element by element.
+    """
     import numpy as np
 
-    return Arithmetic(
-        "float64 arrays", float, math.pi, lambda row: getattr(np, row.array or row.name, None), np.power
-    )
+    def column(row: Function) -> Callable[..., Any]:
+        def each(*arguments: float) -> float:
+            try:
+                return row.double(*arguments)
+            except (ValueError, ZeroDivisionError, OverflowError):
+                return math.nan
+
+        return getattr(np, row.array or row.name, None) or np.vectorize(each, otypes=[float])
+
+    return Arithmetic("float64 arrays", float, math.pi, column, np.power)
 
 
 def intervals() -> Arithmetic:

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 
 from corollary.answers.evaluation import balls
 from corollary.answers.tolerance import within
-from corollary.derive.solution import ClosedForms, Rule, Solution, Unknown
+from corollary.derive.solution import Rule, Solution, once
 from corollary.derive.statements import Mistake
-from corollary.formula.ast import names
 from corollary.formula.ball import Undefined
 from corollary.grading.key import Key, make_key, named
-from corollary.grading.replay import WhatIf, ancestors, exchanged, replay
+from corollary.grading.replay import WhatIf, ancestors, exchanged, letters_of, replay
 from corollary.grading.rounding import MOST
-from corollary.problem.problem import Problem
 from corollary.problem.sampling import draws
 from corollary.problem.variant import Variant, chapter
 
@@ -92,36 +90,42 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
     """
     solution = key.solution
     known = balls(key.variant.exact | named(solution, key.values))
-    for place, mistake, part, at in _suspects(solution):
-        if part not in key.truths:
+    for each in visible_mistakes(solution):
+        if each.part not in key.truths:
             continue
-        truth = key.truths[part]
+        truth = key.truths[each.part]
         try:
-            values = exchanged(solution, known, place, mistake.rule, at)
+            values = exchanged(solution, known, each.place, each.mistake.rule, each.at)
         except Undefined:
             continue
         if within(values, truth.values, truth.tolerance + APART, truth.scale):
-            yield part, mistake.text
+            yield each.part, each.mistake.text
 
 
-def _suspects(solution: Solution) -> list[tuple[int, Mistake[Rule], str, int]]:
-    """The mistakes that show: the place of each, the parts where it shows first, and their places."""
-    if id(solution) not in _SUSPECTS:
-        places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part}
-        _SUSPECTS[id(solution)] = (
-            solution,
-            [
-                (place, mistake, part, places[part])
-                for place, find in enumerate(solution.unknowns)
-                for mistake in find.mistakes
-                for part in first_asked(solution, place)
-                if differs(solution, place, mistake.rule, places[part])
-            ],
-        )
-    return _SUSPECTS[id(solution)][1]
+@dataclass(frozen=True, slots=True)
+class VisibleMistake:
+    """A mistake at the step `place` that changes a part where it shows first, the part of the step `at`."""
+
+    place: int
+    mistake: Mistake[Rule]
+    part: str
+    at: int
 
 
-def first_asked(solution: Solution, place: int) -> list[str]:
+@once
+def visible_mistakes(solution: Solution) -> list[VisibleMistake]:
+    """In the order of the steps, and of their mistakes."""
+    places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part}
+    return [
+        VisibleMistake(place, mistake, part, places[part])
+        for place, find in enumerate(solution.unknowns)
+        for mistake in find.mistakes
+        for part in _first_asked(solution, place)
+        if _differs(solution, place, mistake.rule, places[part])
+    ]
+
+
+def _first_asked(solution: Solution, place: int) -> list[str]:
     """The parts where a mistake at a step shows first."""
     find = solution.unknowns[place]
     if find.part:
@@ -133,22 +137,12 @@ def first_asked(solution: Solution, place: int) -> list[str]:
     return parts
 
 
-def differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
-    """Whether exchanging a rule changes a find at all, on the chapter's own numbers (or where those are special, on a draw)."""
-    key = id(solution), place, id(rule), at
-    if key not in _DIFFERS:
-        _DIFFERS[key] = solution, place == at or _changes(solution.problem, solution, place, rule, at)
-    return _DIFFERS[key][1]
-
-
-# With the solution itself, so that no later one has its id: a preview solves anew as long as it is open.
-_DIFFERS: dict[tuple[int, int, int, int], tuple[Solution, bool]] = {}
-_SUSPECTS: dict[int, tuple[Solution, list[tuple[int, Mistake[Rule], str, int]]]] = {}
-
-
-def _changes(problem: Problem, solution: Solution, place: int, rule: Rule, at: int) -> bool:
+def _differs(solution: Solution, place: int, rule: Rule, at: int) -> bool:
+    """Whether exchanging a rule changes a find at all, on the chapter's own numbers."""
+    if place == at:
+        return True
     try:
-        givens = chapter(problem).exact
+        givens = chapter(solution.problem).exact
         truth = replay(solution, givens, until=at)[at]
         other = replay(solution, givens, WhatIf(rules={place: rule}), at)[at]
     except Undefined:
@@ -164,7 +158,7 @@ def _unasked_way(solution: Solution, start: int, end: int) -> bool:
     todo, seen = [end], set[int]()
     while todo:
         place = todo.pop()
-        for name in _letters(solution.unknowns[place]):
+        for name in letters_of(solution.unknowns[place].local):
             above = names_of.get(name)
             if above == start:
                 return True
@@ -172,9 +166,3 @@ def _unasked_way(solution: Solution, start: int, end: int) -> bool:
                 seen.add(above)
                 todo.append(above)
     return False
-
-
-def _letters(find: Unknown) -> frozenset[str]:
-    rule = find.local
-    trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
-    return frozenset(name for tree in trees for name in names(tree))

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number, numbers
 from corollary.answers.expected import Values
-from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
+from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, once
 from corollary.formula.ast import names
 from corollary.formula.ball import Ball, Undefined, precision_of
 from corollary.scenes.run import BadSetting, GuardFailed, components
@@ -114,20 +114,9 @@ def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str)
     return SceneValue(components(seen.value), components(seen.error), seen.error_is == "bound")
 
 
-_ANCESTORS: dict[
-    tuple[int, int], tuple[Solution, frozenset[int]]
-] = {}  # by identity; the solution is held, so its id stays its own
-
-
+@once
 def ancestors(solution: Solution, place: int) -> frozenset[int]:
     """The places of all finds that a find is made of, by any of its routes."""
-    known = _ANCESTORS.get((id(solution), place))
-    if known is None or known[0] is not solution:
-        known = _ANCESTORS[id(solution), place] = solution, _ancestors(solution, place)
-    return known[1]
-
-
-def _ancestors(solution: Solution, place: int) -> frozenset[int]:
     owner = {name: at for at, find in enumerate(solution.unknowns) for name in find.names}
     seen: set[int] = set()
     todo = [place]
@@ -142,13 +131,11 @@ def _ancestors(solution: Solution, place: int) -> frozenset[int]:
 
 def uses(find: Unknown) -> frozenset[str]:
     """Every letter that the rules of a find mention."""
-    found: set[str] = set()
-    for rule in (
-        find.local,
-        *(route.rule for route in find.routes),
-        *(wrong.rule for wrong in find.mistakes),
-    ):
-        trees = rule.trees if isinstance(rule, ClosedForms) else tuple(rule.settings.values())
-        for tree in trees:
-            found |= names(tree)
-    return frozenset(found)
+    rules = (find.local, *(route.rule for route in find.routes), *(wrong.rule for wrong in find.mistakes))
+    return frozenset[str]().union(*map(letters_of, rules))
+
+
+def letters_of(rule: Rule) -> frozenset[str]:
+    """Every letter that a rule mentions."""
+    trees = rule.trees if isinstance(rule, ClosedForms) else rule.settings.values()
+    return frozenset[str]().union(*map(names, trees))

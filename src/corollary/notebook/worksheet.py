@@ -21,10 +21,14 @@ from corollary.problem.variant import Variant
 
 @dataclass(frozen=True, slots=True)
 class Prompt:
-    """One part asked; `name` is the variable that takes the answer, `key` names the part in the whole set (X12_5_a)."""
+    """One part asked; `name` is the variable that takes the answer, `key` names the part in the whole set (X12_5_a).
+
+    `question` is the part as readers of answers see it.
+    """
 
     problem: Problem
     part: Part
+    question: Question
     text: str
     options: tuple[Option, ...]
     out_of: float
@@ -36,11 +40,6 @@ class Prompt:
     @property
     def key(self) -> str:
         return self.problem.answer_name(self.part)
-
-    @property
-    def question(self) -> Question:
-        """The part as readers of answers see it."""
-        return question_of(self.problem, self.part)
 
     @property
     def answer_types(self) -> tuple[AnswerType, ...]:
@@ -82,11 +81,13 @@ def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
         Prompt(
             problem,
             part,
-            _text(problem, part, variant),
+            question,
+            _text(part, question, variant),
             _options(part, variant),
             part.points * weight,
         )
         for part in problem.parts
+        for question in [question_of(problem, part)]
     )
     figure = drawn(variant)
     return Exercise(variant, filled(problem.statement, variant), figure.svg, figure.alt, prompts)
@@ -99,9 +100,9 @@ def _options(part: Part, variant: Variant) -> tuple[Option, ...]:
     return tuple(Option(option.letter, filled(option.text, variant)) for option in part.options)
 
 
-def _text(problem: Problem, part: Part, variant: Variant) -> str:
+def _text(part: Part, question: Question, variant: Variant) -> str:
     """The question with its numbers, and what its answer type adds."""
-    more = answer_type(part.answer_type).instructions(question_of(problem, part))
+    more = answer_type(part.answer_type).instructions(question)
     return "\n\n".join(filter(None, (filled(part.text, variant), more)))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from corollary.formula.ast import Relation
@@ -67,7 +68,7 @@ class Problem:
     @property
     def prefix(self) -> str:
         """The code as part of a Python name: X12.5 becomes X12_5."""
-        return "".join(letter if letter.isalnum() else "_" for letter in self.code)
+        return _as_name(self.code)
 
     def answer_name(self, part: Part) -> str:
         """What records, cells and gradebooks call the answer to a part: by its id."""
@@ -76,3 +77,8 @@ class Problem:
     def variable(self, part: Part) -> str:
         """The variable a student assigns the answer to: by the letter that the heading above it shows."""
         return f"{self.prefix}_{part.heading_letter}"
+
+
+@lru_cache(maxsize=1024)
+def _as_name(code: str) -> str:
+    return "".join(letter if letter.isalnum() else "_" for letter in code)

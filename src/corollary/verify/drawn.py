@@ -12,7 +12,7 @@ from corollary.derive.solution import Solution
 from corollary.formula.ball import Undefined
 from corollary.formula.numerals import decimal_text
 from corollary.formula.text import text
-from corollary.grading.assign import admitted, differs, first_asked
+from corollary.grading.assign import admitted, visible_mistakes
 from corollary.grading.key import Key, make_key
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.part import Part
@@ -110,17 +110,17 @@ def keyed_parts(key: Key) -> Iterator[KeyedPart]:
 
 
 def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
-    solution, at = key.solution, key.truths[part.id].place
-    for place, find in enumerate(solution.unknowns):
-        for mistake in find.mistakes:
-            if part.id not in first_asked(solution, place) or not differs(solution, place, mistake.rule, at):
-                continue
-            try:
-                values = replay(solution, key.variant.exact, WhatIf(rules={place: mistake.rule}), at)[at]
-            except Undefined:
-                yield Foreseen(mistake.text, "")
-            else:
-                yield Foreseen(mistake.text, written_out(values, part))
+    solution = key.solution
+    for each in visible_mistakes(solution):
+        if each.part != part.id:
+            continue
+        what_if = WhatIf(rules={each.place: each.mistake.rule})
+        try:
+            values = replay(solution, key.variant.exact, what_if, each.at)[each.at]
+        except Undefined:
+            yield Foreseen(each.mistake.text, "")
+        else:
+            yield Foreseen(each.mistake.text, written_out(values, part))
 
 
 def written_out(values: Values, part: Part) -> str:
