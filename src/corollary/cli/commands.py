@@ -8,15 +8,17 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES_AND_SETS, SCENES, SETS, STUDENTS, TARGETS
+from corollary.cli.completion import CODES_AND_SETS, SCENES, STUDENTS
 from corollary.cli.ending import run
 from corollary.cli.left_out import completed
 from corollary.cli.parameters import (
     AT_LEAST_1,
+    AUDITED,
     BANK,
     BANK_AND_LANGUAGE,
     CODE,
     COURSE,
+    EXPORTED,
     EXPORTED_MARKS,
     EXTENDED,
     FORMAT,
@@ -33,7 +35,6 @@ from corollary.cli.parameters import (
     VARIANTS,
     WAY_OUT,
     WHAT_CAME,
-    TargetOption,
     all_when_left_out,
     flag,
     path,
@@ -138,6 +139,12 @@ _command(
     JSON,
     flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
     flag("--watch", "Verify one problem again whenever it is saved, until ctrl-C."),
+)
+_command(
+    "audit",
+    "Somebody else's answer key: agrees, last figure, wrong, not unique, impossible, ambiguous, cannot say.",
+    *AUDITED,
+    JSON,
 )
 _command(
     "new",
@@ -254,21 +261,7 @@ _command(
 _command(
     "export",
     "A set as files for elsewhere: each student's sheet, or the marks of all.",
-    click.Argument(
-        ["sets"],
-        nargs=-1,
-        required=True,
-        metavar="SET…",
-        help="A problem set of the bank, or a path to its .md file; of marks several.",
-        shell_complete=SETS,
-    ),
-    TargetOption(
-        ["--to"],
-        required=True,
-        metavar="TARGET",
-        help="Sheets or marks, written as one of:",
-        shell_complete=TARGETS,
-    ),
+    *EXPORTED,
     path("--course", text="The sheets, or the marks, of this course's students."),
     path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
     GENERATED_BANK,

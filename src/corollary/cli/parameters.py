@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, FORMATS, SETS, STUDENTS, TOPICS, Complete
+from corollary.cli.completion import CODES, FORMATS, SETS, STUDENTS, TARGETS, TOPICS, Complete
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -170,4 +170,29 @@ LISTED = (
     click.Option(
         ["--sort"], type=click.Choice(["code", "title", "topic", "parts", "variants"]), help="By what."
     ),
+)
+# What of a set is exported, and as what.
+EXPORTED = (
+    click.Argument(
+        ["sets"],
+        nargs=-1,
+        required=True,
+        metavar="SET…",
+        help="A problem set of the bank, or a path to its .md file; of marks several.",
+        shell_complete=SETS,
+    ),
+    TargetOption(
+        ["--to"],
+        required=True,
+        metavar="TARGET",
+        help="Sheets or marks, written as one of:",
+        shell_complete=TARGETS,
+    ),
+)
+# Whose answers are audited, by which laws, and where it is told.
+AUDITED = (
+    click.Argument(["files"], nargs=-1, required=True, metavar="FILE…", help="Records, or files of a bank."),
+    path("--laws", text="The laws for exercises of a bank, by their id: a file of records without answers."),
+    BANK,
+    path("--report", text="Write a page to send to whoever keeps the bank."),
 )

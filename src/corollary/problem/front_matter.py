@@ -79,48 +79,74 @@ def _compose(source: str) -> yaml.Node | None:
 
 
 def _table(path: Path, source: str) -> TableNode:
+    node = _document(path, source, "front matter", first=2)
+    if node is None:
+        return TableNode({}, 2)
+    if not isinstance(node, TableNode):
+        raise Malformed([Diagnostic(path, 2, "front matter must be a list of `name: value` lines")])
+    return node
+
+
+def document(path: Path, source: str) -> Node | None:
+    """A whole file of YAML (or JSON, which is YAML) from somebody else: without anchors, which can make much of little.
+
+    Raises Malformed.
+    """
+    try:
+        for event in yaml.parse(
+            source, Loader=yaml.SafeLoader if not yaml.__with_libyaml__ else yaml.CSafeLoader
+        ):
+            if isinstance(event, yaml.AliasEvent):
+                line = event.start_mark.line + 1
+                raise Malformed([Diagnostic(path, line, "refers to another place (*name); write it out")])
+    except yaml.YAMLError:
+        return _document(path, source, "the file", first=1)  # which says what is wrong in PyYAML's own words
+    return _document(path, source, "the file", first=1)
+
+
+def _document(path: Path, source: str, what: str, first: int) -> Node | None:
+    """The nodes of a text whose first line has this number; None for an empty one. Raises Malformed."""
     try:
         root = _compose(source)
     except RecursionError:
-        raise Malformed([Diagnostic(path, 2, "front matter is nested too deeply")]) from None
+        raise Malformed([Diagnostic(path, first, f"{what} is nested too deeply")]) from None
     except yaml.MarkedYAMLError as error:
-        line = error.problem_mark.line + 2 if error.problem_mark else 1
-        raise Malformed([Diagnostic(path, line, f"front matter is not YAML: {error.problem}")]) from None
+        line = error.problem_mark.line + first if error.problem_mark else 1
+        raise Malformed([Diagnostic(path, line, f"{what} is not YAML: {error.problem}")]) from None
     except yaml.YAMLError as error:
-        raise Malformed([Diagnostic(path, 1, f"front matter is not YAML: {error}")]) from None
+        raise Malformed([Diagnostic(path, 1, f"{what} is not YAML: {error}")]) from None
     if root is None:
-        return TableNode({}, 2)
+        return None
     complaints: list[Diagnostic] = []
-    node = _node(path, root, complaints, depth=0)
-    if not isinstance(node, TableNode):
-        complaints.append(Diagnostic(path, 2, "front matter must be a list of `name: value` lines"))
-    if complaints or not isinstance(node, TableNode):
+    node = _node(path, root, complaints, what, first, depth=0)
+    if complaints:
         raise Malformed(complaints)
     return node
 
 
-def _node(path: Path, node: yaml.Node, complaints: list[Diagnostic], depth: int) -> Node:
-    line = node.start_mark.line + 2  # the mark counts from 0, and line 1 is ---
+def _node(
+    path: Path, node: yaml.Node, complaints: list[Diagnostic], what: str, first: int, depth: int
+) -> Node:
+    line = node.start_mark.line + first  # the mark counts from 0
     match node:
         case _ if depth > 6:
-            complaints.append(
-                Diagnostic(path, line, "front matter is nested too deeply (or refers to itself)")
-            )
+            complaints.append(Diagnostic(path, line, f"{what} is nested too deeply (or refers to itself)"))
             return TextNode("", line)
         case yaml.ScalarNode():
             return TextNode(node.value, line, int(node.style in ("|", ">")))
         case yaml.SequenceNode():
-            return ListNode(tuple(_node(path, item, complaints, depth + 1) for item in node.value), line)
+            items = (_node(path, item, complaints, what, first, depth + 1) for item in node.value)
+            return ListNode(tuple(items), line)
         case yaml.MappingNode():
             entries: dict[str, Node] = {}
             for key, value in node.value:
-                name, at = key.value if isinstance(key, yaml.ScalarNode) else "", key.start_mark.line + 2
+                name, at = key.value if isinstance(key, yaml.ScalarNode) else "", key.start_mark.line + first
                 if not name:
                     complaints.append(Diagnostic(path, at, "a name on the left of a colon must be one word"))
                 elif name in entries:
                     complaints.append(Diagnostic(path, at, f"`{name}` is given twice; keep one of them"))
                 else:
-                    entries[name] = _node(path, value, complaints, depth + 1)
+                    entries[name] = _node(path, value, complaints, what, first, depth + 1)
             return TableNode(entries, line)
         case _:
             complaints.append(Diagnostic(path, line, "this kind of YAML node has no meaning here"))

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 from corollary.answers.quantity import Reading, read_quantity
-from corollary.answers.tolerance import coarse, last_place
 from corollary.answers.verdict import Right, Unread
 from corollary.derive.solution import Solution
 from corollary.derive.statements import Printed
@@ -20,9 +18,8 @@ from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
 from corollary.verify.checked import Tally
+from corollary.verify.figures import ABOUT, as_printed
 
-ABOUT = "~"  # before an order of magnitude
-HALF_AN_ORDER = 0.5  # of the decimal logarithm: 4e2 is of the order of 10^3, 3e2 of 10^2
 ELSEWHERE = (
     3  # variants on which a printed formula is tried besides: at one set of numbers a wrong one may be right
 )
@@ -75,22 +72,16 @@ def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
 
 def _off(value: float, printed: str, read: Reading, part: Part) -> str:
     """What the derivation gives for a printed quantity, where that is something else."""
-    ratio, pi = read.si
-    unit = read.unit or part.unit
-    size, zero = unit.si, float(unit.offset)
-    mine, theirs = value - zero, float(ratio) * math.pi**pi - zero
     derived = f"the derivation gives {value:.6g} in SI"
-    if mine == theirs:
-        return ""
-    if printed.startswith(ABOUT):
-        near = mine * theirs > 0 and abs(math.log10(mine / theirs)) <= HALF_AN_ORDER
-        return "" if near else f"{derived}, which is of another order of magnitude"
-    figures = range(max(1, read.least), max(1, read.figures) + 1)  # 110 has two or three
-    if any(coarse((theirs,), (count,), (mine,), (size,), (0.0,)) for count in figures):
-        return ""
-    if read.figures and theirs and abs(mine - theirs) <= 1.5 * last_place(theirs, read.figures, size):
-        return f"{derived}: they differ by one in the last figure"
-    return derived
+    match as_printed(value, printed, read, part.unit):
+        case "agrees":
+            return ""
+        case "order":
+            return f"{derived}, which is of another order of magnitude"
+        case "last figure":
+            return f"{derived}: they differ by one in the last figure"
+        case "differs":
+            return derived
 
 
 def _formula(key: Key, part: Part, entry: Printed) -> Iterator[str]:

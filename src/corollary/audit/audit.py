@@ -1,0 +1,87 @@
+"""Records audited side by side, each within limits of time and memory, for an equation can take for ever to solve."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
+from queue import SimpleQueue
+
+from corollary.audit.by_problem import examine_by_problem
+from corollary.audit.derived_formula import derived_formula
+from corollary.audit.examine import cannot_say, examine
+from corollary.audit.mistaken import mistake_in
+from corollary.audit.outcome import AuditedAnswer
+from corollary.audit.record import ExerciseRecord
+from corollary.parallel import cores
+from corollary.problem.bank import Bank
+from corollary.sandbox.limited import Limited, NotFinished
+
+SECONDS = 30.0  # of the processor for a record: the slowest of the examples takes 4
+SECONDS_FOR_MISTAKES = 20.0
+SECONDS_FOR_FORMULA = 5.0
+
+
+@contextmanager
+def audit_each(
+    records: Sequence[ExerciseRecord], bank: Bank, formulas: bool = False
+) -> Generator[Iterator[tuple[AuditedAnswer, ...]]]:
+    """What is found of each record, in their order, as soon as it is found; with `formulas` also the derived formulas, where they are found in time."""
+    places = SimpleQueue[Limited]()
+    interpreters = [Limited() for _ in range(max(1, min(cores(), len(records))))]
+    for each in interpreters:
+        places.put(each)
+
+    def one(record: ExerciseRecord) -> tuple[AuditedAnswer, ...]:
+        interpreter = places.get()
+        try:
+            return _audited(record, bank, interpreter, formulas)
+        finally:
+            places.put(interpreter)
+
+    pool = ThreadPoolExecutor(len(interpreters))
+    try:
+        yield pool.map(one, records)
+    finally:
+        pool.shutdown(cancel_futures=True)
+        for each in interpreters:
+            each.stop()
+
+
+def _audited(
+    record: ExerciseRecord, bank: Bank, interpreter: Limited, formulas: bool
+) -> tuple[AuditedAnswer, ...]:
+    if record.unread:
+        return cannot_say(record, record.unread)
+    if record.problem:
+        return examine_by_problem(record, bank)
+    try:
+        found = interpreter.call(partial(examine, record), SECONDS)
+    except NotFinished:
+        return cannot_say(
+            record, f"it was not solved within {SECONDS:.0f} s of the processor; state simpler laws"
+        )
+    found = tuple(_with_mistake(each, interpreter) for each in found)
+    return tuple(_with_formula(each, interpreter) for each in found) if formulas else found
+
+
+def _with_mistake(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer:
+    if outcome.finding != "wrong" or not outcome.violates:
+        return outcome
+    try:
+        return replace(outcome, mistake=interpreter.call(partial(mistake_in, outcome), SECONDS_FOR_MISTAKES))
+    except NotFinished:
+        return outcome  # the finding stands; what led to it is not known
+
+
+def _with_formula(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer:
+    if outcome.formula or not outcome.values:
+        return outcome
+    try:
+        return replace(
+            outcome, formula=interpreter.call(partial(derived_formula, outcome), SECONDS_FOR_FORMULA)
+        )
+    except NotFinished:
+        return outcome

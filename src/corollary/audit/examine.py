@@ -1,0 +1,223 @@
+"""One record examined: its exercise solved at its numbers, and each published answer held against every root."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from corollary.answers.quantity import Reading, read_quantity
+from corollary.audit.exercise import AdmittedRoot, PublishedExercise, contradictions, exercise_of, quantity
+from corollary.audit.formula_key import formula_in, function_outcome
+from corollary.audit.outcome import AuditedAnswer
+from corollary.audit.put_back import broken_law
+from corollary.audit.record import AskedLetter, ExerciseRecord
+from corollary.derive.roots import NoRoot
+from corollary.formula.errors import ParseError, sentence
+from corollary.formula.rational_pi import RationalPi
+from corollary.units.unit import ONE, PURE, UNITS, Unit
+from corollary.verify.figures import ABOUT, Agreement, as_printed
+
+MORE_FIGURES = 2  # than the published number has, in what is shown beside it
+LEAST_FIGURES, MOST_FIGURES = 4, 12
+CONTRADICTION = (
+    0.02  # relative: sides of a law that only givens fix; closer ones differ by how the givens were rounded
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PublishedNumber:
+    """A published answer that is a number: how it reads, and the unit in which it is compared."""
+
+    text: str
+    reading: Reading
+    unit: Unit
+    figures: int | None
+
+    def agreement(self, value: float) -> Agreement:
+        found = as_printed(value, self.text, self.reading, self.unit, self.figures)
+        one_figure = (self.figures or self.reading.figures) == 1  # 7 for 6 is no matter of rounding
+        return "differs" if found == "last figure" and one_figure else found
+
+    @property
+    def exact(self) -> RationalPi:
+        """In SI."""
+        return RationalPi(*self.reading.si)
+
+    def written(self, value: float) -> str:
+        figures = (self.figures or self.reading.figures) + MORE_FIGURES
+        return quantity(value, self.reading.unit or self.unit, min(max(LEAST_FIGURES, figures), MOST_FIGURES))
+
+
+def examine(record: ExerciseRecord) -> tuple[AuditedAnswer, ...]:
+    """What is found of each published answer of a record that states its laws. It takes as long as the algebra takes."""
+    if record.unread:
+        return cannot_say(record, record.unread)
+    try:
+        exercise = exercise_of(record)
+    except ValueError as error:
+        return cannot_say(record, str(error))
+    pairs = zip(record.asked, record.published, strict=True)
+    return tuple(_outcome(exercise, asked, published) for asked, published in pairs)
+
+
+def cannot_say(record: ExerciseRecord, why: str) -> tuple[AuditedAnswer, ...]:
+    """The same for all that is asked; one outcome even where nothing is known to be asked."""
+    asked = [each.letter for each in record.asked] or [""]
+    published = list(record.published) or [""]
+    published += [""] * (len(asked) - len(published))
+    return tuple(
+        AuditedAnswer(record, letter, text, "cannot say", why)
+        for letter, text in zip(asked, published, strict=False)
+    )
+
+
+def _outcome(exercise: PublishedExercise, asked: AskedLetter, published: str) -> AuditedAnswer:
+    nothing = AuditedAnswer(exercise.record, asked.letter, published, "cannot say")
+    try:
+        number = published_number(exercise, asked, published)
+        fits = isinstance(number, PublishedNumber) and number.reading.fit != "wrong dimension"
+        formula = (
+            None if fits else formula_in(exercise, published)
+        )  # `8.0 s` is no formula, be s given or not
+        if formula is not None:
+            return function_outcome(exercise, nothing, formula)
+        if isinstance(number, str):
+            return replace(nothing, why=number)
+        if not fits:
+            return replace(
+                nothing, finding="wrong", why=number.reading.why, derived=_first(exercise, asked.letter)
+            )
+        if not exercise.fixed:
+            ranges = ", ".join(name for name, given in exercise.givens.items() if not given.fixed)
+            return replace(nothing, why=f"{ranges} has a range, and the published answer is one number")
+        found = _number_outcome(exercise, nothing, number)
+    except (NoRoot, ValueError) as error:
+        return replace(nothing, why=str(error))
+    return (
+        found
+        if found.finding in {"agrees", "not unique", "impossible"}
+        else _under_conventions(exercise, number, found)
+    )
+
+
+def published_number(
+    exercise: PublishedExercise, asked: AskedLetter, published: str
+) -> PublishedNumber | str:
+    """The published number, or why it cannot be compared."""
+    text = published.strip()
+    unit = asked.unit or exercise.unit_of(asked.letter)
+    read = read_quantity(text.removeprefix(ABOUT).strip(), unit)
+    if isinstance(read, ParseError):
+        return f"the published answer {published!r} cannot be read: {sentence(read)}"
+    if read.unit is None and asked.unit is None and read.fit == "unit missing":
+        return f"the published answer {published!r} has no unit; write `asked: {asked.letter} in …`"
+    if unit is None and read.unit is None:
+        return f"the laws leave open what {asked.letter} measures; write `asked: {asked.letter} in …`"
+    return PublishedNumber(text, read, unit or PURE, exercise.record.figures)
+
+
+def _number_outcome(
+    exercise: PublishedExercise, nothing: AuditedAnswer, number: PublishedNumber
+) -> AuditedAnswer:
+    letter, at = nothing.asked, exercise.numbers
+    roots = exercise.roots(at)
+    if not roots:
+        if _fulfils(exercise, number, letter):
+            return replace(nothing, why="no root was found, but the published answer satisfies the laws")
+        laws = ", ".join(each.name for each in exercise.record.laws)
+        return replace(nothing, finding="impossible", why=f"no real numbers satisfy: {laws}")
+    admitted = [root for root in roots if not root.against]
+    if not admitted:
+        seen = "; ".join(
+            f"{letter} = {number.written(root.values[letter])} against {root.against}" for root in roots
+        )
+        return replace(nothing, finding="impossible", why=f"no root is as the wording has it: {seen}")
+    for law, *sides in contradictions(admitted[0].left, CONTRADICTION):
+        displayed = (quantity(sides[0], None), quantity(sides[1], None))
+        why = f"the givens contradict each other: {law}"
+        return replace(nothing, finding="impossible", why=why, violates=law, sides=displayed)
+    distinct = _distinct(admitted, letter)
+    judged = [(number.agreement(root.values[letter]), root) for root in distinct]
+    best = next((each for name in ("agrees", "last figure") for each in judged if each[0] == name), judged[0])
+    agreement, root = best
+    others = tuple(number.written(each.values[letter]) for _, each in judged if each is not root)
+    values = {
+        name: quantity(root.values[name], exercise.unit_of(name), LEAST_FIGURES) for name in exercise.unknowns
+    }
+    found = replace(nothing, derived=number.written(root.values[letter]), others=others, values=values)
+    if agreement == "agrees" and others:
+        listed = ", ".join(others)
+        return replace(found, finding="not unique", why=f"the statement admits {listed} as well")
+    if agreement == "agrees":
+        return replace(found, finding="agrees")
+    if agreement == "last figure":
+        return replace(found, finding="last figure", why="it differs by one in the last figure")
+    broken = broken_law(exercise, root, letter, number.exact)
+    return replace(
+        found,
+        finding="wrong",
+        why="it is of another order of magnitude" if agreement == "order" else "",
+        violates=broken.law if broken else "",
+        sides=broken.written if broken else None,
+    )
+
+
+def _under_conventions(
+    exercise: PublishedExercise, number: PublishedNumber, found: AuditedAnswer
+) -> AuditedAnswer:
+    """The finding, or *ambiguous* where a convention that the statement leaves open gives the published answer."""
+    letter = found.asked
+    for other, words in exercise.otherwise():
+        if any(_agrees(number, root, letter) for root in other.roots(other.numbers)):
+            why = f"it is right with {words}, which the statement does not say"
+            return replace(found, finding="ambiguous", why=why, violates="", sides=None)
+    if found.finding != "wrong":
+        return found
+    roots = [root for root in exercise.roots(exercise.numbers) if not root.against]
+    for root in roots:
+        turned = dict(root.values) | {letter: -root.values[letter]}
+        if number.agreement(turned[letter]) == "agrees" and not exercise.record.directions:
+            unknowns = {name: turned[name] for name in exercise.unknowns}
+            if not exercise.against(unknowns, exercise.numbers):
+                why = "only its sign differs, and no convention says which direction is positive"
+                return replace(found, finding="ambiguous", why=why, violates="", sides=None)
+        bare_angle = number.unit.dimension == ONE and number.reading.unit is None and number.unit.bare
+        if (
+            bare_angle
+            and replace(number, unit=UNITS["deg"], reading=_in_degrees(number.reading)).agreement(
+                root.values[letter]
+            )
+            == "agrees"
+        ):
+            why = "it is right in degrees, and has no unit"
+            return replace(found, finding="ambiguous", why=why, violates="", sides=None)
+    return found
+
+
+def _in_degrees(reading: Reading) -> Reading:
+    return replace(reading, unit=UNITS["deg"], si=UNITS["deg"].to_si(reading.value))
+
+
+def _agrees(number: PublishedNumber, root: AdmittedRoot, letter: str) -> bool:
+    return not root.against and number.agreement(root.values[letter]) == "agrees"
+
+
+def _distinct(roots: Sequence[AdmittedRoot], letter: str) -> list[AdmittedRoot]:
+    """One root for each value of the letter: the others differ in what nobody asks for."""
+    found: dict[str, AdmittedRoot] = {}
+    for root in roots:
+        found.setdefault(f"{root.values[letter]:.9e}", root)
+    return list(found.values())
+
+
+def _fulfils(exercise: PublishedExercise, number: PublishedNumber, letter: str) -> bool:
+    """Whether the laws can hold with the published answer in its place: then a root was overlooked."""
+    try:
+        return not exercise.contradicted(letter, number.exact, CONTRADICTION)
+    except NoRoot:
+        return False
+
+
+def _first(exercise: PublishedExercise, letter: str) -> str:
+    roots = [root for root in exercise.roots(exercise.numbers) if not root.against] if exercise.fixed else []
+    return quantity(roots[0].values[letter], exercise.unit_of(letter), LEAST_FIGURES) if roots else ""

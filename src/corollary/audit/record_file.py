@@ -1,0 +1,275 @@
+"""A file of records read: YAML, JSON or CSV, each complaint with its line."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+from corollary.audit.reading import asked_from, assumed_from, given_from
+from corollary.audit.record import AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
+from corollary.formula.syntax import author_formula
+from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.problem.front_matter import ListNode, Node, Reader, TableNode, TextNode, document
+from corollary.units.constants import CONSTANTS
+
+LARGEST_FILE = 20_000_000  # bytes
+MOST_RECORDS = 20_000
+OF_A_FILE = ("source", "address", "licence")
+SEPARATOR = ";"
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class FileHead:
+    """What holds for all records of a file."""
+
+    texts: Mapping[str, str]
+    conventions: tuple[Node, ...] = ()
+    constants: tuple[str, ...] = ()
+    laws: Mapping[str, LawText] = field(default_factory=dict[str, LawText])
+
+
+def text_of(path: Path) -> str:
+    """The text of a file of somebody else's. Raises Malformed where it cannot be read, is no text, or is too large."""
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise Malformed(
+                [Diagnostic(path, 1, f"is larger than {LARGEST_FILE // 1_000_000} MB; divide it")]
+            )
+        return path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise Malformed([Diagnostic(path, 1, f"cannot be read: {error.strerror}")]) from None
+    except UnicodeDecodeError:
+        raise Malformed([Diagnostic(path, 1, "is no text in UTF-8")]) from None
+
+
+def records_in(path: Path, answers: bool = True) -> tuple[ExerciseRecord, ...]:
+    """The records of a file; without `answers` they are laws for the exercises of a bank, and need not publish anything.
+
+    Raises Malformed with every complaint, each with its line.
+    """
+    source = text_of(path)
+    root = _rows(path, source) if path.suffix.lower() == ".csv" else document(path, source)
+    complaints: list[Diagnostic] = []
+    head, listed = _head(path, root, complaints)
+    if len(listed) > MOST_RECORDS:
+        raise Malformed([Diagnostic(path, 1, f"has more than {MOST_RECORDS} records; divide it")])
+    found: dict[str, ExerciseRecord] = {}
+    for node in listed:
+        record = _record(path, node, head, complaints, answers)
+        if record is not None and record.id in found:
+            complaints.append(Diagnostic(path, record.line, f"`{record.id}` is the id of two records"))
+        elif record is not None:
+            found[record.id] = record
+    if complaints:
+        raise Malformed(complaints)
+    return tuple(found.values())
+
+
+def _head(path: Path, root: Node | None, complaints: list[Diagnostic]) -> tuple[FileHead, tuple[Node, ...]]:
+    match root:
+        case ListNode(items):
+            return FileHead({}), items
+        case TableNode(entries) if "records" in entries:
+            row = Reader(path, root, "the file", complaints)
+            texts = {name: row.text(name, "") for name in OF_A_FILE}
+            conventions = row.list_of("convention")
+            laws = {each.name: each for each in _laws(row, "laws", {})}
+            constants = tuple(_texts(row, "constants"))
+            listed = row.list_of("records")
+            row.finish()
+            return FileHead(texts, conventions, constants, laws), listed
+        case TableNode():
+            return FileHead({}), (root,)
+        case _:
+            raise Malformed([Diagnostic(path, 1, "is no list of records; each begins with `- id: …`")])
+
+
+def _record(
+    path: Path, node: Node, head: FileHead, complaints: list[Diagnostic], answers: bool
+) -> ExerciseRecord | None:
+    if not isinstance(node, TableNode):
+        complaints.append(Diagnostic(path, node.line, "is no record; write `id: …` and what belongs to it"))
+        return None
+    before = len(complaints)
+    row = Reader(path, node, f"record {_id(node)}", complaints)
+    own_id = row.text("id")
+    problem, laws = row.text("problem", ""), tuple(_laws(row, "laws", head.laws))
+    if bool(problem) == bool(laws) and len(complaints) == before:
+        row.complain(node.line, f"record {own_id} needs either `laws` or a `problem`")
+    given = tuple(_given(row))
+    asked = tuple(_read(row, "asked", asked_from))
+    published = tuple(_texts(row, "published"))
+    if not asked or (len(asked) != len(published) and (answers or published)):
+        row.complain(
+            node.line,
+            f"record {own_id} asks for {len(asked)} and publishes {len(published)}; one answer each, please",
+        )
+    own = _conventions(row, row.list_of("convention"))
+    for_all = _conventions(row, head.conventions)
+    here = {given.symbol for given in given} | {each.symbol for each in own if isinstance(each, AssumedValue)}
+    assumed = [each for each in own if isinstance(each, AssumedValue)]
+    assumed += [each for each in for_all if isinstance(each, AssumedValue) and each.symbol not in here]
+    constants = (*_texts(row, "constants"), *(each for each in head.constants if each not in here))
+    for name in constants:
+        if name not in CONSTANTS:
+            row.complain(node.line, f"{name} is no constant known here; there are {', '.join(CONSTANTS)}")
+    found = ExerciseRecord(
+        own_id,
+        path,
+        node.line,
+        given,
+        laws,
+        tuple(_texts(row, "where")),
+        asked,
+        published,
+        tuple(assumed),
+        any(isinstance(each, str) for each in (*own, *for_all)),
+        _figures(row),
+        tuple(_mistakes(row)),
+        tuple(dict.fromkeys(constants)),
+        problem,
+        **{name: row.text(name, head.texts.get(name, "")) for name in OF_A_FILE},
+        statement=row.text("statement", ""),
+    )
+    row.finish()
+    return found if len(complaints) == before else None
+
+
+def _id(node: TableNode) -> str:
+    named = node.entries.get("id")
+    return named.text if isinstance(named, TextNode) else f"on line {node.line}"
+
+
+def _texts(row: Reader, name: str) -> Iterator[str]:
+    for node in row.list_of(name):
+        if isinstance(node, TextNode) and node.text.strip():
+            yield node.text.strip()
+        else:
+            row.complain(node.line, f"`{name}` of {row.what} holds texts")
+
+
+def _read(row: Reader, name: str, read: Callable[[str], T]) -> Iterator[T]:
+    for node in row.list_of(name):
+        try:
+            yield read(node.text if isinstance(node, TextNode) else "")
+        except ValueError as error:
+            row.complain(node.line, f"{row.what}: {error}")
+
+
+def _given(row: Reader) -> Iterator[StatedGiven]:
+    for symbol, node in row.table_of("given").entries.items():
+        try:
+            yield given_from(symbol, node.text if isinstance(node, TextNode) else "")
+        except ValueError as error:
+            row.complain(node.line, f"{row.what}, {symbol}: {error}")
+
+
+def _conventions(row: Reader, nodes: tuple[Node, ...]) -> list[AssumedValue | str]:
+    found: list[AssumedValue | str] = []
+    for node in nodes:
+        words = node.text if isinstance(node, TextNode) else ""
+        try:
+            found.append(assumed_from(words) or words)
+        except ValueError as error:
+            row.complain(node.line, f"{row.what}: {error}")
+    return found
+
+
+def _laws(row: Reader, name: str, bank: Mapping[str, LawText]) -> Iterator[LawText]:
+    """Texts, `name: text`, or names of laws of the file's head; in the head a table of them."""
+    row.seen.add(name)
+    held = row.table.entries.get(name)
+    nodes = (
+        tuple(TableNode({each: node}, node.line) for each, node in held.entries.items())
+        if isinstance(held, TableNode)
+        else row.list_of(name)
+    )
+    for node in nodes:
+        match node:
+            case TextNode(words) if words.strip() in bank:
+                yield bank[words.strip()]
+            case TextNode(words, line):
+                yield from _law(row, words.strip(), words.strip(), line)
+            case TableNode(entries, line) if len(entries) == 1:
+                ((title, inside),) = entries.items()
+                if isinstance(inside, TextNode):
+                    yield from _law(row, title, inside.text.strip(), line)
+                else:
+                    row.complain(line, f"`{title}` of {row.what} is no text of a law")
+            case _:
+                row.complain(node.line, f"a law of {row.what} is a text, or `name: text`")
+
+
+def _law(row: Reader, title: str, formula: str, line: int) -> Iterator[LawText]:
+    try:
+        author_formula(formula, operators=True)
+    except ValueError as error:
+        row.complain(line, f"{row.what}: {error}")
+        return
+    if "=" not in formula:
+        row.complain(line, f"{row.what}: {formula!r} has no = sign, and is no law of the file's head")
+        return
+    yield LawText(title, formula, line)
+
+
+def _mistakes(row: Reader) -> Iterator[WrongLaw]:
+    for node in row.list_of("mistakes"):
+        match node:
+            case TableNode(entries, line) if {"says", "law"} <= entries.keys():
+                inner = Reader(row.path, node, f"a mistake of {row.what}", row.complaints)
+                yield WrongLaw(inner.text("says"), inner.text("law"), inner.text("instead", ""), line)
+                inner.finish()
+            case TableNode(entries, line) if len(entries) == 1:
+                ((says, law),) = entries.items()
+                yield WrongLaw(says, law.text if isinstance(law, TextNode) else "", "", line)
+            case _:
+                row.complain(node.line, f"a mistake of {row.what} is `what was done: law`")
+
+
+def _figures(row: Reader) -> int | None:
+    text, line = row.line_of("figures", "")
+    if text and not (text.isdecimal() and 0 < int(text) < 20):
+        row.complain(line, f"`figures: {text}` of {row.what} is no number of figures")
+        return None
+    return int(text) if text else None
+
+
+def _rows(path: Path, source: str) -> Node:
+    """A CSV file as a list of records: its first row names the fields, and `;` parts what has several values."""
+    reader = csv.reader(io.StringIO(source))
+    try:
+        header = [each.strip().lower() for each in next(reader, list[str]())]
+        if not header:
+            return ListNode((), 1)
+        items: list[Node] = []
+        for cells in reader:
+            if any(cell.strip() for cell in cells):
+                if len(cells) > len(header):
+                    raise Malformed([Diagnostic(path, reader.line_num, "has more cells than the first row")])
+                items.append(_row(dict(zip(header, cells, strict=False)), reader.line_num))
+    except csv.Error as error:
+        raise Malformed([Diagnostic(path, reader.line_num, f"is no CSV: {error}")]) from None
+    return ListNode(tuple(items), 1)
+
+
+def _row(cells: Mapping[str, str], line: int) -> TableNode:
+    entries: dict[str, Node] = {}
+    for name, cell in cells.items():
+        pieces = [TextNode(each.strip(), line) for each in cell.split(SEPARATOR) if each.strip()]
+        if not pieces:
+            continue
+        if name == "given":
+            parted = (each.text.partition("=") for each in pieces)
+            entries[name] = TableNode(
+                {left.strip(): TextNode(right.strip(), line) for left, _, right in parted}, line
+            )
+        elif name in {"statement", "source"}:
+            entries[name] = TextNode(cell.strip(), line)
+        else:
+            entries[name] = ListNode(tuple(pieces), line) if len(pieces) > 1 else pieces[0]
+    return TableNode(entries, line)
