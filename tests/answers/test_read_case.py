@@ -104,3 +104,33 @@ def test_what_cannot_be_read_says_where_and_why(field):
 def test_what_is_no_case(case):
     with pytest.raises(BadCase):
         read_case(case)
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"text": "8.6\ud800", "unit": "kg m/s"},
+        {"text": "\udc00", "unit": "N"},
+        {"text": "2*m*v\ud834", "field": "expression", "names": ["m", "v"], "equals": "2*m*v"},
+        {"text": "N\udfff", "field": "unit", "unit": "N"},
+    ],
+)
+def test_half_a_surrogate_is_refused_with_a_sentence_that_can_be_written(case):
+    found = read_case(case)
+    assert found["status"] == "refused"
+    assert len(str(found["why"]).encode()) > 20
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"text": "8.6", "unit": "kg\ud800"},
+        {"text": "m", "field": "expression", "names": ["m\ud800"]},
+        {"text": "2*m", "field": "expression", "names": ["m"], "equals": "2*m\ud800"},
+        {"text": "1", "field": "q\ud800"},
+    ],
+)
+def test_half_a_surrogate_in_the_request_is_no_case(case):
+    with pytest.raises(BadCase) as refused:
+        read_case(case)
+    str(refused.value).encode()

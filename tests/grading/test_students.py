@@ -36,6 +36,17 @@ def test_honest_three_figure_work_is_right_and_listed_mistakes_are_not(solution,
     assert record["redrawn_percent"] < 80
 
 
+@pytest.mark.parametrize("code", ["S12.4n", "S12.5gen", "S12.5two"])
+def test_numbers_are_drawn_of_which_no_rounding_takes_the_answer_away(solution, code):
+    """Differences of nearly equal terms: rounding every product to three figures took more than 2 % away, and draws were refused."""
+    record = students.simulate(solution(code), 60).record()
+    for sort in students.SORTS:
+        assert record["honest"][sort]["rejected_percent"] == 0, sort
+    assert record["mistakes"]["accepted_percent"] == 0
+    assert record["mistakes"]["named_percent"] == 100
+    assert record["redrawn_percent"] < 5
+
+
 def test_answers_that_are_just_anything_are_mostly_wrong(solution):
     found = students.wild([solution(code) for code in ("X12.5", "X12.8", "X12.10")], 600)
     for record in found.values():
