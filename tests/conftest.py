@@ -43,6 +43,9 @@ def pytest_unconfigure(config) -> None:
         shutil.rmtree(config.stash_folder, ignore_errors=True)
 
 
+AXE = "axe-core@4.14.1"
+
+
 @pytest.fixture(scope="session")
 def chromium():
     """A browser, for tests with the marker `browser`; it may reach this machine and nothing else."""
@@ -57,6 +60,18 @@ def chromium():
         browser = player.chromium.launch(executable_path=program, args=[*quiet.split(), alone])
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def axe(tmp_path_factory) -> str:
+    """The accessibility engine axe-core, fetched by npm."""
+    npm = shutil.which("npm")
+    assert npm is not None, "npm is missing: it fetches axe-core, which looks for what shuts readers out"
+    folder = tmp_path_factory.mktemp("axe")
+    subprocess.run(
+        [npm, "install", "--no-audit", "--no-fund", "--prefix", folder, AXE], check=True, timeout=120
+    )
+    return (folder / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="session")

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import runpy
-import shutil
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,7 +22,6 @@ from corollary.render.report_page import report_page
 
 pytestmark = pytest.mark.browser
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
-AXE = "axe-core@4.14.1"
 PHONE, DESK = 320, 1200
 STICKING_OUT = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 OUT_OF_REACH = """
@@ -57,18 +54,6 @@ def pages(tmp_path_factory) -> dict[str, Path]:
     for name, text in texts.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
     return {name: folder / f"{name}.html" for name in texts}
-
-
-@pytest.fixture(scope="module")
-def axe(tmp_path_factory) -> str:
-    """The accessibility engine axe-core, fetched by npm."""
-    npm = shutil.which("npm")
-    assert npm is not None, "npm is missing: it fetches axe-core, which looks for what shuts readers out"
-    folder = tmp_path_factory.mktemp("axe")
-    subprocess.run(
-        [npm, "install", "--no-audit", "--no-fund", "--prefix", folder, AXE], check=True, timeout=120
-    )
-    return (folder / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
 
 
 def opened(chromium, path: Path, width: int, scheme: str):

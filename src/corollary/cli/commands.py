@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
-from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES_AND_SETS, SCENES, STUDENTS
-from corollary.cli.ending import run
-from corollary.cli.left_out import completed
+from corollary.cli.app import app as app  # with every command of this table
+from corollary.cli.app import command
+from corollary.cli.completion import CODES, CODES_AND_SETS, SCENES, SETS, STUDENTS
 from corollary.cli.parameters import (
     AT_LEAST_1,
     AUDITED,
@@ -41,38 +39,8 @@ from corollary.cli.parameters import (
     several,
     text,
 )
-from corollary.version import __version__
 
-
-class Commands(click.Group):
-    """The commands in the order in which a course needs them."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(self.commands)
-
-
-app = Commands(
-    "corollary",
-    no_args_is_help=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    help="Physics exercises whose answers are derived from the laws: numbers for each student, marks for what they hand in.",
-)
-click.version_option(__version__, message="%(version)s", help="Show the version and leave.")(app)
-
-
-def _command(
-    name: str, sentence: str, *parameters: click.Parameter, module: str = "", settings: bool = True
-) -> None:
-    """One more command: `run` of its module in this folder gets the parameters by name, and gives the exit status.
-
-    `settings`: what is left out is as the course has it.
-    """
-    of_course = partial(completed, course_needed=COURSE in parameters, any_bank=BANK in parameters)
-    callback = partial(run, module or name, of_course if settings else dict[str, Any])
-    app.add_command(click.Command(name, params=list(parameters), help=sentence, callback=callback))
-
-
-_command(
+command(
     "list",
     "Every problem: code, title, topic, givens, parts, kinds of answer, number of distinct variants.",
     *LISTED,
@@ -80,7 +48,7 @@ _command(
     JSON,
     module="listing",
 )
-_command(
+command(
     "show",
     "One problem as a student sees it.",
     CODE,
@@ -93,7 +61,7 @@ _command(
     JSON,
     path("--output", "-o", text="Write to this file."),
 )
-_command(
+command(
     "key",
     "The answer key for given numbers, every digit certified.",
     CODE,
@@ -102,7 +70,7 @@ _command(
     path("--cases", text="A JSON list of givens in SI; the answer is a list."),
     JSON,
 )
-_command(
+command(
     "judge",
     "Marks plain answers, no notebook needed.",
     CODE,
@@ -111,7 +79,7 @@ _command(
     flag("--reveal", "Feedback may give the right values."),
     JSON,
 )
-_command(
+command(
     "read",
     "How an answer is read, and what would be decided.",
     click.Argument(["text"], required=False, help="An answer as typed: 8,6 Ns"),
@@ -122,7 +90,7 @@ _command(
     path("--cases", text='A JSON list of {"text": …, "field": …}.'),
     JSON,
 )
-_command(
+command(
     "scene",
     "Runs a ready-made scene with the least model that answers, and says which and why.",
     click.Argument(["name"], help="cradle, ball_on_floor, …", shell_complete=SCENES),
@@ -130,7 +98,7 @@ _command(
     click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
     JSON,
 )
-_command(
+command(
     "verify",
     "Proves problems and solutions right, or says what is wrong; of a set also what differs between the problems of a pool.",
     all_when_left_out("codes", "[CODE|SET]...", "Problems, or sets, to verify", CODES_AND_SETS),
@@ -140,28 +108,41 @@ _command(
     flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
     flag("--watch", "Verify one problem again whenever it is saved, until ctrl-C."),
 )
-_command(
+command(
     "audit",
     "Somebody else's answer key: agrees, last figure, wrong, not unique, impossible, ambiguous, cannot say.",
     *AUDITED,
     JSON,
 )
-_command(
+command(
     "new",
     "A problem and its solution that verify as written, to be bent into one's own.",
     *NEW,
     BANK,
     JSON,
 )
-_command(
+command(
     "preview",
     "A local page that reloads: twenty variants, redrawn ones marked and why, key, mistakes and tolerance.",
     CODE,
     *BANK_AND_LANGUAGE,
     *PAGE,
 )
-_command("schema", "The JSON schema of a problem's front matter, for editors.")
-_command(
+command(
+    "practise",
+    "A local page to practise on: any exercise, other numbers each time, hints, and the worked solution step by step.",
+    all_when_left_out("wanted", "[CODE|TOPIC]...", "Problems or topics to practise on", CODES),
+    *BANK_AND_LANGUAGE,
+    several(
+        "--except",
+        "left_out",
+        "Leave out the problems of this set, as those of sets that are not due yet",
+        SETS,
+    ),
+    *PAGE,
+)
+command("schema", "The JSON schema of a problem's front matter, for editors.")
+command(
     "trade",
     "Measures speed against accuracy; writes the table and the picture.",
     all_when_left_out("scenes", "[SCENE]...", 'cradle, spheres, "cradle N=3 q=1.5" …', SCENES),
@@ -169,7 +150,7 @@ _command(
     JSON,
     flag("--quick", "Without the longest runs, each timed once."),
 )
-_command(
+command(
     "generate",
     "A problem set, different for each student, as an nbgrader course.",
     SET,
@@ -186,7 +167,7 @@ _command(
     flag("--renew", "Give who has not handed in the sheet of today, where the set was corrected since."),
     flag("--yes", "Agree to what is asked: taken off the roster, called otherwise, given another sheet."),
 )
-_command(
+command(
     "release",
     "Gives each student the own sheet: nbgrader's exchange, folders, archives, a mailing, Moodle, Canvas.",
     SET,
@@ -200,7 +181,7 @@ _command(
     flag("--force", "Release to the exchange again."),
     JSON,
 )
-_command(
+command(
     "collect",
     "Takes what came back: Moodle's and Canvas's archives of all submissions, folders, renamed notebooks.",
     SET,
@@ -211,7 +192,7 @@ _command(
     flag("--dry-run", "Say what would be taken, and write nothing."),
     JSON,
 )
-_command(
+command(
     "grade",
     "Marks what was handed in: gradebook, feedback, report.",
     SET,
@@ -227,7 +208,7 @@ _command(
     flag("--reveal", "From now on feedback gives right values, in a set that says reveal: by hand."),
     *RUNNING,
 )
-_command(
+command(
     "extend",
     "A deadline of one's own, or an excuse, for one student.",
     *EXTENDED,
@@ -239,7 +220,7 @@ _command(
     ),
     JSON,
 )
-_command(
+command(
     "mark",
     "Marking by hand, all answers to one part together: a page on this machine.",
     SET,
@@ -249,7 +230,7 @@ _command(
     *PAGE,
     JSON,
 )
-_command(
+command(
     "report",
     "What an instructor reads: marks, each part, misconceptions met, what waits for a person.",
     SET,
@@ -258,7 +239,7 @@ _command(
     JSON,
     path("--output", "-o", text="Write the page here too."),
 )
-_command(
+command(
     "export",
     "A set as files for elsewhere: each student's sheet, or the marks of all.",
     *EXPORTED,
@@ -274,14 +255,14 @@ _command(
     click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
     JSON,
 )
-_command(
+command(
     "doctor",
     "Whether this machine and this course are fit for work: versions, isolation, nbgrader, disk, time zone.",
     path("--course", text="A course to look at; the one around the working folder when left out."),
     JSON,
     settings=False,
 )
-_command(
+command(
     "demo",
     "The whole way, end to end, in a fresh folder.",
     click.Argument(

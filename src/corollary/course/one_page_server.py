@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import secrets
 from collections.abc import Callable
+from contextvars import copy_context
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
@@ -16,7 +17,8 @@ MOST_BYTES = 1 << 20
 class OnePageServer(ThreadingHTTPServer):
     """Serves `page` below a secret path on 127.0.0.1, and hands what is posted to `PATH/give` to `receive`, one at a time.
 
-    `receive` takes the posted JSON and raises ValueError with a sentence for what it does not take. `PATH/edition` answers
+    `receive` takes the posted JSON, says what to answer ("saved" when nothing), and raises ValueError with a sentence for what it
+    does not take. `PATH/edition` answers
     `edition`, by which a page knows that it would be another today.
     """
 
@@ -25,7 +27,7 @@ class OnePageServer(ThreadingHTTPServer):
     def __init__(
         self,
         page: Callable[[], str],
-        receive: Callable[[dict[str, Any]], None],
+        receive: Callable[[dict[str, Any]], str | None],
         port: int = 0,
         edition: Callable[[], str] = str,
     ) -> None:
@@ -33,6 +35,7 @@ class OnePageServer(ThreadingHTTPServer):
         self.page, self.receive, self.edition = page, receive, edition
         self.token = secrets.token_urlsafe(24)
         self.one_at_a_time = Lock()
+        self.context = copy_context()  # a request's own thread would speak English
 
     @property
     def address(self) -> str:
@@ -46,7 +49,7 @@ class _Handler(BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         if self._is_meant() and self.path == f"/{self.server.token}/":
             with self.server.one_at_a_time:
-                text = self.server.page()
+                text = self.server.context.run(self.server.page)
             self._answer(HTTPStatus.OK, text, "text/html")
         elif self._is_meant() and self.path == f"/{self.server.token}/edition":
             self._answer(HTTPStatus.OK, self.server.edition())
@@ -59,22 +62,22 @@ class _Handler(BaseHTTPRequestHandler):
             return self._answer(HTTPStatus.NOT_FOUND, "not found")
         # A form of another site cannot send JSON, and its script would have to say where it is from.
         if self.headers.get("Content-Type") != "application/json" or not self._is_own_origin():
-            return self._answer(HTTPStatus.FORBIDDEN, "only this page may give marks")
+            return self._answer(HTTPStatus.FORBIDDEN, "only this page may send")
         if not size.isdigit() or int(size) > MOST_BYTES:
             return self._answer(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, "too long")
         try:
             posted: object = json.loads(self.rfile.read(int(size)))
             if not isinstance(posted, dict):
-                raise ValueError("a mark is an object")
+                raise ValueError("what is sent is an object")
             with self.server.one_at_a_time:
-                self.server.receive(cast(dict[str, Any], posted))
+                answer = self.server.context.run(self.server.receive, cast(dict[str, Any], posted))
         except (ValueError, RecursionError) as error:
             return self._answer(HTTPStatus.BAD_REQUEST, str(error))
         except (
             Exception
         ) as error:  # the gradebook is locked, the disk is full: the page says so, and the rest goes on
             return self._answer(HTTPStatus.INTERNAL_SERVER_ERROR, str(error))
-        return self._answer(HTTPStatus.OK, "saved")
+        return self._answer(HTTPStatus.OK, answer or "saved")
 
     def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
         """Nothing: the address of each request holds the token."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.options import option_named
+from corollary.derive.chain import broken, without_repetition
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -35,10 +35,7 @@ from corollary.units.unit import unit as unit_of
 _ = catalogue(__name__)
 _law_name = catalogue("corollary.laws")
 
-WIDEST = 75  # letters: about what fits on a line of A4 between the margins
-FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
 DEGREES = unit_of("deg")
-COMMAND = re.compile(r"\\(?:left|right|mathrm|cdot|sqrt|,)|[{}\\ ^]")
 
 
 def worked_solution(
@@ -52,6 +49,17 @@ def worked_solution(
 
     `neglected` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
     """
+    return "\n".join(worked_steps(solution, variant, values, letters, neglected)).strip() + "\n"
+
+
+def worked_steps(
+    solution: Solution,
+    variant: Variant,
+    values: Sequence[tuple[float, ...]],
+    letters: Mapping[str, str],
+    neglected: Sequence[tuple[float, float]],
+) -> Iterator[str]:
+    """The same step by step: what is found, one after the other, and then what needs no finding."""
     problem = in_language(solution.problem)
     known = given_numbers(variant)
     lines = [_constant(given) for given in problem.givens if given.source]
@@ -67,9 +75,12 @@ def worked_solution(
         for each, (most, share) in zip(solution.neglected, neglected, strict=True):
             if part and each.statement.part == part.id:
                 lines += [*_neglected(each, most, share, part, known), ""]
+        yield formulas_in_convention("\n".join(lines))
+        lines = []
     for part in problem.parts:
-        lines += _other(solution, part, letters, variant)
-    return formulas_in_convention("\n".join(lines).strip() + "\n")
+        if other := [*lines, *_other(solution, part, letters, variant)]:
+            yield formulas_in_convention("\n".join(other))
+        lines = []
 
 
 def _constant(given: Given) -> str:
@@ -211,38 +222,6 @@ def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> li
 def _degrees(value: float, unit: Unit) -> list[str]:
     """An angle in degrees, too: so it is measured, and so it may be answered."""
     return [quantity(value, DEGREES)] if unit == unit_of("rad") else []
-
-
-def without_repetition(steps: list[str]) -> list[str]:
-    """A chain in which no side is the one before it in brackets: `(14.10) = 14.10` says nothing."""
-    found: list[str] = []
-    for step in steps:
-        if found and _bare(found[-1]) == _bare(step):
-            found.pop()
-        found.append(step)
-    return found
-
-
-def _bare(step: str) -> str:
-    return re.sub(r"\\left|\\right|[() ]", "", step)
-
-
-def broken(steps: list[str]) -> list[str]:
-    """A chain of equalities in lines that fit a page; a new line begins with its equals sign."""
-    lines = [steps[0]]
-    for step in steps[1:]:
-        if width(lines[-1]) + width(step) > WIDEST and lines[-1] != steps[0]:
-            lines.append(f"= {step}")
-        else:
-            lines[-1] += f" = {step}"
-    return lines
-
-
-def width(formula: str) -> int:
-    """About how many letters wide a formula is set: the wider line of a fraction counts, commands do not."""
-    while (inner := FRACTION.search(formula)) is not None:
-        formula = formula[: inner.start()] + max(inner[1], inner[2], key=len) + formula[inner.end() :]
-    return len(COMMAND.sub("", formula))
 
 
 def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: Variant) -> list[str]:

@@ -1,0 +1,135 @@
+"""`corollary practise`: a page on this machine to practise on."""
+
+from __future__ import annotations
+
+import errno
+import json
+import webbrowser
+from collections.abc import Callable
+from contextlib import suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, cast
+
+from corollary.cli.ending import HOLDS, refuse, say
+from corollary.course.one_page_server import OnePageServer
+from corollary.derive.load import NotDerivable
+from corollary.formula.ball import Undefined
+from corollary.practice.posed import Answer, Posed, known
+from corollary.practice.practice import Practice, practice
+from corollary.problem.bank import Bank, open_bank
+from corollary.problem.problem_set import find_set, set_names
+from corollary.render.markdown import html
+from corollary.render.practice_page import (
+    MARKED_BY_A_PERSON,
+    asked_parts,
+    exercise_piece,
+    practice_page,
+    verdict_piece,
+)
+
+USUAL_PORT = 8412  # always the same, if it is free: a browser keeps what was done by the address of the page
+MOST_TURNS = 100_000
+
+
+def run(
+    wanted: tuple[str, ...], bank: Path | None, left_out: tuple[str, ...], no_browser: bool, port: int
+) -> int:
+    opened = open_bank(bank)
+    try:
+        found = practice(opened, wanted, _left_out(opened, left_out))
+    except LookupError as error:
+        refuse(str(error))
+    with _server(found, port) as server:
+        print(server.address, flush=True)
+        say("this address is for you alone; ctrl-C ends it, and your browser keeps what you did")
+        if not no_browser:
+            webbrowser.open(server.address)
+        with suppress(KeyboardInterrupt):
+            server.serve_forever()
+    return HOLDS
+
+
+def _left_out(bank: Bank, names: tuple[str, ...]) -> set[str]:
+    """The problems of the sets named, and of those that are not due yet: who practises on these has the answers."""
+    now = datetime.now(UTC)
+    sets = [find_set(bank, name) for name in names]
+    open_ones = [
+        each for each in (find_set(bank, name) for name in set_names(bank)) if each.due and each.due > now
+    ]
+    if waiting := [each.name for each in open_ones if each.name not in names]:
+        say(f"left out, since not due yet: the problems of {', '.join(waiting)}")
+    return {problem.code for each in (*sets, *open_ones) for problem in each.problems}
+
+
+def _server(found: Practice, port: int) -> OnePageServer:
+    """On the port that is asked for; else on the usual one, or any where that is in use."""
+
+    def at(place: int) -> OnePageServer:
+        return OnePageServer(lambda: practice_page(found), lambda posted: answered(found, posted), place)
+
+    try:
+        return at(port or USUAL_PORT)
+    except OSError as error:
+        if error.errno not in (errno.EADDRINUSE, errno.EACCES):
+            raise
+        if port:
+            refuse(f"port {port} cannot be used ({error.strerror}); choose another with --port")
+        say(f"port {USUAL_PORT} is in use: another is taken, and the browser keeps what is done there apart")
+        return at(0)
+
+
+def answered(found: Practice, posted: dict[str, Any]) -> str:
+    """What the page asks for, as JSON. Raises ValueError with a sentence for what cannot be answered."""
+    try:
+        ask, code, turn = posted["ask"], str(posted["code"]), int(posted["turn"])
+        if not 0 <= turn < MOST_TURNS:
+            raise ValueError("there are not so many turns")
+        return json.dumps(ANSWERS[ask](found.pose(code, turn), posted))
+    except (KeyError, TypeError, IndexError):
+        raise ValueError("this page is of an earlier run; reload it") from None
+    except (LookupError, NotDerivable, Undefined) as error:
+        raise ValueError(str(error)) from None
+
+
+def _exercise(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
+    return {"html": exercise_piece(posed, int(posted["turn"])), "judged": asked_parts(posed.exercise)}
+
+
+def _read(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
+    found = posed.preview(str(posted["part"]), _answer(posted["answer"]))
+    return {"ok": found.ok, "text": found.text}
+
+
+def _judge(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
+    answers = cast(dict[str, object], posted["answers"])
+    grade = posed.judged(str(posted["part"]), {part: _answer(each) for part, each in answers.items()})
+    return {
+        "html": verdict_piece(grade),
+        "right": known(grade),
+        "person": grade.part.answer_type in MARKED_BY_A_PERSON,
+    }
+
+
+def _hint(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
+    found = posed.hints(str(posted["part"]), frozenset(map(str, cast(list[object], posted["right"]))))
+    place = int(posted["place"])
+    return {"html": html(found[place]) if 0 <= place < len(found) else ""}
+
+
+def _step(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
+    return {"html": html(posed.worked_steps[int(posted["place"])])}
+
+
+def _answer(posted: object) -> Answer:
+    """A text, or one for each component."""
+    return [str(each) for each in cast(list[object], posted)] if isinstance(posted, list) else str(posted)
+
+
+ANSWERS: dict[str, Callable[[Posed, dict[str, Any]], dict[str, Any]]] = {
+    "exercise": _exercise,
+    "read": _read,
+    "judge": _judge,
+    "hint": _hint,
+    "step": _step,
+}

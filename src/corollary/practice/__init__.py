@@ -1,0 +1,1 @@
+"""Practice: exercises posed one by one, answered part by part, with hints and another try."""

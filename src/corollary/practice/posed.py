@@ -1,0 +1,75 @@
+"""An exercise posed for practice: one problem with numbers of its own, answered part by part as often as one likes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from corollary.answers.preview import Preview
+from corollary.answers.questions import question_of
+from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Follows, Right
+from corollary.derive.worked_solution import worked_steps
+from corollary.grading.from_json import from_json
+from corollary.grading.grade import PartGrade
+from corollary.grading.judge import judge
+from corollary.grading.key import Key
+from corollary.grading.neglect import neglects
+from corollary.grading.points import grade
+from corollary.grading.run_programs import run_programs
+from corollary.notebook.worksheet import Exercise, exercise
+from corollary.practice.hints import hints
+from corollary.problem.part import Part
+
+Answer = str | list[str]
+
+
+@dataclass(frozen=True)
+class Posed:
+    """A problem with the numbers of `key`, as a student practises it. An answer is a text, or one for each component."""
+
+    key: Key
+
+    @cached_property
+    def exercise(self) -> Exercise:
+        """What is asked. Raises Malformed when a part's heading does not fit its answer type."""
+        return exercise(self.key.variant)
+
+    def part(self, name: str) -> Part:
+        """Raises LookupError for a part that the problem does not have."""
+        found = next((each for each in self.exercise.problem.parts if each.id == name), None)
+        if found is None:
+            raise LookupError(f"{self.exercise.problem.code} has no part {name}")
+        return found
+
+    def preview(self, name: str, answer: Answer) -> Preview:
+        """How an answer is read, never whether it is right; nothing is run."""
+        part = self.part(name)
+        its_type = answer_type(part.answer_type)
+        return its_type.preview(from_json(answer), question_of(self.exercise.problem, part))
+
+    def judged(self, name: str, answers: Mapping[str, Answer]) -> PartGrade:
+        """What one part earns, with the others' answers to carry on from; only its own program is run, in isolation."""
+        self.part(name)
+        values = {part: from_json(answer) for part, answer in answers.items()}
+        programs = run_programs(self.key, {part: value for part, value in values.items() if part == name})
+        return grade(self.key, judge(self.key, values, programs))[name]
+
+    def hints(self, name: str, right: frozenset[str]) -> tuple[str, ...]:
+        """What may be told of a part, one after the other, to whom the parts in `right` are known."""
+        return hints(self.key, self.part(name), right)
+
+    @cached_property
+    def worked_steps(self) -> tuple[str, ...]:
+        """The worked solution as Markdown, step by step."""
+        left_out = [(each.most, each.share) for each in neglects(self.key)]
+        key = self.key
+        return tuple(worked_steps(key.solution, key.variant, key.values, key.choices, left_out))
+
+
+def known(grade: PartGrade) -> bool:
+    """Whether a part counts as answered: right, or right but for an earlier answer."""
+    return isinstance(grade.verdict, Right) or (
+        isinstance(grade.verdict, Follows) and not grade.verdict.nothing
+    )

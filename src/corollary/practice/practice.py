@@ -1,0 +1,64 @@
+"""What somebody practises on: the problems of a bank without those left out, each as often as one likes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+from dataclasses import dataclass, field
+
+from corollary.grading.key import Key
+from corollary.grading.solutions import Solutions
+from corollary.practice.posed import Posed
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.problem.variant import chapter
+
+SECRET = b"practice"  # numbers for practice are nobody's own: they may be guessed
+AT_HAND = 64  # exercises at hand; an older one is drawn again
+
+
+@dataclass(slots=True)
+class Practice:
+    """The problems one may practise on. `turn` counts how often a problem was begun: each has other numbers."""
+
+    bank: Bank
+    problems: tuple[Problem, ...]
+    solutions: Solutions
+    posed: dict[tuple[str, int], Posed] = field(default_factory=dict[tuple[str, int], Posed])
+
+    def pose(self, code: str, turn: int) -> Posed:
+        """The exercise of a turn; turn 0 has the printed numbers. Raises LookupError for a code that is left out,
+        NotDerivable, NoVariant and Undefined where there is no answer."""
+        problem = next((each for each in self.problems if each.code == code), None)
+        if problem is None:
+            raise LookupError(f"no problem {code} to practise on")
+        if (code, turn) not in self.posed:
+            while len(self.posed) >= AT_HAND:
+                del self.posed[next(iter(self.posed))]
+            self.posed[code, turn] = Posed(self._key(problem, turn))
+        return self.posed[code, turn]
+
+    def _key(self, problem: Problem, turn: int) -> Key:
+        """The printed numbers where these are all there are."""
+        if turn == 0 or all(given.grid.count == 1 for given in problem.givens):
+            return self.solutions.key(chapter(problem))
+        return self.solutions.assign_variant(problem, SECRET, str(turn), ()).key
+
+
+def practice(bank: Bank, wanted: Sequence[str] = (), left_out: Set[str] = frozenset()) -> Practice:
+    """The problems of the bank whose code, name or topic is wanted (all when none is), but those whose code is `left_out`.
+
+    Raises LookupError when nothing is left, or a word is none of these.
+    """
+    problems = list(bank)
+    words = {word for each in problems for word in (each.code, each.name, each.topic)}
+    if strange := [word for word in wanted if word not in words]:
+        topics = ", ".join(sorted({each.topic for each in problems}))
+        raise LookupError(f"{strange[0]} is no problem and no topic of this bank; its topics are {topics}")
+    chosen = [
+        each
+        for each in problems
+        if (not wanted or {each.code, each.name, each.topic} & set(wanted)) and each.code not in left_out
+    ]
+    if not chosen:
+        raise LookupError("no problem is left to practise on")
+    return Practice(bank, tuple(chosen), Solutions(bank))

@@ -1,0 +1,144 @@
+"""The page to practise on: its frame, and the pieces that it asks for one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from markupsafe import Markup
+
+from corollary.answers.registry import answer_type
+from corollary.grading.grade import PartGrade
+from corollary.messages import catalogue, spoken
+from corollary.notebook.worksheet import Exercise, Prompt
+from corollary.practice.posed import Posed
+from corollary.practice.practice import Practice
+from corollary.problem.problem import Problem
+from corollary.problem.translation import in_language
+from corollary.render.page import drawing, environment, page
+from corollary.render.wording import look, wanted
+
+_ = catalogue(__name__)
+
+MARKED_BY_A_PERSON = frozenset({"explain"})  # what is compared with the worked solution instead
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """How a part is answered on the page: `labels` name its text fields (one without a label, or one for each component)."""
+
+    prompt: Prompt
+    kind: str
+    labels: tuple[str, ...] = ()
+    text: str = ""
+
+    @property
+    def part(self) -> str:
+        return self.prompt.part.id
+
+
+def practice_page(practice: Practice) -> str:
+    """The frame: every problem by topic, and what the script says, in the reader's language."""
+    titled = [in_language(each) for each in practice.problems]
+    topics = [
+        (topic.replace("_", " "), list(problems))
+        for topic, problems in groupby(
+            sorted(titled, key=lambda each: each.topic), key=lambda each: each.topic
+        )
+    ]
+    return page(
+        "practise.html",
+        title=_("Practise"),
+        lang=spoken(),
+        script="practise.js",
+        sends=True,
+        topics=topics,
+        words=_words(),
+        count=len(titled),
+    )
+
+
+def exercise_piece(posed: Posed, turn: int) -> str:
+    """One exercise: what is asked, and a field for each part."""
+    asked = posed.exercise
+    return _piece(
+        "practise_exercise.html",
+        exercise=asked,
+        drawing=drawing(asked),
+        fields=[field(prompt) for prompt in asked.prompts],
+        steps=len(posed.worked_steps),
+        turn=turn,
+        many=more_numbers(asked.problem),
+        wanted=wanted,
+    )
+
+
+def verdict_piece(grade: PartGrade) -> str:
+    """What is said of an answer."""
+    by_person = grade.part.answer_type in MARKED_BY_A_PERSON
+    return _piece(
+        "practise_verdict.html",
+        look=look(grade.verdict),
+        phrase=_("Compare it with the worked solution below") if by_person else look(grade.verdict).phrase,
+        feedback="" if by_person else grade.feedback,
+    )
+
+
+def field(prompt: Prompt) -> Field:
+    """The field that fits the answer type; "none" for what cannot be given on a page, such as a drawing."""
+    part, its_type = prompt.part, answer_type(prompt.part.answer_type)
+    if its_type.found_in == "figure":
+        return Field(prompt, "none")
+    if its_type.found_in in ("function", "cell"):
+        text = its_type.blank(prompt.question) if its_type.found_in == "function" else ""
+        return Field(prompt, "lines", text=text)
+    if prompt.options:
+        return Field(prompt, "options")
+    if part.answer_type == "proof":
+        return Field(prompt, "lines")
+    if part.components and its_type.lists_components:
+        return Field(prompt, "texts", tuple(part.components))
+    return Field(prompt, "texts", ("",))
+
+
+def more_numbers(problem: Problem) -> bool:
+    """Whether another turn has other numbers."""
+    return any(given.grid.count > 1 for given in problem.givens)
+
+
+def asked_parts(exercise: Exercise) -> Sequence[str]:
+    """The parts that the page judges."""
+    return [
+        each.part.id
+        for each in exercise.prompts
+        if field(each).kind != "none" and each.part.answer_type not in MARKED_BY_A_PERSON
+    ]
+
+
+def _piece(template: str, **facts: object) -> str:
+    return str(Markup(environment().get_template(template).render(**facts)))
+
+
+def _words() -> dict[str, str]:
+    """What the page's script says."""
+    return {
+        "ended": _("The program behind this page has ended; start `corollary practise` again."),
+        "empty": _("Write an answer first."),
+        "checking": _("Looking at it …"),
+        "noHint": _("There is no hint for this part."),
+        "noMoreHints": _("That was the last hint. The worked solution below goes step by step."),
+        "solved": _("All of it is right. It comes back in {days}."),
+        "again": _("It comes back soon, with other numbers."),
+        "dueAgain": _("due again"),
+        "fresh": _("new"),
+        "goOn": _("go on with it"),
+        "result": _("Show the result"),
+        "equations": _("Show the equations"),
+        "try": _("Try it first; then look."),
+        "day": _("1 day"),
+        "days": _("{count} days"),
+        "done": _("{done} of {count} solved"),
+        "noneDue": _("Nothing is due and nothing new is left; choose any problem."),
+        "notKept": _("This browser keeps nothing for this page: your progress is lost when it is closed."),
+    }

@@ -1,0 +1,170 @@
+"""`corollary practise`: what the page is answered, and the way a student clicks, in a browser."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from html import unescape
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from corollary.cli.commands import app
+from corollary.cli.practise import answered
+from corollary.practice.practice import practice
+from corollary.problem.bank import chapter_bank
+
+SET = """\
+---
+title: Exam
+due: 2199-01-01
+problems:
+  - Q1
+---
+Open.
+"""
+
+
+@pytest.fixture(scope="module")
+def kicks():
+    return practice(chapter_bank(), ["X12.5", "X12.2"])
+
+
+def ask(found, **posted):
+    return json.loads(answered(found, {"code": "X12.5", "turn": 0, **posted}))
+
+
+def words(html: str) -> str:
+    return " ".join(unescape(re.sub(r"<[^>]*>", " ", html)).split())
+
+
+def test_an_exercise_has_a_field_for_each_part(kicks):
+    got = ask(kicks, ask="exercise")
+    assert got["judged"] == ["a", "b", "c", "d"]
+    assert got["html"].count("<form>") == 4
+    assert "A football of mass" in words(got["html"])
+    assert "8.6" not in words(got["html"])
+
+
+def test_what_is_typed_is_read_judged_and_answered_with_the_message_for_a_mistake(kicks):
+    assert ask(kicks, ask="read", part="a", answer="8,6 Ns") == {
+        "ok": True,
+        "text": "read as 8.6 N s (2 figures)",
+    }
+    right = ask(kicks, ask="judge", part="a", answers={"a": "8.6 kg m/s"})
+    assert right["right"]
+    assert "Right" in words(right["html"])
+    energy = ask(kicks, ask="judge", part="a", answers={"a": "86 kg m/s"})
+    assert not energy["right"]
+    assert "kinetic energy" in words(energy["html"])
+    carried = ask(kicks, ask="judge", part="c", answers={"b": "9.2 N s", "c": "92 N"})
+    assert carried["right"]
+    assert "follows correctly" in words(carried["html"])
+
+
+def test_hints_end_and_steps_follow_each_other(kicks):
+    told = [ask(kicks, ask="hint", part="a", right=[], place=place)["html"] for place in range(4)]
+    assert all(told[:3])
+    assert not told[3]
+    assert "86.00" in words(ask(kicks, ask="step", place=2)["html"])
+
+
+@pytest.mark.parametrize(
+    "posted",
+    [
+        {"ask": "exercise", "code": "X99"},
+        {"ask": "exercise", "turn": -1},
+        {"ask": "exercise", "turn": 10**9},
+        {"ask": "nothing"},
+        {"ask": "read", "part": "z", "answer": "1"},
+        {"ask": "judge", "part": "a"},
+        {"ask": "step", "place": 99},
+    ],
+)
+def test_what_cannot_be_answered_is_a_sentence(kicks, posted):
+    with pytest.raises(ValueError, match=r"\w+ \w+"):
+        ask(kicks, **posted)
+
+
+@pytest.mark.parametrize(
+    "answer", ["<script>alert(1)</script>", "9" * 10_000, "\ud800", ["1", "2"], "", "nan"]
+)
+def test_odd_answers_are_read_and_shown_harmlessly(kicks, answer):
+    read = ask(kicks, ask="read", part="a", answer=answer)
+    assert isinstance(read["text"], str)
+    got = ask(kicks, ask="judge", part="a", answers={"a": answer})
+    assert not got["right"]
+    assert "<script>" not in got["html"]
+
+
+def test_a_set_that_is_not_due_is_left_out(tmp_path):
+    """What is asked in an open set cannot be practised on, nor what `--except` names; status 2 where nothing is left."""
+    bank = tmp_path / "mine"
+    assert CliRunner().invoke(app, ["new", "Q1", "ride", "--bank", str(bank)]).exit_code == 0
+    (bank / "problems" / "sets").mkdir(exist_ok=True)
+    (bank / "problems" / "sets" / "exam.md").write_text(SET, encoding="utf-8")
+    done = CliRunner().invoke(app, ["practise", "--bank", str(bank), "--no-browser"])
+    assert done.exit_code == 2
+    assert "left out, since not due yet: the problems of exam" in done.stderr
+    assert "no problem is left to practise on" in done.stderr
+
+
+@pytest.fixture
+def address() -> Iterator[str]:
+    command = [str(Path(sys.executable).with_name("corollary")), "practise", "S12.5el", "X12.2", "X12.3"]
+    running = subprocess.Popen(
+        [*command, "--bank", "chapter", "--no-browser", "--port", "0"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    )
+    assert running.stdout is not None
+    try:
+        yield running.stdout.readline().strip()
+    finally:
+        running.terminate()
+        running.wait()
+        running.stdout.close()
+
+
+@pytest.mark.browser
+@pytest.mark.client
+def test_a_student_practises(address, chromium, axe):
+    """Choose, type, see how it is read, be wrong, take a hint, be right; and what was done is still there after a reload."""
+    from playwright.sync_api import expect
+
+    expect.set_options(timeout=60_000)
+    context = chromium.new_context(viewport={"width": 390, "height": 800}, bypass_csp=True)
+    page, wrong = context.new_page(), list[str]()
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.goto(address)
+    page.get_by_role("button", name="Next exercise").click()
+    expect(page.locator("nav button[aria-current=true]")).to_have_count(1)
+    code = "S12.5el"
+    page.locator(f'nav button[data-code="{code}"]').click()
+    expect(page.locator("#title")).to_contain_text(code)
+    first = page.locator("section[data-part]").first
+    field = first.locator("input[type=text]").first
+    field.fill("abc")
+    expect(first.locator(".read")).to_contain_text("cannot be read")
+    field.fill("8.6 s")
+    field.press("Enter")
+    expect(first.locator(".feedback")).to_contain_text("Not right yet")
+    first.get_by_role("button", name="A hint").click()
+    expect(first.locator(".hints li")).to_have_count(1)
+    page.get_by_role("button", name="Show the next step").click()
+    expect(page.locator(".worked > div")).to_have_count(1)
+    assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        page.evaluate(axe)
+        found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
+        assert [(each["id"], each["impact"], each["nodes"][0]["html"]) for each in found] == []
+    page.reload()
+    expect(page.locator(f'nav button[data-code="{code}"]')).to_have_attribute("data-state", "open")
+    assert not wrong
+    context.close()

@@ -1,0 +1,103 @@
+"""Hints: the next step on the shortest way, in the words of laws; never a value, never the formula that is asked for."""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+import pytest
+import sympy
+
+from corollary.derive.solution import ClosedForms
+from corollary.formula.ast import names
+from corollary.formula.latex import latex
+from corollary.formula.numerals import decimal_text
+from corollary.formula.to_sympy import expression
+from corollary.grading.solutions import Solutions
+from corollary.practice.hints import hints, missing
+from corollary.problem.bank import chapter_bank
+from corollary.problem.variant import chapter
+
+BANK = chapter_bank()
+SOLUTIONS = Solutions(BANK)
+SOME = ("X12.5", "X12.8", "X12.13", "E12.3.1s", "S12.5el", "X12.2")
+CODES = [
+    pytest.param(problem.code, marks=() if problem.code in SOME else (pytest.mark.whole,)) for problem in BANK
+]
+
+
+def key(code: str):
+    return SOLUTIONS.key(chapter(BANK[code]))
+
+
+def told(code: str, part: str, *right: str) -> tuple[str, ...]:
+    of = key(code)
+    return hints(of, of.variant.problem.part(part), frozenset(right))
+
+
+def test_the_first_hint_is_the_next_step():
+    """A kick: the change of momentum is the impulse, and divided by the time it is the mean force."""
+    assert (
+        told("X12.5", "c")[0]
+        == "Find first what (a) asks for: Change of momentum. From there it is 2 steps more."
+    )
+    assert told("X12.5", "c", "a")[0].startswith("Find first what (b) asks for")
+    assert told("X12.5", "c", "a", "b")[0] == "One step is left, and it starts from your answer in (b)."
+    assert "Change of momentum" in told("X12.5", "a")[1]
+    assert r"\Delta p = m\, v_{1} - m\, v_{0}" in told("X12.5", "a")[2]
+
+
+def test_a_way_that_the_author_did_not_take_counts_too():
+    """Part d of a kick needs no earlier answer, but one who has the mean force of part c may start from it."""
+    of = key("X12.8")
+    asked = of.solution.answer("c2")
+    assert asked is not None
+    assert len(missing(of.solution, asked, frozenset())) > 1
+    assert missing(of.solution, asked, frozenset({"a"})) == [asked]
+
+
+def test_an_equation_that_is_the_answer_itself_is_not_shown():
+    """The mass that hangs is its share of the chain, mu = m*y/L: the law's only equation is the answer."""
+    assert not any("$$" in each for each in told("X12.13", "a"))
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_no_hint_gives_the_answer_away(code):
+    of = key(code)
+    order = [part.id for part in of.variant.problem.parts]
+    for part in of.variant.problem.parts:
+        for right in (frozenset[str](), frozenset(order[: order.index(part.id)])):
+            text = "\n".join(hints(of, part, right))
+            truth, asked = of.truths.get(part.id), of.solution.answer(part.id)
+            if truth is None or asked is None:
+                continue
+            for value in truth.values:
+                for figures in range(3, 7):
+                    number = decimal_text(abs(value) / part.unit.si, figures)
+                    assert len(number.replace(".", "").strip("0")) < 2 or number not in text, (part.id, text)
+            formulas = [
+                *(asked.local.trees if isinstance(asked.local, ClosedForms) else ()),
+                *(asked.in_givens or ()),
+            ]
+            for tree in formulas:
+                if len(names(tree)) > 1:
+                    assert f"= {latex(tree)}$" not in text, (part.id, text)
+                for law in asked.laws:
+                    if f"$${latex(law.textbook)}$$" in text:
+                        assert not is_the_same(law.textbook.right, tree), (part.id, text)
+
+
+def is_the_same(side, answer) -> bool:
+    """Whether two formulas are one when the letters of the first are called as those of the second, by sympy."""
+    mine, theirs = sorted(names(side) - {"pi"}), sorted(names(answer) - {"pi"})
+    if len(mine) != len(theirs) or not 1 < len(mine) < 5:
+        return False
+    symbols = {name: sympy.Symbol(name, positive=True) for name in {*mine, *theirs}}
+    first, second = expression(side, symbols), expression(answer, symbols)
+    return any(
+        sympy.expand(
+            first.subs({symbols[a]: symbols[b] for a, b in zip(mine, order, strict=True)}, simultaneous=True)
+            - second
+        )
+        == 0
+        for order in permutations(theirs)
+    )
