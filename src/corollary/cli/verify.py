@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Iterable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
+from corollary.verify.obligations.obligation import Settled
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 
@@ -113,27 +115,58 @@ def _record(checked: Checked) -> dict[str, Any]:
         "redrawn": round(checked.redrawn, 4),
         "why_redrawn": dict(checked.why),
         "checks": checked.checks,
+        "obligations": [_obligation(each) for each in checked.obligations],
         "complaints": list(checked.complaints),
         "notes": list(checked.notes),
     }
+
+
+def _obligation(each: Settled) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "kind": each.kind,
+        "claim": each.claim,
+        "line": each.line,
+        "outcome": each.outcome,
+        "by": each.by,
+    }
+    if each.numbers:
+        found |= {"numbers": dict(each.numbers), "share": round(each.broken, 4)}
+    return found | ({"exclude": each.exclude} if each.exclude else {})
+
+
+def _proven(obligations: Iterable[Settled]) -> str:
+    outcomes = [each.outcome for each in obligations]
+    return f"{outcomes.count('proven')}/{len(outcomes)}"
 
 
 def _table(found: list[Checked], broken: list[str], seconds: float, of_sets: list[str]) -> None:
     from rich.table import Table
 
     table = Table(title="Verified", box=None, padding=(0, 2, 0, 0), pad_edge=False)
-    for heading in ("code", "variants", "redrawn", "laws", "mistakes", "scenes", "programs", "complaints"):
+    for heading in (
+        "code",
+        "variants",
+        "redrawn",
+        "laws",
+        "mistakes",
+        "proven",
+        "scenes",
+        "programs",
+        "complaints",
+    ):
         table.add_column(heading, justify="left" if heading == "code" else "right", no_wrap=True)
     for each in found:
-        done = (
+        done = [
             str(each.checks.get(what, 0))
             for what in ("laws put back", "mistakes", "simulations met", "programs run")
-        )
+        ]
         table.add_row(
             each.code,
             written(each.variants, each.exact_count),
             f"{each.redrawn:.0%}",
-            *done,
+            *done[:2],
+            _proven(each.obligations),
+            *done[2:],
             str(len(each.complaints) or "none"),
         )
     out = console()
@@ -146,8 +179,15 @@ def _table(found: list[Checked], broken: list[str], seconds: float, of_sets: lis
     if len(notes) > MOST_NOTES:
         more = len(notes) - MOST_NOTES
         print(f"note: and {counted(more, 'note')} more; verify one problem, or with --json", file=sys.stderr)
+    every = [one for each in found for one in each.obligations]
     total = sum(sum(each.checks.values()) for each in found)
     bad = len(broken) + sum(not each.ok for each in found)
+    if every:
+        proven, sampled = (sum(one.outcome == outcome for one in every) for outcome in ("proven", "sampled"))
+        out.print(
+            f"{counted(len(every), 'obligation')}: {proven} proven for all numbers, {sampled} sampled, "
+            f"{counted(len(every) - proven - sampled, 'counter-example')}"
+        )
     out.print(
         f"{counted(len(found), 'problem')}, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}"
     )

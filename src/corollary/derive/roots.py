@@ -30,10 +30,12 @@ class NoRoot(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Picked:
-    """The root that is meant, and what is on record about the others."""
+    """The root that is meant, and what is on record about the others; those rejected in words, and all that are not."""
 
     root: Root
     refused: tuple[Sentence, ...]
+    worded: tuple[Root, ...] = ()
+    others: tuple[Root, ...] = ()
 
 
 def roots(
@@ -102,11 +104,13 @@ def pick(
 ) -> Picked:
     """The one root that is real and fulfils `where` at every sample point. Raises NoRoot when none or several do."""
     left: list[Root] = []
+    worded: list[Root] = []
     refused: list[Sentence] = []
     for root in found:
         reason = next((entry.reason for entry in rejected if _is(root, entry.root)), None)
         if reason is not None:
             refused.append(Sentence(reason))
+            worded.append(root)
         elif not all(_real(root, point) for point in points):
             refused.append(
                 Sentence(N_("{root} is not real for every value of the givens"), (("root", _formula(root)),))
@@ -134,7 +138,8 @@ def pick(
         raise NoRoot(
             f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where= or reject="
         )
-    return Picked(fitting[0], tuple(refused))
+    others = [root for root in found if root is not fitting[0] and not any(root is each for each in worded)]
+    return Picked(fitting[0], tuple(refused), tuple(worded), tuple(others))
 
 
 def _is(root: Root, other: Root) -> bool:

@@ -86,11 +86,21 @@ class SolvedFunction:
 
 
 @dataclass(frozen=True, slots=True)
+class OtherRoot:
+    """A root of a step's laws that is not meant, in givens, by the letters found (`values`; empty where it is not real, or no
+    formula), and whether the author rejects it in words (`worded`) rather than by a condition."""
+
+    values: Mapping[str, Expr]
+    worded: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Unknown:
     """Something found (one name for each component). `local` computes it from givens and earlier unknowns.
 
     `in_givens` computes it from givens alone (None: simulated); `rejected` says why each other root is not meant; `note` how an
-    extremum was found.
+    extremum was found. `where` are the conditions on the root that is meant (None: not relations), `others` the roots that are
+    not, `aside` what the laws needed besides, in givens.
     """
 
     statement: Statement
@@ -105,6 +115,9 @@ class Unknown:
     scale: Expr | None
     note: Sentence | None
     functions: tuple[SolvedFunction, ...] = ()
+    where: tuple[Relation, ...] | None = ()
+    others: tuple[OtherRoot, ...] = ()
+    aside: Mapping[str, Expr] = field(default_factory=dict[str, Expr])
 
     @property
     def part(self) -> str:

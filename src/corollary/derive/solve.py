@@ -15,6 +15,7 @@ from corollary.derive.example import solved_example
 from corollary.derive.known import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
+from corollary.derive.other_roots import asides, conditions, others
 from corollary.derive.parts import misfits, unsolved
 from corollary.derive.paths import with_paths
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
@@ -172,6 +173,9 @@ class Solver:
             scale=None if entry.scale is None else known.tree_in_givens(entry.scale),
             note=None,
             functions=self.functions(entry, functions, picked.root),
+            where=conditions(entry),
+            others=tuple(others(picked, known)),
+            aside=asides(entry, known),
         )
 
     def functions(

@@ -67,6 +67,11 @@ class Translation:
         )
         self._angles = Angles(self, 2 if halves else 1)
 
+    @property
+    def meanings(self) -> Mapping[tuple[Any, ...], RationalFunction]:
+        """The letters made, by what they stand for: ("root", degree, of), ("sin", multiple, angle), (function, arguments…)."""
+        return self._made
+
     def equation(self, relation: Relation) -> Polynomial:
         """The numerator of left minus right. Raises TooLarge, and Undefined where something is divided by 0."""
         return (self.fraction(relation.left) - self.fraction(relation.right)).top
@@ -159,7 +164,9 @@ class Translation:
         if degree == 2 and (exact := self._exact_root(of)) is not None:
             return exact
         known, seen = (
-            POSITIVE if _sign(of.top, signs) * _sign(of.bottom, signs) > 0 else (None, None)
+            POSITIVE
+            if sign_by_factors(of.top, signs) * sign_by_factors(of.bottom, signs) > 0
+            else (None, None)
             for signs in (self.known, self.seen)
         )
         root, new = self.made(("root", degree, str(of)), known, seen)
@@ -172,7 +179,7 @@ class Translation:
             top, bottom = of.top.sqrt(), of.bottom.sqrt()
         except DomainError:
             return None
-        its_sign = _sign(top, self.seen) * _sign(bottom, self.seen)
+        its_sign = sign_by_factors(top, self.seen) * sign_by_factors(bottom, self.seen)
         if top.is_zero():
             return RationalFunction(top, bottom)
         return RationalFunction(its_sign * top, bottom) if its_sign else None
@@ -194,8 +201,8 @@ def _makes_a_letter(node: Expr) -> bool:
             return False
 
 
-def _sign(polynomial: Polynomial, signs: Signs) -> int:
-    """By its factors."""
+def sign_by_factors(polynomial: Polynomial, signs: Signs) -> int:
+    """1 or -1 of a polynomial that has one sign, by those of its factors; 0 where that is not known."""
     content, factors = polynomial.factor()
     return math.prod(
         (signs.of(factor) ** (2 - exponent % 2) for factor, exponent in factors),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from corollary.verify.obligations.obligation import Settled
+
 MOST = 20  # complaints of one problem: an author mends the first and verifies again
 
 
@@ -14,6 +16,7 @@ class Tally:
     counts: dict[str, int] = field(default_factory=dict[str, int])
     complaints: list[str] = field(default_factory=list[str])
     notes: list[str] = field(default_factory=list[str])
+    obligations: list[Settled] = field(default_factory=list[Settled])
 
     def count(self, what: str, number: int = 1) -> None:
         self.counts[what] = self.counts.get(what, 0) + number
@@ -45,6 +48,7 @@ class Checked:
     checks: dict[str, int]
     complaints: tuple[str, ...]
     notes: tuple[str, ...] = ()
+    obligations: tuple[Settled, ...] = ()
 
     @property
     def ok(self) -> bool:

@@ -18,6 +18,7 @@ from corollary.problem.variant import at, chapter, size
 from corollary.sandbox.runner import Runner
 from corollary.verify.checked import Checked, Tally
 from corollary.verify.laws import check_cases, check_dimensions, check_laws
+from corollary.verify.obligations.check import check_obligations
 from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
 from corollary.verify.remarks import remark
@@ -26,7 +27,7 @@ from corollary.verify.translations import check_translations
 from corollary.verify.unchecked import note_unchecked
 from corollary.verify.walk import LEAST, Walked, check_scenes, walk
 
-SLOW = ("laws put back", "variants", "scenes", "programs")
+SLOW = ("laws put back", "obligations", "variants", "scenes", "programs")
 """The stages that take most of the time, in their order."""
 
 
@@ -72,6 +73,8 @@ class Verification:
                     case "laws put back":
                         check_laws(bank, solution, tally)
                         check_claims(own, tally)
+                    case "obligations":
+                        check_obligations(bank, solution, tally, self.count)
                     case "variants":
                         self.walked = walk(bank, solution, tally, self.count)
                     case "scenes":
@@ -99,6 +102,7 @@ class Verification:
             tally.counts,
             tuple(tally.complaints),
             tuple(tally.notes),
+            tuple(tally.obligations),
         )
 
 

@@ -1,0 +1,123 @@
+"""The numbers that a problem can deal, as a box: the grid of each given, bounds of it, and the conditions among the givens."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from corollary.formula.ast import Relation, names
+from corollary.formula.rational_pi import RationalPi
+from corollary.problem.given import Given
+from corollary.problem.interval_filter import GivenAtPoints, Interval, holding
+from corollary.problem.problem import Problem
+from corollary.problem.variant import number
+
+PI = (Fraction(314159265358979, 10**14), Fraction(314159265358980, 10**14))
+MOST_VALUES = 1_000_000  # of one given: a grid that is finer is not walked
+
+
+@dataclass(frozen=True)
+class GridOfGiven:
+    """A given with all its values, in SI and rising."""
+
+    given: Given
+
+    @cached_property
+    def order(self) -> Sequence[int]:
+        """The places of the grid, by rising value."""
+        grid = self.given.grid
+        if grid.values:
+            return sorted(range(grid.count), key=lambda place: grid[place])
+        return range(grid.count) if grid.step >= 0 else range(grid.count - 1, -1, -1)
+
+    @cached_property
+    def exact(self) -> list[RationalPi]:
+        return [RationalPi(*self.given.unit.to_si(self.given.grid[place])) for place in self.order]
+
+    @cached_property
+    def doubles(self) -> np.ndarray:
+        """Without the power of pi, which `power` is."""
+        return np.array([float(each.ratio) for each in self.exact])
+
+    @property
+    def power(self) -> int:
+        return next((each.pi for each in self.exact if each.ratio), 0)
+
+    @property
+    def count(self) -> int:
+        return self.given.grid.count
+
+    @property
+    def bounds(self) -> tuple[Fraction, Fraction]:
+        """Fractions between which all values lie."""
+        low, high = self.exact[0], self.exact[-1]
+        ends = [each.ratio * pi**each.pi for each in (low, high) for pi in PI]
+        return min(ends), max(ends)
+
+
+class Box:
+    """All numbers of a problem. Raises ValueError where a grid is too fine to be held."""
+
+    def __init__(self, problem: Problem, extra: Iterable[Relation] = ()) -> None:
+        if any(given.grid.count > MOST_VALUES for given in problem.givens):
+            raise ValueError("the grid of a given is too fine")
+        self.problem = problem
+        self.axes = {given.symbol: GridOfGiven(given) for given in problem.givens}
+        self.conditions = [*(each.relation for each in problem.conditions), *extra]
+
+    def tied(self, needs: Iterable[Relation]) -> tuple[list[str], list[Relation]]:
+        """The givens in these relations, with those tied to them by conditions, and these conditions; the former first."""
+        letters = list(
+            dict.fromkeys(name for need in needs for name in sorted(names(need)) if name in self.axes)
+        )
+        found: list[Relation] = []
+        left = list(self.conditions)
+        while near := [each for each in left if names(each) & set(letters)]:
+            found += near
+            left = [each for each in left if each not in near]
+            letters += sorted(
+                {name for each in near for name in names(each)} & self.axes.keys() - set(letters)
+            )
+        return letters, found
+
+    def points(self, places: Mapping[str, np.ndarray]) -> dict[str, GivenAtPoints]:
+        """The givens at these places of their axes."""
+        return {name: GivenAtPoints(self.axes[name].exact, at) for name, at in places.items()}
+
+    def keeping(self, conditions: Iterable[Relation], places: Mapping[str, np.ndarray]) -> np.ndarray:
+        """Which points keep all the conditions."""
+        points = self.points(places)
+        admissible = np.ones(len(next(iter(places.values()))), dtype=bool)
+        for each in conditions:
+            admissible &= holding(each, points)
+        return admissible
+
+    def intervals(self, low: Mapping[str, np.ndarray], high: Mapping[str, np.ndarray]) -> dict[str, Interval]:
+        """The givens between two places of their axes each, as doubles with a bound."""
+        from corollary.problem.interval_filter import INTERVALS, ULP
+
+        found: dict[str, Interval] = {}
+        for name in low:
+            axis = self.axes[name]
+            first, last = axis.doubles[low[name]], axis.doubles[high[name]]
+            middle = (first + last) / 2
+            radius = (last - first) / 2 + (abs(first) + abs(last)) * ULP
+            found[name] = (
+                Interval(middle, radius) * INTERVALS.pi**axis.power
+                if axis.power
+                else Interval(middle, radius)
+            )
+        return found
+
+    def written(self, places: Mapping[str, int]) -> dict[str, str]:
+        """A point in the units of the givens."""
+        return {
+            name: number(self.axes[name].given, self.axes[name].given.grid[self.axes[name].order[place]])
+            for name, place in places.items()
+        }

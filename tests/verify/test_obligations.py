@@ -1,0 +1,126 @@
+"""Obligations of small problems: what is proven for all numbers, by whom, and the numbers where something does not hold."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.problem.conditions import relations
+from corollary.problem.reader import read_problem
+from corollary.verify.obligations import nonlinear, settle
+from corollary.verify.obligations.box import Box
+
+RIVER = """\
+---
+code: X1.1
+title: A boat
+given:
+  m: {is: mass, value: 0.5, from: 0.2, to: 0.9, step: 0.1, unit: kg}
+  v: {is: speed of the boat, value: 3, from: 1, to: 9, step: 0.1, unit: m/s}
+  t: {is: speed of the water, value: 1.5, from: 1, to: 2.2, step: 0.1, unit: m/s}
+%s---
+A boat crosses a river.
+
+## Speed {#a .value unit="m/s"}
+How fast does it cross?
+"""
+CROSSING = """\
+(u,) = unknowns("u,")
+return derivation(step(u, "Pythagoras.", law("Velocities", "u^2 = v^2 - t^2/4", u=u, v=v, t=t), where=u >= 0, answers="a"%s))
+"""
+METER = """\
+---
+code: X1.1
+title: Carts
+given:
+  m: {is: mass, value: 0.5, from: 0.2, to: 0.9, step: 0.1, unit: kg}
+  v: {is: speed of A, value: 3, from: 1, to: 5, step: 0.1, unit: m/s}
+  t: {is: speed of B afterwards, value: 2, from: 1, to: %s, step: 0.1, unit: m/s}
+---
+Two carts of mass m meet; B was at rest.
+
+## Velocity {#a .value unit="m/s"}
+How fast is A afterwards?
+"""
+MEETING = """\
+(u,) = unknowns("u,")
+return derivation(
+    step(u, "Momentum.", conservation_of_momentum(before=[(m, v), (m, 0)], after=[(m, u), (m, t)]),
+         answers="a", scale=v))
+"""
+
+
+def of_kind(checked, kind: str) -> list:
+    return [each for each in checked.obligations if each.kind == kind]
+
+
+def test_everything_is_proven_of_a_sound_problem(verified):
+    checked = verified()
+    assert checked.ok, checked.complaints
+    assert {each.outcome for each in checked.obligations} == {"proven"}
+    kinds = {each.kind for each in checked.obligations}
+    assert kinds == {"laws hold", "value exists", "one root", "not zero", "mistake apart"}
+
+
+def test_a_root_of_a_negative_number_is_found_with_its_numbers(verified):
+    """Where the boat does 1 m/s and the water more than 2 m/s: at 2 of 1053 points."""
+    checked = verified(CROSSING % "", problem=RIVER % "")
+    assert not checked.ok
+    (found,) = [each for each in of_kind(checked, "value exists") if each.outcome == "counter-example"]
+    assert float(found.numbers["v"]) < float(found.numbers["t"]) / 2
+    assert any(each.startswith("cart.py:9: ") and "would exclude" in each for each in checked.complaints)
+
+
+def test_a_condition_that_excludes_it_is_enough(verified):
+    checked = verified(CROSSING % "", problem=RIVER % "where:\n  - v > t/2\n")
+    assert checked.ok, checked.complaints
+    assert {each.outcome for each in of_kind(checked, "value exists")} == {"proven"}
+    assert {each.outcome for each in of_kind(checked, "one root")} == {"proven"}
+
+
+def test_without_z3_the_same_is_settled(verified, monkeypatch):
+    monkeypatch.setattr(settle, "installed", lambda: False)
+    checked = verified(CROSSING % "", problem=RIVER % "where:\n  - v > t/2\n")
+    assert checked.ok, checked.complaints
+    assert {each.by for each in checked.obligations if each.outcome == "proven"} <= {
+        "algebra",
+        "subdivision",
+        "enumeration",
+    }
+
+
+@pytest.mark.parametrize(
+    ("claim", "holds"),
+    [
+        ("v^2 + t^2 >= 2*v*t", True),
+        ("v*t < 20 m^2/s^2", True),
+        ("sin(v/t)^2 < v/t*v/t + 1", True),
+        ("v > t", False),
+    ],
+)
+def test_z3_decides(tmp_path, claim, holds):
+    (tmp_path / "x.md").write_text(RIVER % "", encoding="utf-8")
+    problem = read_problem(tmp_path / "x.md")
+    ((need, _),) = relations(claim, {given.symbol: given.unit for given in problem.givens})
+    found = nonlinear.no_exception(Box(problem), (need,))
+    assert (found is True) == holds
+    if not holds:
+        assert isinstance(found, dict)  # the grid point next to what was found
+
+
+def test_numbers_that_make_a_mistake_right_are_redrawn(verified):
+    """Half of t² equals t at t = 2 only."""
+    wrong = ',\n    mistakes=[mistake("No half.", law("Velocities", "u^2 = v^2 - t^2/(1 + v/v)^2*(v/t)^2*4/9", u=u, v=v, t=t))]'
+    checked = verified(CROSSING % wrong, problem=RIVER % "where:\n  - v > t/2\n")
+    (found,) = of_kind(checked, "mistake apart")
+    assert (found.outcome, found.by.split(" (")[0]) == ("proven", "redrawn otherwise")
+    assert found.numbers
+
+
+@pytest.mark.parametrize(("most", "ok"), [("1", True), ("5", False)])
+def test_kinetic_energy_that_is_created(verified, most, ok):
+    """B cannot be faster than A was."""
+    checked = verified(MEETING, problem=METER % most)
+    assert checked.ok == ok, checked.complaints
+    energy = [each for each in of_kind(checked, "not created") if "energy" in each.claim]
+    assert [each.outcome for each in energy] == ["proven" if ok else "counter-example"]
+    assert all(float(each.numbers["t"]) > float(each.numbers["v"]) for each in energy if not ok)
