@@ -26,7 +26,6 @@ def sentence(each: Settled) -> str:
     numbers = ", ".join(f"{name} = {value}" for name, value in each.numbers.items())
     text = f"it does not hold that {each.claim}" + (f": {numbers}" if numbers else "")
     if each.exclude:
-        text += (
-            f" ({each.broken:.1%} of the draws); where: {each.exclude}, in the problem, would exclude that"
-        )
+        share = f"{each.broken:.1%}" if each.broken else "few"
+        text += f" ({share} of the draws); where: {each.exclude}, in the problem, would exclude that"
     return text

@@ -33,7 +33,8 @@ class Query:
     """One question to z3: whether real numbers fulfil all that is said of them."""
 
     def __init__(self, algebra: Algebra, timeout: int = TIMEOUT) -> None:
-        self.z3: Any = import_module("z3")  # only here: it takes a quarter of a second to load, and has no types
+        # only here: it takes a quarter of a second to load; it has no types
+        self.z3: Any = import_module("z3")
         self.algebra = algebra
         self.context = algebra.translation.context
         self.solver: Any = self.z3.SolverFor("QF_NRA")

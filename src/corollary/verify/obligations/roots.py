@@ -44,10 +44,18 @@ def _only_root(find: Unknown, found: Found) -> Obligation:
     for other in (each for each in find.others if not each.worded):
         if find.where and other.values:
             meaning = dict(other.values) | dict(found)
-            needs.append(tuple(opposite(_put(each, meaning)) for each in find.where))
+            needs.append(
+                (*_same(other.values, meant), *(opposite(_put(each, meaning)) for each in find.where))
+            )
         else:
             why = "whether another root is real, or which condition it breaks, was tried at four draws"
     return Obligation("one root", claim, line, tuple(needs), equations, open=why)
+
+
+def _same(other: Found, meant: Found) -> Clause:
+    """That another root of one unknown is there the one that is meant: a double root."""
+    (name, *more) = other
+    return () if more or name not in meant else (Relation("=", other[name], meant[name]),)
 
 
 def _put(relation: Relation, meaning: Found) -> Relation:
