@@ -8,7 +8,7 @@ from itertools import combinations
 
 from corollary.derive.solution import ClosedForms, Rule, Solution
 from corollary.formula.ast import Expr, Negative, Number, Power, Product, Relation, Sum, substitute
-from corollary.grading.assign import APART, differs, first_asked
+from corollary.grading.assign import APART, visible_mistakes
 from corollary.grading.replay import ancestors
 from corollary.grading.rounding import MOST
 from corollary.verify.obligations.obligation import Clause, Obligation
@@ -21,23 +21,17 @@ FAR = Number(
 
 def apart(solution: Solution) -> Iterator[Obligation]:
     """Every mistake is told from the truth, in the parts where it shows first; numbers for which it is not are redrawn."""
-    places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part}
-    for place, find in enumerate(solution.unknowns):
-        for mistake in find.mistakes:
-            for part in first_asked(solution, place):
-                at = places[part]
-                if not differs(solution, place, mistake.rule, at):
-                    continue
-                claim = f"part {part}: {mistake.text!r} is told from the truth"
-                truth, wrong = solution.unknowns[at].in_givens, mistaken(solution, place, mistake.rule, at)
-                scale = solution.unknowns[at].scale
-                if truth is None or wrong is None:
-                    why = "it rests on a simulation"
-                    yield Obligation("mistake apart", claim, mistake.line, redrawn=True, open=why)
-                else:
-                    needs = [_far(wrong, truth, truth)]
-                    needs += [_far(wrong, truth, (scale,))] if scale is not None else []
-                    yield Obligation("mistake apart", claim, mistake.line, tuple(needs), redrawn=True)
+    for each in visible_mistakes(solution):
+        claim = f"part {each.part}: {each.mistake.text!r} is told from the truth"
+        line, find = each.mistake.line, solution.unknowns[each.at]
+        wrong = mistaken(solution, each.place, each.mistake.rule, each.at)
+        if find.in_givens is None or wrong is None:
+            why = "it rests on a simulation"
+            yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
+        else:
+            needs = [_far(wrong, find.in_givens, find.in_givens)]
+            needs += [_far(wrong, find.in_givens, (find.scale,))] if find.scale is not None else []
+            yield Obligation("mistake apart", claim, line, tuple(needs), redrawn=True)
 
 
 def differing(solution: Solution) -> Iterator[Obligation]:
