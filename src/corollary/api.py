@@ -8,7 +8,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from corollary.answers.quantity import read_quantity
 from corollary.formula.errors import ParseError, sentence
 from corollary.problem.bank import Bank, bank_of, open_bank
 from corollary.problem.front_matter import exact
@@ -168,6 +167,8 @@ def _read(given: Given, text: str) -> Fraction:
     number = exact(text)
     if number is not None:
         return _from_si(given, number, 0)
+    from corollary.answers.quantity import read_quantity
+
     found = read_quantity(text, given.unit)
     if isinstance(found, ParseError):
         raise OutOfRange(f"{given.symbol}={text}: {sentence(found)}")

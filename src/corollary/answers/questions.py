@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from corollary.answers.question import Question, Symbol
-from corollary.answers.registry import answer_type, known
+from corollary.answers.registry import BUILT_IN, answer_type, known
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.given import Given
 from corollary.problem.part import Part
@@ -66,16 +66,15 @@ def checked(problem: Problem) -> Problem:
 
 
 def _misfits(part: Part) -> Iterator[str]:
-    names = known()
-    if not _possible(part.answer_types, names):
-        types = ", ".join(f".{name}" for name in names)
+    if not _possible(part.answer_types):
+        types = ", ".join(f".{name}" for name in known())
         yield f"part {part.id} needs one kind of {types} (or .code .plot together)"
         return
     types = [answer_type(name) for name in part.answer_types]
     accepted = frozenset[str]().union(*(each.accepts for each in types))
     needed = frozenset[str]().union(*(each.needs for each in types))
     if part.components and "components" not in accepted:
-        having = [f".{name}" for name in names if "components" in answer_type(name).accepts]
+        having = [f".{name}" for name in known() if "components" in answer_type(name).accepts]
         yield f"part {part.id}: only {', '.join(having[:-1])} and {having[-1]} parts have components"
     if not part.components and "components" in needed:
         yield f'part {part.id} is a {part.answer_type}; name its components: components="x y"'
@@ -84,12 +83,12 @@ def _misfits(part: Part) -> Iterator[str]:
     ):
         yield f'part {part.id}: a .code part, and only that, has a function="name(arguments)"'
     if len(part.options) < 2 if "options" in needed else part.options:
-        listing = [f".{name}" for name in names if "options" in answer_type(name).accepts]
+        listing = [f".{name}" for name in known() if "options" in answer_type(name).accepts]
         yield f"part {part.id}: {' and '.join(listing)} parts, and only these, list options, each as: - (a) text"
 
 
-def _possible(types: tuple[str, ...], names: tuple[str, ...]) -> bool:
-    """One answer type that exists; or a function and a figure drawn with it."""
-    if not types or not set(types) <= set(names):
+def _possible(types: tuple[str, ...]) -> bool:
+    """One answer type that exists; or a function and a figure drawn with it. Other packages are asked for what is not ours only."""
+    if not types or not (set(types) <= set(BUILT_IN) or set(types) <= set(known())):
         return False
     return len(types) == 1 or [answer_type(name).found_in for name in types] == ["function", "figure"]

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
-from corollary.course.making import Makers, ToWrite, makers
+from corollary.course.making import Drawn, Makers, ToWrite, makers
 from corollary.course.renew import Renewal
 from corollary.course.roster import check_folders
 from corollary.grading.solutions import Solutions
@@ -88,7 +88,11 @@ def generate(
             # Gone before the record says otherwise: cut short here, the next run writes what the record says.
             course.notebook("release", each.student, problem_set.name).unlink(missing_ok=True)
         with makers(course, problem_set, solutions, len(new) + len(renewed), jobs) as by:
-            redrawn = _deal(by, record, new, progress)
+            drawing = by.draw(
+                new
+            )  # other processes begin at once; meanwhile nbgrader, which waits for the disk, is told
+            registered = _register(course, problem_set, source_notebook(problem_set), progress)
+            redrawn = _deal(by, record, drawing, progress)
             notebooks = {
                 student.id: course.notebook("release", student.id, problem_set.name) for student in roster
             }
@@ -103,9 +107,9 @@ def generate(
             assigned = sheets(course, problem_set, record)
             # What was handed out stays as it is, to the byte.
             missing = [each for each in roster if each.id in todays or not notebooks[each.id].exists()]
-            writing = by.write([_to_write(each, assigned[each.id]) for each in missing if each.id in todays])
-            registered = _register(course, problem_set, source_notebook(problem_set), progress)
-            for student in writing:
+            for student in by.write(
+                [_to_write(each, assigned[each.id]) for each in missing if each.id in todays]
+            ):
                 progress(f"notebook of {student}")
         for student in missing:
             if student.id not in todays:
@@ -117,13 +121,13 @@ def generate(
 
 
 def _deal(
-    by: Makers, record: Assigned, students: Sequence[str], progress: Callable[[str], None]
+    by: Makers, record: Assigned, drawing: Iterable[Drawn], progress: Callable[[str], None]
 ) -> dict[str, int]:
-    """Numbers of their own for these students, into the record; how many draws were rejected, by code. Raises NoVariant."""
+    """What was drawn, into the record, or the next that nobody has; how many draws were rejected, by code. Raises NoVariant."""
     problem_set, redrawn = by.problem_set, dict[str, int]()
     used = {problem.code: set(_in_use(record, problem)) for problem in problem_set.problems}
     places = {each.code: record.place(each, problem_set.weight(each)) for each in problem_set.problems}
-    for drawn in by.draw(students):
+    for drawn in drawing:
         progress(f"numbers of {drawn.student}")
         row = record.students.setdefault(drawn.student, {})
         problems = problem_set.problems_of(by.course.key, drawn.student)
