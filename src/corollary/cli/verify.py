@@ -23,6 +23,7 @@ from corollary.verify.checked import Checked
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
+from corollary.verify.unchanged import verify_changed
 
 MOST_NOTES = 20  # of a whole bank: they are no faults, and must not hide any
 
@@ -34,6 +35,7 @@ def run(
     as_json: bool,
     extremes: bool = False,
     watch: bool = False,
+    anew: bool = False,
 ) -> int:
     start = time.perf_counter()
     if watch:
@@ -60,7 +62,8 @@ def run(
 
         return run_extremes(todo, broken, scenes=not codes, as_json=as_json)
     found: list[Checked] = []
-    with bar("verifying", len(todo)) as progress, verify_each(todo, variants) as checked:
+    verify_all = verify_each if anew else verify_changed
+    with bar("verifying", len(todo)) as progress, verify_all(todo, variants) as checked:
         for each in checked:
             progress(each.code)
             found.append(each)
