@@ -13,7 +13,7 @@ import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.cases import Branch, Case, Cases, branches
-from corollary.derive.derivation import Entry, Limit, Special
+from corollary.derive.derivation import Entry
 from corollary.derive.letters import function as function
 from corollary.derive.letters import unknown as unknown
 from corollary.derive.letters import unknowns as unknowns
@@ -21,6 +21,11 @@ from corollary.derive.letters import variable as variable
 from corollary.derive.letters import vector as vector
 from corollary.derive.simulation import NONE, Seen, Simulation
 from corollary.derive.spoken import frame_of_word, line_of_word
+from corollary.derive.stated_claims import at as at
+from corollary.derive.stated_claims import limit as limit
+from corollary.derive.stated_forces import along as along
+from corollary.derive.stated_forces import force as force
+from corollary.derive.stated_forces import forces as forces
 from corollary.derive.statements import (
     Choice,
     Code,
@@ -260,18 +265,6 @@ def supposed(name: str, text: str, why: str) -> tuple[sympy.Symbol, Supposed]:
 def explain(part: str, *rubric: str, answer: str) -> Explain:
     """A part for a person to mark: what earns credit, and what a full answer says."""
     return Explain(Statement(part, "", line_of_word()), rubric, answer)
-
-
-def limit(of: object, letter: sympy.Symbol, to: object, equals: object, because: str = "") -> Limit:
-    """Claims what something comes to when a given goes to a value, or to `oo`: `limit(F, dt, oo, 0)`. `verify` proves it."""
-    words = Statement("", because, line_of_word())
-    return Limit(words, as_expression(of), letter, as_expression(to), as_expression(equals))
-
-
-def at(because: str = "", /, **values: object) -> Special:
-    """Claims what is found in a special case: `at(mA=mB, v_B=v)` for a given `mA` and an unknown `v_B`. `verify` proves it."""
-    here = {name: as_expression(value) for name, value in values.items()}
-    return Special(Statement("", because, line_of_word()), here)
 
 
 def printed(part: str, text: str, where: str, *, erratum: str = "") -> Printed:

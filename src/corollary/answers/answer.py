@@ -46,6 +46,24 @@ class Letter:
 
 
 @dataclass(frozen=True, slots=True)
+class DirectedForce:
+    """A force on a body: the letter of its name among the options, and a direction in a word or (else `way` is empty) as an angle."""
+
+    letter: str
+    way: str
+    angle: Numbers | Formulas | None
+    as_read: str
+
+
+@dataclass(frozen=True, slots=True)
+class NamedForces:
+    """The forces on a body."""
+
+    pulls: tuple[DirectedForce, ...]
+    as_read: str
+
+
+@dataclass(frozen=True, slots=True)
 class Equation:
     """One equation of a derivation, and the line it stands on, from 1.
 
@@ -108,4 +126,4 @@ class Unclear:
     near: tuple[Letter, ...] = ()
 
 
-Answer = Numbers | Formulas | Letter | Chain | Prose | Blank | Unclear
+Answer = Numbers | Formulas | Letter | NamedForces | Chain | Prose | Blank | Unclear

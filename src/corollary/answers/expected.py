@@ -60,6 +60,19 @@ class RightOption:
 
 
 @dataclass(frozen=True, slots=True)
+class FreeBody:
+    """The forces on a body, each by the letter of its name and its angle (rad, counter-clockwise from the right).
+
+    `misconceptions` say why others do not act; `slope` is the angle of the slope, where there is one.
+    """
+
+    forces: tuple[tuple[str, float], ...]
+    misconceptions: Mapping[str, str]
+    slope: float | None
+    givens: Callable[[], Point]
+
+
+@dataclass(frozen=True, slots=True)
 class NamedLaw:
     """A law, and its equations in the letters of the problem."""
 
@@ -109,5 +122,6 @@ class Expected:
     option: RightOption | None = None
     requirement: Requirement | None = None
     claim: Claim | None = None
+    free_body: FreeBody | None = None
     rubric: tuple[str, ...] = ()
     runs: Mapping[str, Callable[[], Verdict]] = field(default_factory=dict[str, Callable[[], Verdict]])

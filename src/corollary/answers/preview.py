@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import assert_never
 
-from corollary.answers.answer import Answer, Blank, Chain, Formulas, Letter, Numbers, Prose, Unclear
+from corollary.answers.answer import (
+    Answer,
+    Blank,
+    Chain,
+    Formulas,
+    Letter,
+    NamedForces,
+    Numbers,
+    Prose,
+    Unclear,
+)
 from corollary.formula.text import text
 from corollary.messages import catalogue, in_convention
 
@@ -43,7 +53,7 @@ def preview_of(answer: Answer) -> Preview:
                 answer=in_convention(as_read),
             )
             return Preview(True, read)
-        case Formulas(_trees, as_read) | Letter(_trees, as_read):
+        case Formulas(_trees, as_read) | Letter(_trees, as_read) | NamedForces(_trees, as_read):
             return Preview(True, _("read as {answer}", answer=in_convention(as_read)))
         case Chain(steps):
             read = _.plural(

@@ -24,7 +24,7 @@ class Question:
 
     `components` name the members of a list, in order; `options` are the letters of a choice, `option_texts` what
     stands beside them; `signature` is that of a
-    function, `force(t, dt)`; `symbols` are the givens of the problem.
+    function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by.
     """
 
     part: str
@@ -37,6 +37,7 @@ class Question:
     option_texts: tuple[str, ...] = ()
     signature: str = ""
     symbols: tuple[Symbol, ...] = ()
+    slope: str = ""
 
     @property
     def function(self) -> str:
@@ -70,6 +71,7 @@ class Question:
             "options": self.options,
             "option_texts": self.option_texts,
             "signature": self.signature,
+            "slope": self.slope,
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -88,4 +90,5 @@ class Question:
             tuple(data["option_texts"]),
             data["signature"],
             tuple(Symbol(name, unit(its_unit), meaning) for name, its_unit, meaning in symbols),
+            data["slope"],
         )

@@ -28,6 +28,7 @@ def question_of(problem: Problem, part: Part) -> Question:
         tuple(option.text for option in part.options),
         part.signature,
         _symbols(problem.givens) if not problem.renamed else _symbols_asked(problem),
+        part.slope,
     )
 
 
@@ -78,6 +79,8 @@ def _misfits(part: Part) -> Iterator[str]:
         yield f"part {part.id}: only {', '.join(having[:-1])} and {having[-1]} parts have components"
     if not part.components and "components" in needed:
         yield f'part {part.id} is a {part.answer_type}; name its components: components="x y"'
+    if part.slope and "slope" not in accepted:
+        yield f"part {part.id}: only .forces parts have a slope"
     if ("function" in needed) != bool(part.signature) or (
         part.signature and not SIGNATURE.match(part.signature)
     ):

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from corollary.derive.free_body import Forces
 from corollary.derive.statements import (
     Choice,
     Code,
@@ -26,6 +27,9 @@ from corollary.derive.statements import (
     Step,
 )
 
+if TYPE_CHECKING:  # as in statements
+    import sympy
+
 
 @dataclass(frozen=True, slots=True)
 class Limit:
@@ -38,10 +42,6 @@ class Limit:
     equals: sympy.Expr
 
 
-if TYPE_CHECKING:  # as in statements
-    import sympy
-
-
 @dataclass(frozen=True, slots=True)
 class Special:
     """What is found in a special case: values of givens and, with these, of unknowns, by their letters."""
@@ -50,10 +50,13 @@ class Special:
     values: Mapping[str, sympy.Expr]
 
 
+StatedForces = Forces["sympy.Expr", "Law"]
 Asserted = Limit | Special | Confirm
-Solved = Step | Optimum | Simulated | StatedChoice | StatedExample | StatedProof | StatedNeglected
+Solved = (
+    Step | Optimum | Simulated | StatedChoice | StatedForces | StatedExample | StatedProof | StatedNeglected
+)
 Entry = Solved | Code | Plot | Explain | Printed | Asserted
-ENTRIES = (Step, Optimum, Simulated, Choice, Example, Proof, Neglected, Code, Plot, Explain, Printed, Limit, Special, Confirm)  # fmt: skip
+ENTRIES = (Step, Optimum, Simulated, Choice, Forces, Example, Proof, Neglected, Code, Plot, Explain, Printed, Limit, Special, Confirm)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,13 +7,13 @@ from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
-from corollary.derive import solution, statements
+from corollary.derive import free_body, solution, statements
 from corollary.formula import ast
 from corollary.units import dimension
 
 TYPES: dict[str, type] = {
     each.__name__: each
-    for room in (ast, dimension, solution, statements)
+    for room in (ast, dimension, solution, statements, free_body)
     for each in vars(room).values()
     if isinstance(each, type) and is_dataclass(each) and each.__module__ == room.__name__
 }

@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cached_property, wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
+from corollary.derive.free_body import Forces
 from corollary.derive.statements import (
     Choice,
     Code,
@@ -135,6 +136,7 @@ class SupposedValue:
 
 
 SolvedChoice = Choice[Relation | bool]
+SolvedForces = Forces[Expr, AppliedLaw]
 SolvedExample = Example[str, Expr, AppliedLaw]
 SolvedProof = Proof[AppliedLaw]
 SolvedNeglected = Neglected[Unknown, SupposedValue]
@@ -177,6 +179,7 @@ class Solution:
     paths: Mapping[str, tuple[Way, ...]] = field(default_factory=dict[str, tuple[Way, ...]])
     regimes: tuple[Regime, ...] = ()
     case: str = ""
+    forces: Mapping[str, SolvedForces] = field(default_factory=dict[str, SolvedForces])
 
     @cached_property
     def results(self) -> dict[Hashable, Any]:

@@ -11,7 +11,10 @@ from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
 from corollary.derive.cases import Branch, Case, relations
+from corollary.derive.choices import solved_choice
 from corollary.derive.example import solved_example
+from corollary.derive.forces import solved_forces
+from corollary.derive.free_body import Forces
 from corollary.derive.known import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
@@ -26,6 +29,7 @@ from corollary.derive.solution import (
     Solution,
     SolvedChoice,
     SolvedExample,
+    SolvedForces,
     SolvedFunction,
     SolvedNeglected,
     SolvedProof,
@@ -47,7 +51,7 @@ from corollary.derive.statements import (
     Supposed,
 )
 from corollary.formula.ast import Expr, Relation
-from corollary.formula.from_sympy import relation, tree
+from corollary.formula.from_sympy import tree
 from corollary.laws.law import Law, as_expression, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
@@ -104,6 +108,7 @@ class Solver:
         choices: dict[str, SolvedChoice] = {}
         examples: dict[str, SolvedExample] = {}
         proofs: dict[str, SolvedProof] = {}
+        forces: dict[str, SolvedForces] = {}
         for entry in entries:
             part = entry.statement.part
             try:
@@ -111,7 +116,9 @@ class Solver:
                     case Step() | Optimum() | Simulated():
                         unknowns.append(self.find(entry))
                     case Choice():
-                        choices[part] = self.choice(entry)
+                        choices[part] = solved_choice(entry, self.problem.part(part), self.known)
+                    case Forces():
+                        forces[part] = solved_forces(entry, self.problem.part(part), self.known)
                     case Example():
                         examples[part] = solved_example(entry, self.known)
                     case Proof():
@@ -127,10 +134,10 @@ class Solver:
             if isinstance(entry, Proof) and (sentence := strange_letter(entry, self.known.names)):
                 raise self.failing(f"part {entry.statement.part}: {sentence}", entry.statement.line)
         # after all that is found, so that nothing can lean on what is only supposed
-        left_out = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
-        by_hand = unsolved(self.loaded.derivation)
+        left = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
+        rest, case = unsolved(self.loaded.derivation), self.case
         return Solution(
-            self.problem, tuple(unknowns), choices, examples, proofs, by_hand, left_out, case=self.case
+            self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces
         )
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
@@ -271,18 +278,6 @@ class Solver:
                     f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}"
                 )
         return result
-
-    def choice(self, entry: Choice[Boolean | bool]) -> SolvedChoice:
-        letters = {option.letter for option in self.problem.part(entry.statement.part).options}
-        if letters != entry.options.keys():  # pyright: ignore[reportUnnecessaryComparison]
-            raise NoRoot(
-                f"its options are {', '.join(sorted(letters))}; give each of them, and no other, its condition"
-            )
-        options: dict[str, Relation | bool] = {}
-        for letter, condition in entry.options.items():
-            holds = self.known.in_givens(sympy.sympify(condition))
-            options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
-        return Choice(entry.statement, options, entry.mistakes)
 
     def neglected(self, entry: Neglected[Step, Supposed]) -> SolvedNeglected:
         try:

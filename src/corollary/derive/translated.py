@@ -24,6 +24,15 @@ def translated(solution: Solution, say: Say) -> Solution:
             )
             for part, choice in solution.choices.items()
         },
+        forces={
+            part: replace(
+                forces,
+                statement=_statement(forces.statement, say),
+                balances=tuple(replace(each, law=_law(each.law, say)) for each in forces.balances),
+                mistakes={letter: say(text) for letter, text in forces.mistakes.items()},
+            )
+            for part, forces in solution.forces.items()
+        },
         examples={
             part: replace(
                 example,

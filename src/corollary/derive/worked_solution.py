@@ -6,12 +6,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.options import option_named
+from corollary.answers.spellings import main_spelling
 from corollary.derive.chain import broken, without_repetition
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
     SceneOutcome,
     Solution,
+    SolvedForces,
     SolvedFunction,
     SolvedNeglected,
     Unknown,
@@ -230,6 +232,8 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     if part.id in solution.choices:
         option = option_named(part, letters.get(part.id, ""))
         lines += [f"{f'**{option}** ' if option else ''}{solution.choices[part.id].statement.because}"]
+    if part.id in solution.forces:
+        lines += _forces(solution.forces[part.id], part)
     if part.id in solution.examples:
         example = solution.examples[part.id]
         lines += [example.statement.because, "", *(_law(law) + "\n" for law in example.laws)]
@@ -251,6 +255,14 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
             case _:
                 continue
     return [_heading(part), "", *lines, ""] if lines else []
+
+
+def _forces(stated: SolvedForces, part: Part) -> list[str]:
+    """Why, and each force with its magnitude in givens; then the laws that they add up to."""
+    names = {option.letter: main_spelling(option.text) for option in part.options}
+    acting = [f"- {names[each.letter]}: ${latex(each.magnitude)}$" for each in stated.forces]
+    laws = [_law(each.law) + "\n" for each in stated.balances]
+    return [stated.statement.because, "", *acting, "", *laws]
 
 
 def _names(find: Unknown) -> str:

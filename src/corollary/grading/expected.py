@@ -26,6 +26,7 @@ from corollary.derive.statements import Explain
 from corollary.formula.ast import Name, Relation
 from corollary.formula.ball import RationalPi, Undefined, certified
 from corollary.grading.follow_through import consequences
+from corollary.grading.free_body import free_body
 from corollary.grading.key import Key, Truth, named
 from corollary.grading.misconceptions import slips_of_input, wrong_formulas, wrong_values
 from corollary.grading.replay import replay
@@ -53,8 +54,11 @@ def expected_of(
         None if letter is None else RightOption(letter, _overlooked(key, part)),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
-        _rubric(key, part.id) if truth is None else (),
-        runs or {},
+        rubric=_rubric(key, part.id) if truth is None else (),
+        runs=runs or {},
+        free_body=free_body(key.solution.forces[part.id], key.variant)
+        if part.id in key.solution.forces
+        else None,
     )
 
 

@@ -8,6 +8,7 @@ from typing import assert_never
 from corollary.answers.options import option_named
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.formula.numerals import decimal_text
+from corollary.grading.free_body import as_people_say, free_body
 from corollary.grading.key import Key
 from corollary.messages import catalogue, in_convention
 from corollary.problem.part import Part
@@ -56,6 +57,11 @@ def revealed(key: Key, part: Part, answered: str = "") -> str:
     if part.id in key.choices:
         option = option_named(part, key.choices[part.id])
         return _("The answer is {answer}.", answer=option) if option else ""
+    if part.id in key.solution.forces:
+        return _(
+            "The answer is {answer}.",
+            answer=as_people_say(free_body(key.solution.forces[part.id], key.variant), part),
+        )
     truth = key.truths.get(part.id)
     if truth is None:
         return ""

@@ -15,6 +15,7 @@ from corollary.formula.ast import Expr
 from corollary.formula.ball import Undefined, evaluate
 from corollary.formula.exact import exactly
 from corollary.formula.text import text
+from corollary.grading.free_body import as_answered, free_body
 from corollary.grading.from_json import finite
 from corollary.grading.key import Answered, answer, option_that_holds
 from corollary.grading.replay import ancestors
@@ -119,6 +120,8 @@ def _part(
             "laws": [f"{law.name}: {text(law.textbook)}" for law in example.laws],
             "free": example.free,
         }
+    if part.id in solution.forces:
+        return _forces(solution, variant, part)
     if part.id in solution.proofs:
         proof = solution.proofs[part.id]
         return {
@@ -137,6 +140,18 @@ def _part(
             case _:
                 continue
     return entry
+
+
+def _forces(solution: Solution, variant: Variant, part: Part) -> dict[str, Any]:
+    """Each force with its direction, in degrees from the right, and the laws in which it stands."""
+    try:
+        body = free_body(solution.forces[part.id], variant)
+    except Undefined as why:
+        return {"why": f"no forces for these numbers: {why}"}
+    return {
+        "forces": dict(each.split(": ") for each in as_answered(body, part).split("; ")),
+        "laws": [text(relation) for each in solution.forces[part.id].balances for relation in each.law.here],
+    }
 
 
 def si_name(part: Part) -> str:

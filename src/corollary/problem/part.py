@@ -24,7 +24,8 @@ class Option:
 class Part:
     """`answer_types` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order;
     `asked_as` is the id it was handed out with, where it has been given another since; `letters` has for each letter of the options
-    it was handed out with the one of today, where these were changed since (empty: it has none); `lettered` is what its heading says in place of the id.
+    it was handed out with the one of today, where these were changed since (empty: it has none); `lettered` is what its heading says in place of the id;
+    `slope` is the angle of the slope, a formula of the givens, that the directions of forces are told by.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -42,6 +43,7 @@ class Part:
     asked_as: str = ""
     letters: tuple[tuple[str, str], ...] = ()
     lettered: str = ""
+    slope: str = ""
 
     @property
     def label(self) -> str:

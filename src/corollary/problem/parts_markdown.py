@@ -17,7 +17,7 @@ ATTRIBUTE = re.compile(
 OPTION = re.compile(r"-\s+\((?P<letter>[a-zA-Z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
-KNOWN = {"unit", "points", "components", "function", "letter"}
+KNOWN = {"unit", "points", "components", "function", "letter", "slope"}
 
 
 def read_parts(
@@ -100,6 +100,7 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         settings.get("function", ""),
         line,
         lettered=settings.get("letter", ""),
+        slope=settings.get("slope", ""),
     )
 
 

@@ -13,6 +13,7 @@ from corollary.formula.ball import Undefined
 from corollary.formula.numerals import decimal_text
 from corollary.formula.text import text
 from corollary.grading.assign import admitted, visible_mistakes
+from corollary.grading.free_body import as_answered, as_people_say, free_body
 from corollary.grading.key import Key, make_key
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.part import Part
@@ -104,6 +105,15 @@ def keyed_parts(key: Key) -> Iterator[KeyedPart]:
                 truth.tolerance,
                 truth.noise,
                 tuple(_foreseen(key, part)),
+            )
+        elif part.id in key.solution.forces:
+            body = free_body(key.solution.forces[part.id], key.variant)
+            extra = (
+                Foreseen(sentence, option_named(part, letter))
+                for letter, sentence in body.misconceptions.items()
+            )
+            yield KeyedPart(
+                part, as_people_say(body, part), as_answered(body, part), "", 0.0, 0.0, tuple(extra)
             )
         else:
             yield KeyedPart(part, "", "", "", 0.0, 0.0, ())

@@ -11,6 +11,7 @@ from corollary.answers.sample import Sample, Truth
 from corollary.answers.verdict import word
 from corollary.formula.text import text
 from corollary.grading.expected import expected_of
+from corollary.grading.free_body import as_answered, free_body
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, named
@@ -59,6 +60,8 @@ def _truth(key: Key, part: Part) -> Truth | None:
     """What is right, as the part's answer type makes samples of it; None where there is nothing to make them of."""
     if part.id in key.choices:
         return key.choices[part.id]
+    if part.id in key.solution.forces:
+        return as_answered(free_body(key.solution.forces[part.id], key.variant), part)
     if part.id in key.solution.proofs:
         return "\n".join(key.solution.proofs[part.id].lines)
     if part.id in key.solution.examples:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from corollary.answers.evaluation import number
 from corollary.answers.options import option_named
 from corollary.derive.statements import Code, Explain, Plot
+from corollary.grading.free_body import as_answered, free_body
 from corollary.grading.key import Key, named
 from corollary.notebook.worksheet import Prompt, Worksheet
 from corollary.problem.roster import Student
@@ -52,6 +53,9 @@ def right_sources(
             sources[f"{prompt.key}_answer"] = f"{prompt.name} = {option!r}"
         elif prompt.part.id in key.solution.examples:
             sources[f"{prompt.key}_answer"] = f"{prompt.name} = {instance(key, prompt.part.id)!r}"
+        elif prompt.part.id in key.solution.forces:
+            body = free_body(key.solution.forces[prompt.part.id], key.variant)
+            sources[f"{prompt.key}_answer"] = f"{prompt.name} = {as_answered(body, prompt.part)!r}"
         else:
             sources |= _examples(prompt, key)
     return sources

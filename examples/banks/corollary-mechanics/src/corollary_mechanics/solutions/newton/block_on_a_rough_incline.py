@@ -5,7 +5,7 @@ from math import cos, sin
 from sympy import cos as cosine
 from sympy import sin as sine
 
-from corollary.author import choice, derivation, mistake, simulate, step, unknowns
+from corollary.author import along, choice, derivation, force, forces, mistake, simulate, step, unknowns
 from corollary.laws import balance, kinetic_friction, law, second_law, without_time, wrong
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
@@ -72,6 +72,21 @@ def derive(m, theta, mu, L, g):
                     where=v >= 0,
                 ),
             ],
+        ),
+        forces(
+            "e",
+            "The Earth pulls, and the slope pushes and rubs; nothing else touches the block.",
+            force("a", m * g, "down"),
+            force("b", N, "away from the slope"),
+            force("c", f, "up the slope"),
+            laws=[
+                along("down the slope", second_law(m * g * sine(theta) - f, m=m, a=a)),
+                along("away from the slope", balance(N, m * g * cosine(theta))),
+            ],
+            mistakes={
+                "d": "No force is needed to keep up a motion; what else touches the block, or attracts it?",
+                "e": "That is a force on the slope, not on the block.",
+            },
         ),
         choice(
             "d",

@@ -1,0 +1,1 @@
+"""The forces on a body: a free-body diagram in words."""

@@ -1,0 +1,91 @@
+"""The forces on a body as an author states them, held against the laws in which they stand."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+
+from corollary.answers.ways import DEGREES, of_a_slope
+from corollary.derive.applied import applied
+from corollary.derive.free_body import Acting, Along, Forces
+from corollary.derive.known import Known, vanishes
+from corollary.derive.solution import SolvedForces
+from corollary.formula.ast import Relation
+from corollary.formula.from_sympy import tree
+from corollary.formula.syntax import author_formula
+from corollary.formula.to_sympy import expression
+from corollary.laws.law import Law, sides
+from corollary.problem.part import Part
+
+
+def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedForces:
+    """The forces in givens. Raises ValueError where they are not those of the laws, or a direction is none."""
+    letters = {option.letter for option in part.options}
+    if strange := ({each.letter for each in entry.forces} | entry.mistakes.keys()) - letters:
+        raise ValueError(f"{', '.join(sorted(strange))} is none of its options {', '.join(sorted(letters))}")
+    if both := {each.letter for each in entry.forces} & entry.mistakes.keys():
+        raise ValueError(f"{', '.join(sorted(both))} acts; a mistake is to name a force that does not")
+    slope = _slope(part, known)
+    pulls = [(each.letter, each.magnitude, angle_of(each.way, slope)) for each in entry.forces]
+    for balance in entry.balances:
+        _check(balance, pulls, slope)
+    axes = [angle_of(each.way, slope) for each in entry.balances]
+    for letter, _magnitude, angle in pulls:
+        if all(vanishes(sympy.cos(angle - axis)) for axis in axes):
+            raise ValueError(f"no law along a direction in which ({letter}) acts is named; add along(…)")
+    return Forces(
+        entry.statement,
+        tuple(
+            Acting(letter, known.tree_in_givens(size), known.tree_in_givens(angle))
+            for letter, size, angle in pulls
+        ),
+        tuple(Along(str(each.way), applied(each.law)) for each in entry.balances),
+        entry.mistakes,
+        None if slope is None else tree(slope),
+    )
+
+
+def angle_of(way: Any, slope: sympy.Expr | None) -> sympy.Expr:
+    """A direction as an angle, counter-clockwise from the right. Raises ValueError for a word that is none."""
+    if not isinstance(way, str):
+        return sympy.sympify(way)
+    if way not in DEGREES:
+        raise ValueError(f"{way!r} is no direction; there are {', '.join(DEGREES)}, and angles")
+    if of_a_slope(way) and slope is None:
+        raise ValueError(
+            f'{way!r} needs the angle of the slope: add slope="alpha" to the heading of the part'
+        )
+    angle = sympy.pi * DEGREES[way] / 180
+    return angle + slope if of_a_slope(way) and slope is not None else angle
+
+
+def _slope(part: Part, known: Known) -> sympy.Expr | None:
+    if not part.slope:
+        return None
+    try:
+        formula = author_formula(part.slope)
+        if isinstance(formula, Relation):
+            raise ValueError("an angle is one formula of the givens")
+        found = expression(formula, {symbol.name: symbol for symbol in known.letters})
+    except (ValueError, KeyError) as error:
+        raise ValueError(f"slope={part.slope!r}: {error}") from None
+    return found
+
+
+def _check(balance: Along[Law], pulls: list[tuple[str, Any, sympy.Expr]], slope: sympy.Expr | None) -> None:
+    """The sum of the components along the direction is one side of the law, or what its two sides differ by."""
+    axis = angle_of(balance.way, slope)
+    total = sum(
+        (size * sympy.expand_trig(sympy.cos(angle - axis)) for _letter, size, angle in pulls), sympy.S.Zero
+    )
+    for left, right in sides(balance.law):
+        residual = left - right
+        if not any(vanishes(side - total) for side in (left, right, residual, -residual)):
+            raise ValueError(
+                f"the forces add up to {sympy.sstr(sympy.simplify(total))} along {balance.way!r}, but "
+                f"{balance.law.name or 'the law'} says {sympy.sstr(left)} = {sympy.sstr(right)}: a force is missing, too "
+                "much, or points elsewhere"
+            )

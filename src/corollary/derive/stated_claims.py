@@ -1,0 +1,25 @@
+"""The words in which an author claims what something comes to: in a limit, and in a special case."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from corollary.derive.derivation import Limit, Special
+from corollary.derive.spoken import line_of_word
+from corollary.derive.statements import Statement
+from corollary.laws.law import as_expression
+
+if TYPE_CHECKING:
+    import sympy
+
+
+def limit(of: object, letter: sympy.Symbol, to: object, equals: object, because: str = "") -> Limit:
+    """Claims what something comes to when a given goes to a value, or to `oo`: `limit(F, dt, oo, 0)`. `verify` proves it."""
+    words = Statement("", because, line_of_word())
+    return Limit(words, as_expression(of), letter, as_expression(to), as_expression(equals))
+
+
+def at(because: str = "", /, **values: object) -> Special:
+    """Claims what is found in a special case: `at(mA=mB, v_B=v)` for a given `mA` and an unknown `v_B`. `verify` proves it."""
+    here = {name: as_expression(value) for name, value in values.items()}
+    return Special(Statement("", because, line_of_word()), here)

@@ -1,0 +1,101 @@
+"""Forces on a body are held against the laws in which they stand: one too many, one too few, or a turned one is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.derive.load import NotDerivable
+from corollary.derive.solve import solve
+from corollary.grading.free_body import as_people_say, free_body
+from corollary.problem.bank import Bank
+from corollary.problem.reader import read_problem
+from corollary.problem.variant import chapter
+
+PROBLEM = """\
+---
+code: F.1
+title: A sledge
+given:
+  m: {is: mass, value: 40, from: 20, to: 60, step: 5, unit: kg}
+  P: {is: pull, value: 120, from: 60, to: 160, step: 10, unit: N}
+  beta: {is: angle of the rope, value: 30, from: 10, to: 40, step: 5, unit: deg}
+  q: {is: push from behind, value: 0, from: 0, to: 40, step: 10, unit: N}
+  g: {is: gravity, value: 9.81, unit: m/s^2}
+require:
+  - m > 0
+  - P > 0
+  - g > 0
+  - q >= 0
+---
+A sledge.
+
+## Normal force {#b .value unit="N"}
+?
+
+## Forces {#a .forces}
+Which?
+
+- (A) weight
+- (B) normal force
+- (C) pull of the rope
+- (D) push
+- (E) driving force
+"""
+SOLUTION = """\
+from corollary.author import along, derivation, force, forces, mistake, step, unknowns
+from corollary.laws import law, wrong
+
+
+def derive(m, P, beta, q, g):
+    N, f = unknowns("N f")
+    return derivation(
+        step(N, "Up and down.", law("Balance", "N + P*sin(beta) = m*g"), answers="b",
+             mistakes=[mistake("The rope lifts.", wrong("N = m*g"))]),
+        forces("a", "They are four.", FORCES,
+               laws=[LAWS], mistakes={"e": "None."}),
+    )
+"""
+GOOD = 'force("a", m*g, "down"), force("b", N, "up"), force("c", P, beta), force("d", q, "right")'
+LAWS = (
+    'along("up", law("Balance", "N + P*sin(beta) = m*g")), '
+    'along("right", law("Newton\'s second law", "m*a = P*cos(beta) + q", a=f))'
+)
+
+
+def solved(folder, forces=GOOD, laws=LAWS):
+    for room in ("problems", "solutions"):
+        (folder / room / "x").mkdir(parents=True, exist_ok=True)
+    place = folder / "problems" / "x" / "sledge.md"
+    place.write_text(PROBLEM, encoding="utf-8")
+    text = SOLUTION.replace("FORCES", forces).replace("LAWS", laws)
+    (folder / "solutions" / "x" / "sledge.py").write_text(text, encoding="utf-8")
+    problem = read_problem(place)
+    return problem, solve(Bank(folder), problem)
+
+
+def test_the_forces_of_the_laws_are_taken(tmp_path):
+    problem, solution = solved(tmp_path)
+    body = free_body(solution.forces["a"], chapter(problem))
+    part = problem.part("a")
+    assert (
+        as_people_say(body, part) == "weight: down; normal force: up; pull of the rope: 30°"
+    )  # nobody pushes
+
+
+@pytest.mark.parametrize(
+    ("forces", "laws", "words"),
+    [
+        (GOOD.replace(', force("d", q, "right")', ""), LAWS, "along 'right'"),
+        (GOOD.replace('"up"', '"down"'), LAWS, "along 'up'"),
+        (GOOD + ', force("e", q, "left")', LAWS, "(?s)e acts; a mistake"),
+        (GOOD.replace('force("c", P, beta)', 'force("c", P, "right")'), LAWS, "along 'up'"),
+        (GOOD, LAWS.partition(", along")[0], r"in which \(d\) acts"),
+        (GOOD.replace('"up"', '"upp"'), LAWS, "'upp' is no direction"),
+        (GOOD.replace('"up"', '"up the slope"'), LAWS, "add slope="),
+        (GOOD.replace('force("d"', 'force("x"'), LAWS, "x is none of its options"),
+    ],
+)
+def test_others_are_refused_at_their_line(tmp_path, forces, laws, words):
+    with pytest.raises(NotDerivable, match=words) as found:
+        solved(tmp_path, forces, laws)
+    assert found.value.line == 10
