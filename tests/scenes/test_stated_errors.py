@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.spring import Spring
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
@@ -78,6 +79,26 @@ def test_a_bounce_turns_a_drag_as_well():
     assert abs(found.observed["velocities"][0] + after) <= found.errors["velocities"][0] <= 1e-8
     back = wall - m / c * math.log1p(c / m * hit * left)
     assert abs(found.observed["trajectory"][0] - back) <= found.errors["trajectory"][0] <= 1e-8
+
+
+@pytest.mark.parametrize("until", [5.2, 5.6, 6.0, 6.178673980274595, 6.4, 6.8])
+def test_what_has_faded_away_still_bounds_the_step(until):
+    """A strongly damped swing: once the fast part is too small to be seen in the slopes, steps that are too long would let it grow."""
+    m, k, damping, x0, v0 = (
+        0.006414270458234613,
+        0.015517120571662761,
+        0.05529683595782639,
+        0.118266366835141,
+        0.46660908251863126,
+    )
+    half = damping / (2.0 * m)
+    root = math.sqrt(half * half - k / m)
+    slow, fast = -k / m / (half + root), -half - root
+    a, b = (v0 - fast * x0) / (slow - fast), (slow * x0 - v0) / (slow - fast)
+    truth = a * slow * math.exp(slow * until) + b * fast * math.exp(fast * until)
+    bodies = (Body(math.inf, (0.0,), (0.0,)), Body(m, (3.0 + x0,), (v0,)))
+    found = play(Scene(bodies, (Spring((0, 1), k, 3.0, damping),), until=until), {O.VELOCITIES})
+    assert abs(found.observed["velocities"][1] - truth) <= found.errors["velocities"][1] <= 1e-9
 
 
 def test_young_contacts_do_not_share_the_error_of_their_first_step():

@@ -22,8 +22,9 @@ MOST_STEPS = 20_000
 STEADY = 250
 # From this product of step and rate on, what fades decides how long an explicit step may be: beyond 6.1 it would grow (E. Hairer,
 # S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, and the program DOP853), which the method's own estimate of its
-# error takes too lightly. So many steps at the edge call for an implicit method.
-FADES, EDGE, STIFF_STEPS = 3.0, 5.0, 15
+# error takes too lightly. What fades is remembered from a smaller product on: soon it is too small to be seen in the slopes, and would
+# still grow. So many steps at the edge call for an implicit method.
+SEEN, FADES, EDGE, STIFF_STEPS = 1.0, 3.0, 5.0, 15
 # An implicit step costs more than an explicit one: for so few it is not worth it.
 FEW_LEFT = 40
 # scipy's own least.
@@ -104,9 +105,11 @@ class Stepper:
         # In motion that swings a single step may look the same.
         self.seen = [*self.seen[1:], fading(solver)]
         rate = min(self.seen)
-        if rate * (solver.t - (solver.t_old or 0.0)) > FADES:
-            self.fades = True
+        lasted = solver.t - (solver.t_old or 0.0)
+        if rate * lasted > SEEN:
             self.rate = max(rate, self.rate)
+        if self.rate * lasted > FADES:
+            self.fades = True
         if self.rate:
             edge = EDGE / self.rate
             self.held_down = self.held_down + 1 if solver.h_abs > edge else max(self.held_down - 1, 0)
