@@ -89,10 +89,14 @@ def test_a_mistake_is_named_and_the_status_says_wrong(written, tmp_path):
     assert "15.3 m" in text
 
 
-def test_a_bad_request(written, tmp_path):
+def test_a_bad_request(written):
     done = audit(written("- id: a\n  laws: [F = m a]\n  asked: F\n  published: 1 N\n"))
     assert done.returncode == 2
     assert "records.yaml:2" in done.stderr
+
+
+@pytest.mark.whole
+def test_other_bad_requests(written, tmp_path):
     assert audit(tmp_path / "nowhere.yaml").returncode == 2
     assert audit(written("hello", "bank.doc")).returncode == 2
 
@@ -108,6 +112,7 @@ PUBLISHED = (
 )
 
 
+@pytest.mark.whole
 def test_a_problem_of_a_bank(written):
     records = "".join(
         f"- {{id: '{place}', problem: X12.5, given: {{v: 20 m/s}}, asked: {asked}, published: '{published}'}}\n"

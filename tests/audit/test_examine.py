@@ -8,6 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from corollary.audit.mistaken import mistake_in
+
 THROW = """
 - id: throw
   given: {{v: 20 m/s, theta: 30 deg}}
@@ -267,3 +269,46 @@ def test_wrong_keys_are_never_said_to_agree(tmp_path_factory, v, h, figures, off
 """)  # fmt: skip
     (outcome,) = examine(records_in(path)[0])
     assert outcome.finding in {"wrong", "ambiguous"}
+
+
+def test_a_part_of_the_ranges_without_an_answer_is_named(audited):
+    """x^2 = a - b has no root where b is the larger."""
+    outcome = one(audited("""
+- {id: x, given: {a: 1..5 m^2, b: 2..6 m^2}, laws: [x^2 = a - b], where: x > 0, asked: x, published: sqrt(a - b)}
+"""))  # fmt: skip
+    assert outcome.finding == "agrees"
+    assert outcome.why.startswith("a part of the ranges admits no answer: a = ")
+
+
+def test_a_number_that_the_formula_has_no_letter_for_is_put_in(audited):
+    text = "- {{id: x, given: {{w: m, g: m/s^2, theta: 45 deg}}, laws: [t = 4*sqrt(w/(g*sin(2*theta)))], asked: t, published: {}}}"
+    assert one(audited(text.format("4*sqrt(w/g)"))).finding == "agrees"
+    assert one(audited(text.format("2*sqrt(w/g)"))).finding == "wrong"
+
+
+def test_the_mistake_in_a_formula(audited):
+    outcome = one(audited(FORMULA.format(v="m/s", theta="deg", published="2*v^2*cos(theta)^2/g")))
+    says, law = mistake_in(outcome)
+    assert "sine and cosine are interchanged" in says
+    assert law == "0 = v*sin(theta)*t - g*t^2/2"
+
+
+def test_the_mistake_on_record_names_the_law_it_replaces(audited):
+    outcome = one(audited("""
+- id: circle
+  given: {r: 2 m, T: 4 s}
+  laws: [Speed: v = 2*pi*r/T, Towards the centre: a = v^2/r]
+  mistakes:
+    - {says: The circle is not closed., law: v = pi*r/T, instead: Speed}
+  asked: a
+  published: 1.23 m/s^2
+"""))  # fmt: skip
+    assert mistake_in(outcome) == ("The circle is not closed.", "Speed")  # (pi/2)^2/2 = 1.2337
+
+
+def test_a_rounding_is_no_other_convention(audited):
+    """44.7 m for 44.64 m: one in the last figure, though another g would give it, too."""
+    outcome = one(audited("""
+- {id: x, given: {t: 3.018 s}, convention: g = 9.80 m/s^2, laws: [h = g*t^2/2], asked: h, published: 44.7 m}
+"""))  # fmt: skip
+    assert outcome.finding == "last figure"

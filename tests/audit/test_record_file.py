@@ -24,7 +24,7 @@ records:
     published: [8.0 s, "72"]
 """
 JSON = """
-[{"id": "3.1", "given": {"v0": "0 m/s", "a": "2.5 m/s^2", "s": "80 m"}, "laws": ["v = v0 + a*t", "s = v0*t + a*t^2/2"],
+[{"id": "3.1", "given": {"v0": "0 m/s", "a": "2.5 m/s^2", "s": "80 m"}, "laws": ["Velocity: v = v0 + a*t", "s = v0*t + a*t^2/2"],
   "where": ["t > 0"], "asked": ["t", "v in km/h"], "published": ["8.0 s", "72"]}]
 """
 CSV = """id,given,laws,where,asked,published

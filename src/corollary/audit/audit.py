@@ -68,12 +68,16 @@ def _audited(
 
 
 def _with_mistake(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer:
-    if outcome.finding != "wrong" or not outcome.violates:
+    """A mistake that gives the published answer also says which law is broken, where it replaces one."""
+    if outcome.finding != "wrong" or not (outcome.violates or outcome.counterexample):
         return outcome
     try:
-        return replace(outcome, mistake=interpreter.call(partial(mistake_in, outcome), SECONDS_FOR_MISTAKES))
+        mistake, law = interpreter.call(partial(mistake_in, outcome), SECONDS_FOR_MISTAKES)
     except NotFinished:
         return outcome  # the finding stands; what led to it is not known
+    if law and law != outcome.violates:
+        return replace(outcome, mistake=mistake, violates=law, sides=None)
+    return replace(outcome, mistake=mistake)
 
 
 def _with_formula(outcome: AuditedAnswer, interpreter: Limited) -> AuditedAnswer:

@@ -4,14 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
-from corollary.audit.record import ExerciseRecord
+from corollary.audit.readers.moodle import moodle_records
+from corollary.audit.readers.prairielearn import prairielearn_records
+from corollary.audit.readers.qti import qti_records
+from corollary.audit.readers.rexams import rexams_records
+from corollary.audit.readers.safe_xml import xml_of
+from corollary.audit.readers.webwork import webwork_records
+from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
 from corollary.audit.record_file import records_in
+from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, names, substitute
+from corollary.formula.syntax import author_formula
+from corollary.formula.text import text
 from corollary.problem.diagnostic import Diagnostic, Malformed
+from corollary.units.unit import Unit
+
+
+def xml_records(path: Path) -> tuple[ExerciseRecord, ...]:
+    """Moodle's questions or QTI's items, by the root of the file. Raises Malformed."""
+    return moodle_records(path) if xml_of(path).tag == "quiz" else qti_records(path)
+
 
 RECORDS = {".yaml", ".yml", ".json", ".csv"}
-READERS: Mapping[str, Callable[[Path], tuple[ExerciseRecord, ...]]] = {}
+READERS: Mapping[str, Callable[[Path], tuple[ExerciseRecord, ...]]] = {
+    ".pg": webwork_records,
+    ".html": prairielearn_records,
+    ".rmd": rexams_records,
+    ".rnw": rexams_records,
+    ".xml": xml_records,
+}
 """By the ending of a file's name, what reads a bank of that kind."""
 
 
@@ -25,7 +48,7 @@ def records_of(path: Path, laws: Mapping[str, ExerciseRecord]) -> tuple[Exercise
     if ending not in READERS:
         known = ", ".join(sorted({*RECORDS, *READERS}))
         raise Malformed([Diagnostic(path, 1, f"is of no kind that is read here ({known})")])
-    return tuple(joined(each, laws.get(each.id)) for each in READERS[ending](path))
+    return tuple(joined(each, laws.get(each.id), bare=True) for each in READERS[ending](path))
 
 
 def laws_by_id(path: Path | None) -> dict[str, ExerciseRecord]:
@@ -33,27 +56,70 @@ def laws_by_id(path: Path | None) -> dict[str, ExerciseRecord]:
     return {each.id: each for each in records_in(path, answers=False)} if path is not None else {}
 
 
-def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None) -> ExerciseRecord:
-    """An exercise of a bank with the laws stated for it: these say what is asked, and take precedence in what both say."""
+def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool = False) -> ExerciseRecord:
+    """An exercise with the laws stated for it: these say what is asked, and take precedence in what both say.
+
+    `bare`: its formulas work with bare numbers, each in the unit that the laws' file gives to its letter.
+    """
     if stated is None:
         if exercise.unread or exercise.laws or exercise.problem:
             return exercise
         return replace(
             exercise, unread=f"no laws are stated for {exercise.id}; write them in a file for --laws"
         )
-    own = {each.symbol: each for each in exercise.given} | {each.symbol: each for each in stated.given}
-    published = stated.published or exercise.published
     if exercise.unread and not stated.published:
         return exercise
+    published = stated.published or exercise.published
     if len(published) != len(stated.asked):
         why = f"it publishes {len(published)} answers, and the laws are for {len(stated.asked)}"
         return replace(exercise, unread=why)
+    units = {each.symbol: each for each in stated.given}
+    given = {each.symbol: _in_unit(each, units.get(each.symbol)) for each in exercise.given}
+    if bare and exercise.given and not stated.published:
+        try:
+            published = tuple(
+                _in_si(formula, given, asked) for formula, asked in zip(published, stated.asked, strict=True)
+            )
+        except ValueError as error:
+            return replace(exercise, unread=str(error))
     return replace(
         stated,
         path=exercise.path,
         line=exercise.line,
-        given=tuple(own.values()),
+        given=tuple((units | given).values()),
         published=published,
         source=exercise.source or stated.source,
         statement=exercise.statement or stated.statement,
     )
+
+
+def _in_unit(drawn: StatedGiven, stated: StatedGiven | None) -> StatedGiven:
+    """What a bank draws, in the unit that the laws' file says; a number there takes precedence."""
+    if stated is None:
+        return drawn
+    return stated if stated.low is not None else replace(drawn, unit=stated.unit)
+
+
+def _in_si(formula: str, given: Mapping[str, StatedGiven], asked: AskedLetter) -> str:
+    """A bank's formula works with bare numbers in the units of the givens and of what is asked: the same in SI.
+
+    Raises ValueError where a unit has a zero of its own.
+    """
+    tree = author_formula(formula)
+    bare: dict[str, Expr] = {}
+    for letter in names(tree) & given.keys():
+        bare[letter] = _scaled(Name(letter), given[letter].unit, below=True)
+    found = substitute(tree, bare)
+    return text(found if asked.unit is None else _scaled(found, asked.unit, below=False))
+
+
+def _scaled(tree: Expr, unit: Unit, *, below: bool) -> Expr:
+    """The formula times the size of a unit, or divided by it."""
+    if unit.offset:
+        raise ValueError(f"the key is a formula of bare numbers in {unit.text}, which begins at no zero")
+    if unit.bare:
+        return tree
+    size: Expr = Number(unit.factor)
+    if unit.pi:
+        size = Product((size, Power(Name("pi"), Number(Fraction(unit.pi)))))
+    return Quotient(tree, size) if below else Product((size, tree))

@@ -93,11 +93,7 @@ def _outcome(exercise: PublishedExercise, asked: AskedLetter, published: str) ->
         found = _number_outcome(exercise, nothing, number)
     except (NoRoot, ValueError) as error:
         return replace(nothing, why=str(error))
-    return (
-        found
-        if found.finding in {"agrees", "not unique", "impossible"}
-        else _under_conventions(exercise, number, found)
-    )
+    return found if found.finding != "wrong" else _under_conventions(exercise, number, found)
 
 
 def published_number(
@@ -171,8 +167,6 @@ def _under_conventions(
         if any(_agrees(number, root, letter) for root in other.roots(other.numbers)):
             why = f"it is right with {words}, which the statement does not say"
             return replace(found, finding="ambiguous", why=why, violates="", sides=None)
-    if found.finding != "wrong":
-        return found
     roots = [root for root in exercise.roots(exercise.numbers) if not root.against]
     for root in roots:
         turned = dict(root.values) | {letter: -root.values[letter]}

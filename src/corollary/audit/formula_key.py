@@ -13,7 +13,7 @@ from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import StatedGiven
 from corollary.derive.roots import NoRoot
 from corollary.derive.system import SystemRoot, system_roots
-from corollary.formula.ast import Expr, Relation, names, substitute
+from corollary.formula.ast import Expr, Name, Number, Power, Product, Relation, names, substitute
 from corollary.formula.ball import certified
 from corollary.formula.errors import ParseError, Undefined
 from corollary.formula.rational_pi import RationalPi
@@ -49,10 +49,9 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
     if letter in names(formula):
         return replace(nothing, why=f"the published formula for {letter} has {letter} in it")
     roots = system_roots(exercise.laws, exercise.unknowns)
-    box = _box(exercise, formula)
-    points = [
-        point for point in _points(box, exercise) if any(_admitted(exercise, root, point) for root in roots)
-    ]
+    box = box_of(exercise, formula)
+    everywhere = points_of(box, exercise)
+    points = [point for point in everywhere if any(_admitted(exercise, root, point) for root in roots)]
     if not points:
         return replace(
             nothing,
@@ -60,20 +59,24 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
             why="nowhere in the ranges is there a real root as the wording has it",
         )
     candidates = [root for root in roots if any(_admitted(exercise, root, point) for point in points)]
-    derived = {id(root): root.formula(letter) for root in candidates}
+    numbers = {
+        name: exact_tree(exercise.givens[name]) for name, (low, high) in box.items() if low == high
+    }  # put in exactly: at the nearest double to pi/4 a sine is not what it is there
+    derived = {id(root): _with(root.formula(letter), numbers) for root in candidates}
     if None in derived.values():
         return replace(
             nothing,
             why=f"{letter} has no formula to compare with: the laws give a root of a cubic or the like",
         )
-    displayed = {each: text(tree) for each, tree in derived.items() if tree is not None}
+    displayed = {id(root): text(tree) for root in candidates if (tree := root.formula(letter)) is not None}
     domain = {
         name: tuple(sorted((float(low), float(high)))) for name, (low, high) in _si(box, exercise).items()
     }
     matching, undecided = None, ""
     difference: Different | None = None
     for root in candidates:
-        seen = compare(_in_givens(formula, root, exercise), derived[id(root)], domain)  # type: ignore[arg-type]
+        theirs = substitute(_in_givens(formula, root, exercise), numbers)
+        seen = compare(theirs, derived[id(root)], domain)  # type: ignore[arg-type]
         if isinstance(seen, Equal):
             matching = root
             break
@@ -90,7 +93,7 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
         if rivals:
             why = f"the statement admits {', '.join(displayed[id(each)] for each in rivals)} as well"
             return replace(found, finding="not unique", why=why, others=others)
-        return found
+        return replace(found, why=_nowhere(exercise, everywhere, points))
     found = replace(
         nothing, derived=displayed[id(candidates[0])], formula=displayed[id(candidates[0])], others=others[1:]
     )
@@ -103,7 +106,33 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
     return replace(found, finding="wrong", counterexample=failing, why=why)
 
 
-def _box(exercise: PublishedExercise, formula: Expr) -> dict[str, tuple[Fraction, Fraction]]:
+def _with(tree: Expr | None, numbers: Mapping[str, Expr]) -> Expr | None:
+    return None if tree is None else substitute(tree, numbers)
+
+
+def exact_tree(given: StatedGiven) -> Expr:
+    """A given with one value, in SI, as a formula without letters."""
+    value = exact(given)
+    number = Number(value.ratio)
+    return number if not value.pi else Product((number, Power(Name("pi"), Number(Fraction(value.pi)))))
+
+
+def _nowhere(
+    exercise: PublishedExercise,
+    everywhere: list[dict[str, RationalPi]],
+    admitted: list[dict[str, RationalPi]],
+) -> str:
+    """That there are numbers in the ranges for which the statement has no answer, and such numbers; "" where none was met."""
+    failing = next((point for point in everywhere if point not in admitted), None)
+    if failing is None or any(given.low is None for given in exercise.givens.values()):
+        return ""  # where a letter may be anything, the ranges are not the exercise's
+    numbers = ", ".join(
+        f"{name} = {_as_given(exercise.givens[name], value)}" for name, value in failing.items()
+    )
+    return f"a part of the ranges admits no answer: {numbers}"
+
+
+def box_of(exercise: PublishedExercise, formula: Expr) -> dict[str, tuple[Fraction, Fraction]]:
     """For each given its least and largest value, in its own unit; a number that the formula has a letter for may be any like it."""
     named = {each.symbol for each in exercise.record.given} & names(formula)
     return {name: _range(given, name in named) for name, given in exercise.givens.items()}
@@ -122,7 +151,7 @@ def _range(given: StatedGiven, varied: bool) -> tuple[Fraction, Fraction]:
     return given.low, given.high
 
 
-def _points(
+def points_of(
     box: Mapping[str, tuple[Fraction, Fraction]], exercise: PublishedExercise
 ) -> list[dict[str, RationalPi]]:
     """Points of the box: its middle, and others drawn by the record's id, in SI and exactly."""

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, islice
+from math import isclose
 
-from corollary.audit.examine import published_number
+from corollary.audit.examine import PublishedNumber, published_number
 from corollary.audit.exercise import PublishedExercise, exercise_of, signs
+from corollary.audit.formula_key import APART, box_of, formula_in, points_of
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import ExerciseRecord, LawText, StatedGiven, WrongLaw
 from corollary.derive.roots import NoRoot
 from corollary.derive.statements import Exchange, Mistake
 from corollary.derive.system import in_letters, stated
 from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, Relation, names, walk
+from corollary.formula.ball import certified
+from corollary.formula.errors import Undefined
+from corollary.formula.rational_pi import RationalPi
 from corollary.formula.syntax import author_formula
 from corollary.formula.text import text
 from corollary.misconceptions import (
@@ -33,41 +38,74 @@ from corollary.units.unit import UNITS, show, si_unit
 
 ENOUGH = 2  # figures of a published number: one figure is met by chance
 MOST_TRIED = 80
+TRIED_AT = (
+    2  # points at which a formula is held against what a mistake gives: two functions meet at one by chance
+)
 ONE, TWO = Number(Fraction(1)), Number(Fraction(2))
 
 
-def mistake_in(outcome: AuditedAnswer) -> str:
-    """What was done wrong, where that gives the published number; "" where no mistake known does."""
+def mistake_in(outcome: AuditedAnswer) -> tuple[str, str]:
+    """What was done wrong where that gives the published answer, and the law concerned; "" where no mistake known does."""
     exercise = exercise_of(outcome.record)
     asked = next(each for each in outcome.record.asked if each.letter == outcome.asked)
     number = published_number(exercise, asked, outcome.published)
+    formula = formula_in(exercise, outcome.published) if outcome.counterexample else None
+    if formula is not None:
+        points = points_of(box_of(exercise, formula), exercise)[:TRIED_AT]
+        return _first(exercise, lambda changed: _gives_formula(changed, outcome.asked, formula, points))
     if isinstance(number, str) or not exercise.fixed:
-        return ""
+        return "", ""
     if (number.figures or number.reading.figures or ENOUGH) < ENOUGH:
-        return ""
-    for says, changed in islice(_mistaken(exercise), MOST_TRIED):
+        return "", ""
+    return _first(exercise, lambda changed: _gives_number(changed, outcome.asked, number))
+
+
+def _first(exercise: PublishedExercise, gives: Callable[[PublishedExercise], bool]) -> tuple[str, str]:
+    for says, law, changed in islice(_mistaken(exercise), MOST_TRIED):
         try:
-            roots = changed.roots(changed.numbers)
-        except (NoRoot, ValueError):
+            if gives(changed):
+                return says, law
+        except (NoRoot, ValueError):  # what somebody mistakes can be solved by nobody
             continue
-        if any(number.agreement(root.values[outcome.asked]) == "agrees" for root in roots):
-            return says
-    return ""
+    return "", ""
 
 
-def _mistaken(exercise: PublishedExercise) -> Iterator[tuple[str, PublishedExercise]]:
-    """The exercise with one thing wrong, and what that is."""
+def _gives_number(changed: PublishedExercise, letter: str, number: PublishedNumber) -> bool:
+    roots = changed.roots(changed.numbers)
+    return any(number.agreement(root.values[letter]) == "agrees" for root in roots)
+
+
+def _gives_formula(
+    changed: PublishedExercise, letter: str, formula: Expr, points: Sequence[Mapping[str, RationalPi]]
+) -> bool:
+    """Whether a formula without unknowns is at some points what the mistake gives there."""
+    if names(formula) & set(changed.unknowns):
+        return False
+    for point in points:
+        try:
+            theirs = certified(formula, point).value
+        except Undefined:
+            return False
+        if not any(isclose(theirs, root.values[letter], rel_tol=APART) for root in changed.roots(point)):
+            return False
+    return bool(points)
+
+
+def _mistaken(exercise: PublishedExercise) -> Iterator[tuple[str, str, PublishedExercise]]:
+    """What is wrong, the law concerned ("": a unit), and the exercise with it."""
     for each in exercise.record.mistakes:
         with suppress(ValueError):
-            yield each.says, _with_laws(exercise, _exchanged(exercise.record, each))
-    yield from _units_mistaken(exercise)
+            law, laws = _exchanged(exercise.record, each)
+            yield each.says, law, _with_laws(exercise, laws)
+    for says, changed in _units_mistaken(exercise):
+        yield says, "", changed
     for law in exercise.record.laws:
         for says, formula in _bent(exercise, law):
             laws = tuple(
                 replace(law, formula=formula) if each is law else each for each in exercise.record.laws
             )
             with suppress(ValueError):
-                yield f"{says} (in {law.name})", _with_laws(exercise, laws)
+                yield f"{says} (in {law.name})", law.name, _with_laws(exercise, laws)
 
 
 def _with_laws(exercise: PublishedExercise, laws: tuple[LawText, ...]) -> PublishedExercise:
@@ -77,8 +115,8 @@ def _with_laws(exercise: PublishedExercise, laws: tuple[LawText, ...]) -> Publis
     return replace(exercise, record=record, laws=stated(texts, signs(exercise.givens), exercise.unknowns))
 
 
-def _exchanged(record: ExerciseRecord, wrong: WrongLaw) -> tuple[LawText, ...]:
-    """The laws with one replaced: the one named, the only one, or the one with the same left side. Raises ValueError."""
+def _exchanged(record: ExerciseRecord, wrong: WrongLaw) -> tuple[str, tuple[LawText, ...]]:
+    """The name of a law and all laws with it replaced: the one named, the only one, or the one with the same left side. Raises ValueError."""
     places = [place for place, law in enumerate(record.laws) if law.name == wrong.instead]
     if not wrong.instead:
         left = _sides(wrong.formula).left
@@ -89,7 +127,7 @@ def _exchanged(record: ExerciseRecord, wrong: WrongLaw) -> tuple[LawText, ...]:
             f"the mistake {wrong.says!r} does not say which law it takes the place of: write instead:"
         )
     changed = LawText(record.laws[places[0]].name, wrong.formula, wrong.line)
-    return (*record.laws[: places[0]], changed, *record.laws[places[0] + 1 :])
+    return changed.name, (*record.laws[: places[0]], changed, *record.laws[places[0] + 1 :])
 
 
 def _units_mistaken(exercise: PublishedExercise) -> Iterator[tuple[str, PublishedExercise]]:

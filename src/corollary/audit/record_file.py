@@ -194,7 +194,12 @@ def _laws(row: Reader, name: str, bank: Mapping[str, LawText]) -> Iterator[LawTe
             case TextNode(words) if words.strip() in bank:
                 yield bank[words.strip()]
             case TextNode(words, line):
-                yield from _law(row, words.strip(), words.strip(), line)
+                title, mark, formula = words.strip().partition(": ")
+                named = (
+                    mark and "=" not in title
+                )  # `Energy: m*g*h = m*v^2/2` in quotation marks, as JSON has it
+                title, formula = (title, formula) if named else (words, words)
+                yield from _law(row, title.strip(), formula.strip(), line)
             case TableNode(entries, line) if len(entries) == 1:
                 ((title, inside),) = entries.items()
                 if isinstance(inside, TextNode):
@@ -222,13 +227,16 @@ def _mistakes(row: Reader) -> Iterator[WrongLaw]:
         match node:
             case TableNode(entries, line) if {"says", "law"} <= entries.keys():
                 inner = Reader(row.path, node, f"a mistake of {row.what}", row.complaints)
-                yield WrongLaw(inner.text("says"), inner.text("law"), inner.text("instead", ""), line)
+                says, formula, instead = inner.text("says"), inner.text("law"), inner.text("instead", "")
                 inner.finish()
             case TableNode(entries, line) if len(entries) == 1:
                 ((says, law),) = entries.items()
-                yield WrongLaw(says, law.text if isinstance(law, TextNode) else "", "", line)
+                formula, instead = law.text if isinstance(law, TextNode) else "", ""
             case _:
                 row.complain(node.line, f"a mistake of {row.what} is `what was done: law`")
+                continue
+        for law in _law(row, says, formula, line):
+            yield WrongLaw(says, law.formula, instead, line)
 
 
 def _figures(row: Reader) -> int | None:

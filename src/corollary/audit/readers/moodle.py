@@ -1,0 +1,106 @@
+"""Moodle XML: numerical questions, calculated ones with their datasets, multiple choice among numbers."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from xml.etree.ElementTree import Element
+
+from corollary.audit.readers.safe_xml import words_of, xml_of
+from corollary.audit.readers.straight_line import NotRead, StraightLine
+from corollary.audit.record import ExerciseRecord
+from corollary.problem.diagnostic import Diagnostic, Malformed
+
+WILDCARD = re.compile(r"\{([A-Za-z]\w*)\}")
+NOT_QUESTIONS = {"category", "description"}
+
+
+def moodle_records(path: Path) -> tuple[ExerciseRecord, ...]:
+    """The questions of a file. Raises Malformed."""
+    root = xml_of(path)
+    if root.tag != "quiz":
+        raise Malformed(
+            [Diagnostic(path, 1, f"is no export of a Moodle question bank: its root is <{root.tag}>")]
+        )
+    questions = [each for each in root.findall("question") if each.get("type") not in NOT_QUESTIONS]
+    return tuple(_record(path, each, place) for place, each in enumerate(questions, 1))
+
+
+def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
+    name = words_of(question.findtext("idnumber") or question.findtext("name/text") or f"question {place}")
+    statement = words_of(question.findtext("questiontext/text") or "")
+    bare = ExerciseRecord(name, path, 1, statement=statement)
+    try:
+        match question.get("type"):
+            case "numerical":
+                return _with(bare, _number(question))
+            case "calculated" | "calculatedsimple":
+                return _calculated(bare, question)
+            case "multichoice":
+                return _with(bare, _choice(question))
+            case kind:
+                raise NotRead(f"questions of type {kind} are not read")
+    except NotRead as error:
+        return _unread(bare, str(error))
+
+
+def _with(bare: ExerciseRecord, published: str) -> ExerciseRecord:
+    return ExerciseRecord(bare.id, bare.path, bare.line, published=(published,), statement=bare.statement)
+
+
+def _unread(bare: ExerciseRecord, why: str) -> ExerciseRecord:
+    return ExerciseRecord(bare.id, bare.path, bare.line, statement=bare.statement, unread=why)
+
+
+def _right(question: Element) -> str:
+    """The text of the one answer with full marks. Raises NotRead."""
+    full = [each for each in question.findall("answer") if float(each.get("fraction") or 0) == 100]
+    texts = {words_of(each.findtext("text") or "") for each in full}
+    if len(texts) != 1:
+        raise NotRead(f"{len(texts)} different answers earn full marks")
+    (text,) = texts
+    if text == "*":
+        raise NotRead("every answer earns full marks")
+    return text
+
+
+def _number(question: Element) -> str:
+    return f"{_right(question)} {_unit(question)}".strip()
+
+
+def _unit(question: Element) -> str:
+    """The unit in which a bare number is meant: the one with the multiplier 1."""
+    for unit in question.findall("units/unit"):
+        if float(unit.findtext("multiplier") or 0) == 1:
+            return (unit.findtext("unit_name") or "").strip()
+    return ""
+
+
+def _calculated(bare: ExerciseRecord, question: Element) -> ExerciseRecord:
+    program = StraightLine()
+    for dataset in question.findall("dataset_definitions/dataset_definition"):
+        letter = (dataset.findtext("name/text") or "").strip()
+        low, high = (dataset.findtext(f"{name}/text") or "" for name in ("minimum", "maximum"))
+        items = [
+            (each.findtext("value") or "").strip() for each in dataset.findall("dataset_items/dataset_item")
+        ]
+        if items and len(set(items)) > 1:
+            program.draw_among(letter, items)
+        else:
+            program.draw(letter, low, high)
+    key = _right(question)
+    if "^" in key:
+        raise NotRead("^ is no power in a formula of Moodle's, pow is")
+    formula, drawn = program.key(WILDCARD.sub(r"\1", key))
+    return ExerciseRecord(
+        bare.id, bare.path, bare.line, drawn, published=(formula,), statement=bare.statement
+    )
+
+
+def _choice(question: Element) -> str:
+    if (question.findtext("single") or "true").strip() not in {"true", "1"}:
+        raise NotRead("several options may be chosen")
+    text = _right(question)
+    if not re.search(r"\d", text):
+        raise NotRead(f"the right option, {text!r}, is no number")
+    return text

@@ -1,0 +1,108 @@
+"""Exercises of PrairieLearn as folders: what is read of each without running it, and why the others are not."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.audit.readers.prairielearn import prairielearn_records
+
+PAGE = '<pl-question-panel><p>A mass {{params.m}} kg.</p></pl-question-panel>\n<pl-number-input answers-name="F" comparison="relabs" suffix="N"></pl-number-input>\n'
+M = "    m = random.randint(1, 5)\n    data['params']['m'] = m\n"
+
+
+def program(body, head="import random\nimport math\nimport numpy as np\n"):
+    return f"{head}\ndef generate(data):\n{body}"
+
+
+READ = [
+    (PAGE, program(M + "    data['correct_answers']['F'] = m * 9.8\n"), "m*49/5"),
+    (PAGE, program(M + "    F = m*9.8\n    data['correct_answers']['F'] = F\n"), "m*49/5"),
+    (PAGE, program(M + "    data['correct_answers']['F'] = round(m * 9.8, 2)\n"), "m*49/5"),
+    (PAGE, program(M + "    data['correct_answers']['F'] = float(m**2)\n"), "m^2"),
+    (
+        PAGE,
+        program("    a = random.uniform(2, 3.5)\n    data['correct_answers']['F'] = math.sqrt(2*a)\n"),
+        "sqrt(2*a)",
+    ),
+    (
+        PAGE,
+        program(
+            "    a = np.random.uniform(10, 80)\n    data['correct_answers']['F'] = np.sin(np.radians(a))\n"
+        ),
+        "sin(a*pi/180)",
+    ),
+    (PAGE, program("    a = random.choice([2, 4, 6])\n    data['correct_answers']['F'] = a/2\n"), "a/2"),
+    (
+        PAGE,
+        program("    a = np.round(np.random.uniform(1, 2), 2)\n    data['correct_answers']['F'] = np.pi*a\n"),
+        "pi*a",
+    ),
+    (
+        PAGE,
+        program(M + "    data['correct_answers']['F'] = m*g\n", "import random\ng = 9.81\n"),
+        "m*(981/100)",
+    ),
+    (
+        PAGE,
+        program("    '''Makes numbers.'''\n" + M + "    data['correct_answers']['F'] = m/3\n    return\n"),
+        "m/3",
+    ),
+    (
+        PAGE,
+        program(M + "    v = random.randint(2, 9)\n    data['correct_answers']['F'] = 0.5*m*v**2\n"),
+        "1/2*m*v^2",
+    ),
+    (PAGE, program(M + "    data['correct_answers']['F'] = math.pow(m, 3)\n"), "m^3"),
+    (PAGE, program(M + "    data['correct_answers']['F'] = math.atan2(m, 2)\n"), "atan2(m, 2)"),
+    (
+        PAGE,
+        program("    a = random.randrange(1, 9, 2)\n    data['correct_answers']['F'] = math.log(a)\n"),
+        "ln(a)",
+    ),
+    ('<pl-number-input answers-name="F" correct-answer="3.2" suffix="N"></pl-number-input>', "", "3.2 N"),
+    ('<p>…</p><pl-units-input answers-name="F" correct-answer="4.5 m/s"></pl-units-input>', "", "4.5 m/s"),
+]
+NOT_READ = [
+    (PAGE, program(M + "    if m > 2:\n        m = 1\n    data['correct_answers']['F'] = m\n"), "is no assignment"),
+    (PAGE, program(M + "    for i in range(3):\n        m = m + i\n    data['correct_answers']['F'] = m\n"), "is no assignment"),
+    (PAGE, program(M + "    data['correct_answers']['G'] = m\n"), "no correct answer 'F'"),
+    (PAGE, program(M + "    data['correct_answers']['F'] = solve(m)\n"), ""),
+    (PAGE, program(M + "    m = m + 1\n    data['correct_answers']['F'] = m\n"), "twice"),
+    (PAGE, program(M + "    data['correct_answers']['F'] = m^2\n"), "BitXor"),
+    (PAGE, program(M + "    data['correct_answers']['F'] = m//2\n"), "FloorDiv"),
+    (PAGE, program(M + "    m += 1\n    data['correct_answers']['F'] = m\n"), "is no assignment"),
+    (PAGE, "def grade(data):\n    pass\n", "no function generate"),
+    (PAGE, "", "no server.py"),
+    (PAGE + PAGE, program(M), "2 inputs"),
+    ('<pl-multiple-choice answers-name="F"></pl-multiple-choice>', "", "is not read"),
+]  # fmt: skip
+
+
+def folder_of(tmp_path, page, code):
+    (tmp_path / "question.html").write_text(page, encoding="utf-8")
+    if code:
+        (tmp_path / "server.py").write_text(code, encoding="utf-8")
+    return tmp_path / "question.html"
+
+
+@pytest.mark.parametrize(("page", "code", "published"), READ)
+def test_what_is_read(tmp_path, same, page, code, published):
+    (record,) = prairielearn_records(folder_of(tmp_path, page, code))
+    assert not record.unread
+    assert same(*record.published, published)
+    assert record.id == tmp_path.name
+
+
+@pytest.mark.parametrize(("page", "code", "why"), NOT_READ)
+def test_what_is_not_read_is_said(tmp_path, page, code, why):
+    (record,) = prairielearn_records(folder_of(tmp_path, page, code))
+    assert record.unread
+    assert why in record.unread
+
+
+def test_nothing_of_it_is_run(tmp_path):
+    mark = tmp_path / "run"
+    code = f"open({str(mark)!r}, 'w')\n" + program(M + f"    open({str(mark)!r}, 'w')\n")
+    (record,) = prairielearn_records(folder_of(tmp_path, PAGE, code))
+    assert record.unread
+    assert not mark.exists()

@@ -1,0 +1,70 @@
+"""Exercises of R/exams, in Markdown and in LaTeX: what is read of each, and why the others are not."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.audit.readers.rexams import rexams_records
+
+MARKDOWN = (
+    "```{{r data generation, echo = FALSE}}\n{code}\n```\n\nQuestion\n========\nHow far?\n\n"
+    "Meta-information\n================\nexname: fall\nextype: num\nexsolution: `r {key}`\nextol: 0.01\n"
+)
+LATEX = "<<echo=FALSE, results=hide>>=\n{code}\n@\n\\begin{{question}}\nHow far?\n\\end{{question}}\n\\exname{{fall}}\n\\extype{{num}}\n\\exsolution{{\\Sexpr{{{key}}}}}\n"
+READ = [
+    ("m <- sample(1:10, 1)\nF <- m * 9.81", "F", "m*981/100"),
+    ("m <- runif(1, 2, 5)\nsol <- m/2", "round(sol, 2)", "m/2"),
+    ("m <- runif(1, min = 2, max = 5)\nsol <- m/2", "fmt(sol, 3)", "m/2"),
+    ("v <- sample(c(2, 4, 8), 1) # m/s\nsol <- v^2", "sol", "v^2"),
+    ("v <- sample(seq(2, 8, by = 0.5), size = 1)\nsol <- v^2", "sol", "v^2"),
+    ("v <- sample(seq(from = 2, to = 8, by = 0.5), 1)", "3*v", "3*v"),
+    ("library(exams)\nset.seed(1)\na <- sample(10:80, 1)\nh <- sin(a*pi/180)", "h", "sin(a*pi/180)"),
+    ("a = sample(2:9, 1); b = sample(2:9, 1)\ns = sqrt(a^2 + b^2)", "s", "sqrt(a^2 + b^2)"),
+    ("my.mass <- sample(2:9, 1)\nw <- my.mass * 10", "w", "my_mass*10"),
+    ("m <- round(runif(1, 2, 5), 1)\nsol <- exp(-m)", "sol", "exp(-m)"),
+    ("m <- sample(2:9, 1)\ntext <- paste('a', m)\nsol <- m + 1", "sol", "m + 1"),
+    ("t <- sample(2:9, 1)\ns <- 0.5 *\n  9.8 * (t^2\n  )", "s", None),
+    ("t <- sample(2:9, 1)\ns <- (0.5 *\n  9.8 * t^2)", "s", "1/2*49/5*t^2"),
+    ("t <- sample(2:9, 1)\ns <- log(t)", "s", "ln(t)"),
+    ("t <- sample(2:9, 1)\ns <- t^2L", "s", "t^2"),
+    ("t <- sample(2:9, 1)\ng <- 9.81\ns <- g*t^2/2", "signif(s, 3)", "981/100*t^2/2"),
+]
+NOT_READ = [
+    ("x <- sample(2:9, 3)\ns <- x", "s", "x is not known"),
+    ("x <- rnorm(1)\ns <- x", "s", ""),
+    ("x <- 1\nif (x > 0) x <- 2\ns <- x", "s", "no assignment"),
+    ("x <- sample(2:9, 1)\nwhile (x < 4) x <- x + 1", "x", "no assignment"),
+    ("x <- sample(2:9, 1)\nx <- x + 1", "x", "twice"),
+    ("x <- sample(2:9, 1)", "y", "y is not known"),
+    ("x <- sample(2:9, 1)", "mean(x)", ""),
+]
+
+
+@pytest.mark.parametrize(("shell", "ending"), [(MARKDOWN, "Rmd"), (LATEX, "Rnw")])
+@pytest.mark.parametrize(("code", "key", "published"), READ)
+def test_what_is_read(tmp_path, same, shell, ending, code, key, published):
+    path = tmp_path / f"fall.{ending}"
+    path.write_text(shell.format(code=code, key=key), encoding="utf-8")
+    (record,) = rexams_records(path)
+    if published is None:  # a statement that goes on without a bracket is not made out, and not guessed
+        assert record.unread
+        return
+    assert not record.unread
+    assert same(*record.published, published)
+
+
+@pytest.mark.parametrize(("code", "key", "why"), NOT_READ)
+def test_what_is_not_read_is_said(tmp_path, code, key, why):
+    path = tmp_path / "fall.Rmd"
+    path.write_text(MARKDOWN.format(code=code, key=key), encoding="utf-8")
+    (record,) = rexams_records(path)
+    assert record.unread
+    assert why in record.unread
+
+
+def test_a_number_and_another_type(tmp_path):
+    path = tmp_path / "a.Rmd"
+    path.write_text("Meta-information\n====\nextype: num\nexsolution: 4.9\n", encoding="utf-8")
+    assert rexams_records(path)[0].published == ("4.9",)
+    path.write_text("Meta-information\n====\nextype: schoice\nexsolution: 0100\n", encoding="utf-8")
+    assert "schoice" in rexams_records(path)[0].unread

@@ -1,0 +1,108 @@
+"""Twenty files of WeBWorK as people write them: what is read of each, and why the others are not."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.audit.bank_file import laws_by_id, records_of
+from corollary.audit.examine import examine
+from corollary.audit.readers.webwork import webwork_records
+
+HEAD = 'DOCUMENT();\nloadMacros("PGstandard.pl", "MathObjects.pl");\nTEXT(beginproblem());\n# a comment; with a mark\n'
+TEXT = "BEGIN_TEXT\nA car of mass \\($m\\) kg has $PAR an energy of \\{ans_rule(20)\\} J\nEND_TEXT\n"
+MV = "$m = random(1,10,0.5);\n$v = random(2, 30);\n"
+
+READ = [
+    (MV + "$ans = $m*$v**2/2;\nANS(num_cmp($ans));", "m*v^2/2", {"m": (1, 10), "v": (2, 30)}),
+    (MV + '$ans = Compute("0.5*$m*$v^2");\nANS($ans->cmp);', "1/2*m*v^2", {"m": (1, 10)}),
+    (MV + "$p = $m * $v;\n$ans = $p*$v/2;\nANS(Compute($ans)->cmp());", "m*v*v/2", {"v": (2, 30)}),
+    (MV + "ANS(num_cmp($m*$v, tol => 0.01));", "m*v", {"m": (1, 10)}),
+    ("$F = 12;\n$m = 4;\n$a = $F/$m;\nANS(Real($a)->cmp);", "3", {}),
+    ("$F = 12;\n$m = 4;\n$a = $F/$m;\nANS(NumberWithUnits(\"$a m/s^2\")->cmp);", "3 m/s^2", {}),
+    ('ANS(NumberWithUnits("9.8 m/s^2")->cmp);', "9.8 m/s^2", {}),
+    ('ANS(num_cmp(42.5));', "42.5", {}),
+    ("$t = list_random(2, 3, 5);\n$d = 9.8*$t**2/2;\nANS(num_cmp($d));", "49/5*t^2/2", {"t": (2, 5)}),
+    ("$theta = random(20,70,1);\n$x = sin($theta*pi/180);\nANS(Real($x)->cmp);", "sin(theta*pi/180)", {"theta": (20, 70)}),
+    ("$h = random(1,9,1);\n$v = sqrt(2*9.81*$h);\nANS(num_cmp($v));", "sqrt(2*981/100*h)", {"h": (1, 9)}),
+    ("my $k = random(100,500,10);\nmy $w = ($k/2)**0.5;\nANS(Real($w)->cmp);", "(k/2)^(1/2)", {"k": (100, 500)}),
+    ("$x = random(1,5,1); $y = random(1,5,1); $r = sqrt($x**2+$y**2);\nANS(num_cmp($r));", "sqrt(x^2 + y^2)", {"y": (1, 5)}),
+    ("$a = random(-9,-2,1);\n$unused = join(',', 1, 2);\n$b = 3*$a;\nANS(num_cmp($b));", "3*a", {"a": (-9, -2)}),
+    ("$m = random(1,5,1);\nBEGIN_PGML\nThe weight is [____]{$m*9.8} N.\nEND_PGML", "m*49/5", {"m": (1, 5)}),
+    ("$m = random(1,5,1);\n$w = $m*10;\nBEGIN_PGML\n[`F`] = [____]{Real($w)} N\nEND_PGML", "m*10", {"m": (1, 5)}),
+    ("$m = random(1,5,1);\n$w = log($m);\nANS(num_cmp($w));", "ln(m)", {"m": (1, 5)}),
+    ("$m = random(1,5,1);\n$w = exp(-$m)*pi;\nANS(num_cmp($w));", "exp(-m)*pi", {"m": (1, 5)}),
+]  # fmt: skip
+NOT_READ = [
+    (MV + "if ($m > 3) { $v = 2; }\n$a = $m*$v;\nANS(num_cmp($a));", "conditions, loops"),
+    (MV + "do { $u = random(1,5,1); } until ($u != $v);\nANS(num_cmp($u));", "conditions, loops"),
+    (MV + "$m = $m + 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),
+    (MV + "ANS(num_cmp($m)); ANS(num_cmp($v));", "2 answers"),
+    (MV, "0 answers"),
+    (MV + "$ans = 0.5*$m*$v^2;\nANS(Real($ans)->cmp);", "no power in Perl"),
+    (MV + "$m += 1;\n$a = $m*$v;\nANS(num_cmp($a));", "is changed"),
+    (MV + "$a = $m*$v;\n$a++;\nANS(num_cmp($a));", "is changed"),
+    (MV + "($m, $v) = (1, 2);\n$a = $m*$v;\nANS(num_cmp($a));", "is changed"),
+    ("@list = (1,2);\n$a = $list[0];\nANS(num_cmp($a));", "$a"),
+    ("$f = Formula('x^2');\nANS($f->D('x')->cmp);", ""),
+    ("$a = random(1,5,1);\n$b = somebody($a);\nANS(num_cmp($b));", ""),
+]
+
+
+def file_of(tmp_path, text):
+    path = tmp_path / "fall.pg"
+    path.write_text(HEAD + TEXT + text + "\nENDDOCUMENT();\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(("text", "published", "given"), READ)
+def test_what_is_read(tmp_path, same, text, published, given):
+    (record,) = webwork_records(file_of(tmp_path, text))
+    assert not record.unread
+    assert same(*record.published, published)
+    found = {each.symbol: (each.low, each.high) for each in record.given}
+    assert given.items() <= found.items()
+
+
+@pytest.mark.parametrize(("text", "why"), NOT_READ)
+def test_what_is_not_read_is_said(tmp_path, text, why):
+    (record,) = webwork_records(file_of(tmp_path, text))
+    assert record.unread
+    assert why in record.unread
+    assert not record.published
+
+
+def test_nothing_of_it_is_executed(tmp_path):
+    """What would be done by a program is a text here."""
+    (record,) = webwork_records(file_of(tmp_path, "$a = `touch /tmp/executed`;\nANS(num_cmp($a));"))
+    assert record.unread
+
+
+LAWS = """
+- id: fall
+  given: {theta: deg, v: km/h}
+  laws: [s = v*t, t = 2 * v*sin(theta)/g]
+  convention: g = 9.8 m/s^2
+  asked: s in km
+"""
+
+
+@pytest.mark.parametrize(
+    ("key", "finding"),
+    [
+        ("($v/3.6)*2*($v/3.6)*sin($theta*pi/180)/9.8/1000", "agrees"),
+        ("($v/3.6)*2*($v/3.6)*sin($theta)/9.8/1000", "wrong"),
+        ("$v*2*$v*sin($theta*pi/180)/9.8/1000", "wrong"),
+        ("($v/3.6)*2*($v/3.6)*sin($theta*pi/180)/9.8", "wrong"),
+    ],
+)
+def test_a_key_of_bare_numbers_is_held_against_laws_in_its_units(tmp_path, key, finding):
+    path = file_of(
+        tmp_path, f"$v = random(20,90,1);\n$theta = random(20,70,1);\n$s = {key};\nANS(num_cmp($s));"
+    )
+    laws = tmp_path / "laws.yaml"
+    laws.write_text(LAWS, encoding="utf-8")
+    (record,) = records_of(path, laws_by_id(laws))
+    (outcome,) = examine(record)
+    assert outcome.finding == finding
+    (alone,) = records_of(path, {})
+    assert "no laws are stated" in examine(alone)[0].why
