@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -51,14 +52,38 @@ def test_a_roster_gets_the_numbers_that_show_would_give(run, tmp_path: Path, mon
     assert shown not in (tmp_path / "export/small-ben.md").read_text()
 
 
+def test_forms_on_paper_and_their_keys_in_a_folder_of_their_own(run, tmp_path: Path) -> None:
+    status, out, _ = run("small.md", "--to", "pdf", "--forms", "2", "--formula-sheet", "--json")
+    assert status == 0
+    names = ["small-A.pdf", "keys/small-A-key.pdf", "small-B.pdf", "keys/small-B-key.pdf", "small.pdf"]
+    assert json.loads(out)["files"] == [f"export/{name}" for name in names]
+    files = [(tmp_path / "export" / name).read_bytes() for name in names]
+    assert all(each.startswith(b"%PDF-") for each in files)
+    assert len(set(files)) == len(files)
+    assert run("small.md", "--to", "pdf", "--forms", "2", "--formula-sheet", "-o", "again")[0] == 0
+    assert [(tmp_path / "again" / name).read_bytes() for name in names] == files
+
+
+def test_without_the_extra_one_sentence_says_what_to_install(run, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "typst", None)
+    assert run("small.md", "--to", "pdf") == (
+        2,
+        "",
+        'corollary: PDF needs the Python package typst; install it with: pip install "corollary[pdf]"\n',
+    )
+
+
 REFUSED = [
     (
-        ["--to", "pdf"],
-        "pdf is not known; choose one of text, md, html, ipynb, csv, moodle-grades, canvas-grades, feedback-zip",
+        ["--to", "docx"],
+        "docx is not known; choose one of text, md, html, ipynb, pdf, csv, moodle-grades, canvas-grades, feedback-zip",
     ),
     (["--to", "csv"], "csv holds marks; say of which course with --course"),
     (["--to", "md", "--variants", "2", "--roster", "r.csv"], "each choose the numbers; give one of them"),
     (["--to", "md", "--course", "nowhere"], "is no course of ours"),
+    (["--to", "pdf", "--forms", "2", "--variants", "2"], "each choose the numbers; give one of them"),
+    (["--to", "md", "--forms", "2"], "--forms is for paper; leave it out, or export --to pdf"),
+    (["--to", "html", "--large-print"], "--large-print is for paper"),
     (["--to", "md", "--variants", "0"], "`corollary export --help` says how"),
 ]
 
@@ -75,7 +100,7 @@ def test_help_lists_what_is_registered(installed):
     def listed() -> str:
         return " ".join(CliRunner().invoke(app, ["export", "--help"]).stdout.split())
 
-    assert "one of: text, md, html, ipynb, csv" in listed()
+    assert "one of: text, md, html, ipynb, pdf, csv" in listed()
     installed("rollcall", {"corollary.exports": ["roll = rollcall:ROLL"]}, {"rollcall.py": "ROLL = 7"})
     assert ", roll." in listed()
     installed("bakery", {"corollary.exports": ["roll = bakery:ROLL"]}, {"bakery.py": "ROLL = 8"})

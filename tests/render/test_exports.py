@@ -36,7 +36,9 @@ ADA = Student("ada", "Ada", "Lovelace")
 def written(name: str, asked, solution: str = "") -> str:
     write = target(name).exercise
     assert write is not None
-    return write(asked, ADA, solution)
+    made = write(asked, ADA, solution)
+    assert isinstance(made, str)
+    return made
 
 
 @pytest.fixture
@@ -245,9 +247,11 @@ def test_a_title_by_which_canvas_overlooks_a_column_is_said():
 
 
 def test_what_is_unknown_is_answered_with_what_there_is():
-    assert names_for_exercises() == ("text", "md", "html", "ipynb")
-    with pytest.raises(UnknownTarget, match="pdf is not known; choose one of text, md, html, ipynb, csv"):
-        target("pdf")
+    assert names_for_exercises() == ("text", "md", "html", "ipynb", "pdf")
+    with pytest.raises(
+        UnknownTarget, match="docx is not known; choose one of text, md, html, ipynb, pdf, csv"
+    ):
+        target("docx")
 
 
 THEIRS = """
@@ -269,6 +273,7 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         "md",
         "html",
         "ipynb",
+        "pdf",
         "csv",
         "moodle-grades",
         "canvas-grades",
@@ -287,7 +292,7 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         target("broken")
     with pytest.raises(PlugInFault, match="the export gone of rollcall cannot be used: rollcall:MISSING"):
         target("gone")
-    assert names_for_exercises() == ("text", "md", "html", "ipynb")
+    assert names_for_exercises() == ("text", "md", "html", "ipynb", "pdf")
 
 
 def test_what_an_exercise_can_be_shown_as_is_what_the_targets_say() -> None:

@@ -33,6 +33,7 @@ RAISED = {
     "corollary.records.marks": ["NothingGraded"],
     "corollary.records.renames": ["NotSettled"],
     "corollary.render.exports": ["UnknownTarget"],
+    "corollary.render.paper.document": ["CannotTypeset"],
     "corollary.course.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
     "corollary.course.lms_places": ["NoPlaces"],

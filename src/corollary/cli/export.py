@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.progress import bar
 from corollary.course.export import (
     chapters_sheet,
     owners,
@@ -16,6 +17,7 @@ from corollary.course.export import (
 )
 from corollary.course.feedback import feedback_files
 from corollary.course.marks_export import By, Template, marks_file, marks_table
+from corollary.course.paper import form_owners, print_files
 from corollary.grading.solutions import Solutions
 from corollary.messages import few
 from corollary.notebook.worksheet import Worksheet
@@ -27,6 +29,7 @@ from corollary.records.lms_file import FilledIn
 from corollary.records.marks_table import MarksTable, Notation
 from corollary.records.origin import set_of
 from corollary.render.exports import target
+from corollary.render.paper.sheet import PaperSheet
 
 
 def run(
@@ -46,10 +49,20 @@ def run(
     output: Path,
     as_json: bool,
     ids: Path | None = None,
+    forms: int | None = None,
+    formula_sheet: bool = False,
+    large_print: bool = False,
 ) -> int:
     chosen, sets = target(to), list(dict.fromkeys(sets))
-    if sum(each is not None for each in (course, roster, variants)) > 1:
-        refuse("--course, --roster and --variants each choose the numbers; give one of them")
+    if sum(each is not None for each in (course, roster, variants, forms)) > 1:
+        refuse("--course, --roster, --variants and --forms each choose the numbers; give one of them")
+    for option, given in (
+        ("--forms", forms),
+        ("--formula-sheet", formula_sheet),
+        ("--large-print", large_print),
+    ):
+        if given and chosen.paper is None:
+            refuse(f"{option} is for paper; leave it out, or export --to pdf")
     opened = None if course is None else open_course(course)
     found = [
         set_of(opened, name, bank) if opened else (there := open_bank(bank), find_set(there, name))
@@ -92,6 +105,17 @@ def run(
             )
         files = {f"{names[0]}-feedback-{pages.lms}.{chosen.ending}": chosen.feedback(pages.files)}
         about |= {"without": pages.without}
+    elif chosen.paper is not None:
+        (place, problem_set), *_ = found
+        solutions = Solutions(place)
+        if forms is None:
+            sheets = [PaperSheet(each) for each in _sheets(opened, roster, variants, problem_set, solutions)]
+        else:
+            dealt = sheets_for(problem_set, solutions, form_owners(forms))
+            sheets = [PaperSheet(each, each.student.id) for each in dealt]
+        run_of = chosen.paper(problem_set, sheets, solutions, large_print, formula_sheet, solution)
+        with bar("sheets and keys", len(sheets)) as done:
+            files = print_files(run_of, done)
     elif chosen.worksheet is None and chosen.problem_set is None:
         refuse(f"{to} is for single exercises; write it with: corollary show CODE --format {to}")
     else:

@@ -148,6 +148,18 @@ EXPORTED_MARKS = (
     path("--template", text="A file that the LMS exported: it is filled in, and stays as it is otherwise."),
     several("--column", "headings", "The template's column to fill in, where its title does not say which"),
 )
+# How sheets are printed, and marks written.
+PRINTED_AND_MARKED = (
+    LANGUAGE,
+    click.Option(
+        ["--forms"],
+        type=click.IntRange(1, 700),
+        help="pdf: so many forms (A, B, C, …) with distinct numbers, for whoever sits there.",
+    ),
+    flag("--formula-sheet", "pdf: end each sheet with the laws that the set uses."),
+    flag("--large-print", "pdf: letters of 18 points."),
+    *EXPORTED_MARKS,
+)
 # Whose deadline of one's own, for what, and until when.
 EXTENDED = (
     click.Argument(["student"], required=False, help="The student's id.", shell_complete=STUDENTS),

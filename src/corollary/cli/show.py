@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -45,10 +46,14 @@ def run(
     if as_json:
         answer(_record(exercise(chosen), worked))
         return HOLDS
+    if fmt == "pdf" and output is None and sys.stdout.isatty():
+        refuse("a PDF is nothing for a terminal; say where it goes with -o FILE")
     text = write(exercise(chosen), Student(student or "you"), worked)
     if output is not None:
-        output.write_text(text, encoding="utf-8")
+        output.write_bytes(text if isinstance(text, bytes) else text.encode())
         say(f"written to {output}")
+    elif isinstance(text, bytes):
+        sys.stdout.buffer.write(text)
     else:
         print(text, end="" if text.endswith("\n") else "\n")
     return HOLDS
@@ -85,7 +90,7 @@ def _part(prompt: Prompt) -> dict[str, Any]:
     }
 
 
-def _writer(fmt: str) -> Callable[[Exercise, Student, str], str]:
+def _writer(fmt: str) -> Callable[[Exercise, Student, str], str | bytes]:
     """What writes one exercise in this format."""
     try:
         write = target(fmt).exercise

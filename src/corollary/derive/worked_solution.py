@@ -80,9 +80,18 @@ def worked_steps(
         yield formulas_in_convention("\n".join(lines))
         lines = []
     for part in problem.parts:
-        if other := [*lines, *_other(solution, part, letters, variant)]:
-            yield formulas_in_convention("\n".join(other))
+        if other := _other(solution, part, letters, variant):
+            lines += [_heading(part), "", *other, ""]
+        if lines:
+            yield formulas_in_convention("\n".join(lines))
         lines = []
+
+
+def model_answer(solution: Solution, part: Part, letters: Mapping[str, str], variant: Variant) -> str:
+    """What answers a part that asks for no quantity: an option with its reason, a proof, a program, an explanation with its rubric.
+
+    Markdown; empty for a part that asks for a quantity."""
+    return formulas_in_convention("\n".join(_other(solution, part, letters, variant)).strip())
 
 
 def _constant(given: Given) -> str:
@@ -254,7 +263,7 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
                 lines += [entry.answer, "", *(f"- {each}" for each in entry.rubric)]
             case _:
                 continue
-    return [_heading(part), "", *lines, ""] if lines else []
+    return lines
 
 
 def _forces(stated: SolvedForces, part: Part) -> list[str]:

@@ -19,9 +19,16 @@ from corollary.problem.roster import Student
 
 if TYPE_CHECKING:
     from corollary.records.marks_table import MarksTable
+    from corollary.render.paper.print_run import PrintRun
 
 GROUP = "corollary.exports"
-FOR_EXERCISES = ("text", "md", "html", "ipynb")  # known without loading them: help must not take a second
+FOR_EXERCISES = (
+    "text",
+    "md",
+    "html",
+    "ipynb",
+    "pdf",
+)  # known without loading them: help must not take a second
 OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip")
 
 
@@ -43,18 +50,20 @@ class Target:
     """A target offers the functions for what it can be made of, and leaves the others out.
 
     `ending` is that of its files, without the dot. `exercise` writes one exercise for a student, with its worked solution in
-    Markdown (or ""); `worksheet` one student's sheet, with worked solutions by the code of the problem; `problem_set` all
+    Markdown (or ""), as text or as bytes; `worksheet` one student's sheet, with worked solutions by the code of the problem; `problem_set` all
     sheets of a set at once, as files by name; `marks` a table of marks, for everybody on the roster, which has every column of a
-    set when `every_column`; `feedback` an archive of what goes back to students, from files by their names in it.
+    set when `every_column`; `feedback` an archive of what goes back to students, from files by their names in it; `paper` is the
+    print run of sheets that are marked by hand, with their marking schemes.
     """
 
     ending: str
-    exercise: Callable[[Exercise, Student, str], str] | None = None
+    exercise: Callable[[Exercise, Student, str], str | bytes] | None = None
     worksheet: Callable[[Worksheet, Mapping[str, str]], str] | None = None
     problem_set: Callable[[ProblemSet, Sequence[Worksheet]], Mapping[str, bytes]] | None = None
     marks: Callable[[MarksTable], MarksText | str] | None = None
     every_column: bool = False
     feedback: Callable[[Mapping[str, bytes]], bytes] | None = None
+    paper: type[PrintRun] | None = None
 
 
 def target(name: str) -> Target:

@@ -1,0 +1,1 @@
+"""Sheets and marking schemes on paper, set by Typst: no TeX, no browser, nothing fetched."""

@@ -1,0 +1,126 @@
+"""A formula as Typst sets it, made of the same tree that pages show as MathML, with words for who cannot see it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Final
+from xml.etree.ElementTree import Element
+
+from corollary.render.displayed import width
+from corollary.render.mathml import APPLY, CLOSING, formula
+from corollary.render.terminal_text import formula_text
+
+WIDEST: Final = 30.0
+"""In em: about what fits a line between the margins; a wider formula is set as a line that may break."""
+OPENING: Final = frozenset("([{⟨")
+ACCENTS: Final = {"→": "arrow", "ˆ": "hat", "˜": "tilde", "¯": "macron", "‾": "overline", "˙": "dot", "¨": "dot.double"}  # fmt: skip
+
+
+@lru_cache(maxsize=8192)
+def typst_formula(latex: str, *, display: bool = False) -> str:
+    """The formula in Typst's markup: in a line of text, or on lines of its own; its source as code when it is no LaTeX."""
+    tree = formula(latex)
+    if tree is None:
+        return f"#raw({literal(latex)});"
+    body, words = _row(list(tree)), literal(formula_text(latex))
+    if not display:
+        return f"#inline-formula({words})[${body}$];"
+    if width(list(tree)) > WIDEST:
+        return f"#wide-formula({words})[${body}$];"
+    return f"#inline-formula({words})[$ {body} $];"
+
+
+def literal(text: str) -> str:
+    """A text as a string of Typst's: nothing in it is markup."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\t", " ")
+    return f'"{escaped}"'
+
+
+def _row(elements: Sequence[Element]) -> str:
+    return "".join(map(_typst, elements))
+
+
+def _group(element: Element) -> str:
+    """An argument of a function: empty brackets, too, are one."""
+    return _typst(element) or '#"";'
+
+
+def _typst(element: Element) -> str:
+    children, text = list(element), element.text or ""
+    match element.tag, children:
+        case "mi", _:
+            return _letters(text, upright=element.get("mathvariant") == "normal")
+        case "mn" | "mtext", _:
+            return f"#{literal(text)};" if text else ""
+        case "mo", _:
+            return _operator(element, text)
+        case "mspace", _:
+            return f"#h({_length(element.get('width', '0em'))});"
+        case "mfrac", [above, below]:
+            return f"frac({_group(above)},{_group(below)})"
+        case "msqrt", _:
+            return f"sqrt({_row(children)})"
+        case "mroot", [inside, degree]:
+            return f"root({_group(degree)},{_group(inside)})"
+        case "msup", [base, raised]:
+            return f"attach({_group(base)},t:{_group(raised)})"
+        case "msub" | "munder", [base, lowered]:
+            return f"attach({_group(base)},b:{_group(lowered)})"
+        case "msubsup" | "munderover", [base, lowered, raised]:
+            return f"attach({_group(base)},b:{_group(lowered)},t:{_group(raised)})"
+        case "mover", [base, accent] if accent.text in ACCENTS:
+            name = ACCENTS[accent.text]
+            return (
+                f"overline({_group(base)})" if name == "overline" else f"accent({_group(base)},#sym.{name})"
+            )
+        case "mover", [base, above]:
+            return f"attach(limits({_group(base)}),t:{_group(above)})"
+        case "mtable", _:
+            rows = ";".join(",".join(map(_group, line)) for line in children)
+            return f"mat(delim:#none,{rows})"
+        case _:
+            return _fenced(children)
+
+
+def _fenced(children: Sequence[Element]) -> str:
+    """A row; brackets around the whole of it grow with what they hold."""
+    if len(children) > 1 and _fence(children[0], "prefix"):
+        ends = _fence(children[-1], "postfix")
+        return f"lr({_row(children)})" if ends else f"lr({_row(children)}#none)"
+    return _row(children)
+
+
+def _fence(element: Element, form: str) -> bool:
+    return element.tag == "mo" and element.get("form") == form and element.get("stretchy") == "true"
+
+
+def _letters(text: str, *, upright: bool) -> str:
+    if not upright:
+        return _symbol(text) if len(text) == 1 else f"op(#{literal(text)};)"
+    return f"upright({_symbol(text)})" if len(text) == 1 else f"upright(#{literal(text)};)"
+
+
+def _operator(element: Element, text: str) -> str:
+    if not text:
+        return ""
+    if text == APPLY:
+        return f"#h({element.get('rspace')});" if element.get("rspace") else ""
+    if len(text) > 1:
+        limits = ",limits:#true" if element.get("movablelimits") else ""
+        return f"op(#{literal(text)};{limits})"
+    if _fence(element, "prefix") or text in OPENING:
+        return f'class("opening",{_symbol(text)})'
+    if _fence(element, "postfix") or text in CLOSING - frozenset("!°%′″"):
+        return f'class("closing",{_symbol(text)})'
+    tight = element.get("lspace") == "0" or element.get("form") == "prefix"
+    return f'class("normal",{_symbol(text)})' if tight else _symbol(text)
+
+
+def _symbol(text: str) -> str:
+    return f"#symbol({literal(text)});"
+
+
+def _length(text: str) -> str:
+    """A length of MathML in Typst: em and pt are the same, what else there is counts as a thin space."""
+    return text if text.endswith(("em", "pt")) else "0.167em"
