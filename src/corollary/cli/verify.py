@@ -36,6 +36,7 @@ def run(
     extremes: bool = False,
     watch: bool = False,
     anew: bool = False,
+    report: Path | None = None,
 ) -> int:
     start = time.perf_counter()
     if watch:
@@ -68,6 +69,10 @@ def run(
             progress(each.code)
             found.append(each)
     ok = not broken and all(each.ok for each in found)
+    if report is not None:
+        from corollary.cli.verify_report import write_report
+
+        write_report(report, todo, found)
     if as_json:
         answer(
             {
