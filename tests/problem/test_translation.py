@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,9 @@ from corollary.messages import language
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.problem import Problem
 from corollary.problem.reader import read_problem
+from corollary.problem.statement import filled
 from corollary.problem.translation import digest, faults, in_language, text_in_language, translation
+from corollary.problem.variant import chapter
 
 ORIGINAL = """\
 ---
@@ -97,6 +100,29 @@ def test_every_word_is_the_translations(problem: Problem):
     assert german.given("m").meaning == "die Masse des Balls"
     assert german.part("a").unit == problem.part("a").unit
     assert complaints(problem) == []
+
+
+def test_words_that_are_drawn_are_translated(tmp_path: Path):
+    path = tmp_path / "ball.md"
+    given = "  m: {is: mass of the ball, value: 0.5, unit: kg}\n"
+    text = ORIGINAL.replace(given, given + "  body: {is: body, in: [a ball, a cart]}\n")
+    path.write_text(text.replace("A ball has", "{{body}} has"), encoding="utf-8")
+    drawn = read_problem(path)
+    german = GERMAN.replace("Ein Ball hat", "{{body}} hat") + "\n> body\nder Körper\n\n> a cart\nein Wagen\n"
+    translated(drawn, german)
+    with language("de"):
+        assert in_language(drawn).given("body").words == ("a ball", "ein Wagen")
+    assert [each.partition(": ")[2] for each in complaints(drawn)] == [
+        "the text 'a ball' is missing; it is read in the original's language"
+    ]
+    translated(drawn, german + "\n> a ball\nein Ball\n")
+    assert complaints(drawn) == []
+    with language("de"):
+        asked = in_language(drawn)
+        assert (
+            filled(asked.statement, replace(chapter(asked), problem=asked))
+            == "ein Ball hat die Masse 0,5\u00a0kg."
+        )
 
 
 def test_what_is_missing_is_read_in_the_original(problem: Problem):

@@ -67,6 +67,8 @@ command(
     CODE,
     BANK,
     several("--set", "givens", 'A given: m=0.43 (SI) or v="72 km/h"'),
+    text("--student", "The numbers this student would get (with --course: those dealt there).", STUDENTS),
+    path("--course", text="Take the student's numbers from this course."),
     path("--cases", text="A JSON list of givens in SI; the answer is a list."),
     JSON,
 )

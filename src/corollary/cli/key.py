@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from corollary.api import solve, variant
+from corollary.cli.chosen_variant import chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, unforeseen
 from corollary.cli.given import from_options, read_cases
 from corollary.derive.solution import Solution
@@ -14,15 +15,32 @@ from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
 
 
-def run(code: str, bank: Path | None, givens: list[str], cases: Path | None, as_json: bool) -> int:
-    problem = home(bank, code)[1]
-    if cases is not None and givens:
-        refuse("--set and --cases both choose the numbers; give one of them")
+def run(
+    code: str,
+    bank: Path | None,
+    givens: list[str],
+    student: str | None,
+    course: Path | None,
+    cases: Path | None,
+    as_json: bool,
+) -> int:
+    place, problem = home(bank, code)
+    named = [
+        ("--set", bool(givens)),
+        ("--student", student is not None or course is not None),
+        ("--cases", cases is not None),
+    ]
+    chosen = [option for option, given in named if given]
+    if len(chosen) > 1:
+        refuse(f"{' and '.join(chosen)} both choose the numbers; give one of them")
     if cases is not None:
         solution = solve(problem)
         answer([_case(solution, case) for case in read_cases(cases)])
         return HOLDS
-    record = key_record(solve(problem), variant(problem, from_options(givens)))
+    numbers = (
+        variant(problem, from_options(givens)) if givens else chosen_variant(place, problem, student, course)
+    )
+    record = key_record(solve(problem), numbers)
     if as_json:
         answer(record)
         return HOLDS

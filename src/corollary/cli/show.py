@@ -7,13 +7,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from corollary.cli.chosen_variant import chosen_variant
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.messages import did_you_mean
 from corollary.notebook.worksheet import Exercise, Prompt, exercise
-from corollary.problem.bank import Bank, home
-from corollary.problem.problem import Problem
+from corollary.problem.bank import home
 from corollary.problem.roster import Student
-from corollary.problem.variant import Variant, at, chapter, size, written
+from corollary.problem.variant import written
 from corollary.render.exports import UnknownTarget, names_for_exercises, target
 from corollary.units.unit import canonical
 
@@ -34,10 +34,8 @@ def run(
     write = _writer(fmt or "text")
     if student is not None and variant is not None:
         refuse("--student and --variant both choose the numbers; give one of them")
-    if course is not None and student is None:
-        refuse("--course holds many students' numbers; name one with --student")
     place, problem = home(bank, code)
-    chosen = _variant(place, problem, student, course, variant)
+    chosen = chosen_variant(place, problem, student, course, variant)
     worked = ""
     if solution:
         from corollary.grading.solutions import Solutions  # needed for the answers only
@@ -100,24 +98,3 @@ def _writer(fmt: str) -> Callable[[Exercise, Student, str], str | bytes]:
         have = names_for_exercises()
         refuse(f"--format {fmt} is not known{did_you_mean(fmt, have)}; choose one of {', '.join(have)}")
     return write
-
-
-def _variant(
-    place: Bank, problem: Problem, student: str | None, course: Path | None, variant: int | None
-) -> Variant:
-    if variant is not None:
-        return at(problem, variant)
-    if student is None:
-        return chapter(problem)
-    if course is None:
-        from corollary.grading.solutions import Solutions  # needed for the answers only
-
-        return Solutions(place).assign_variant(problem, b"", student, ()).variant
-    from corollary.records.assigned import variant_anywhere
-    from corollary.records.files import find_student, open_course
-
-    opened = open_course(course)
-    found = variant_anywhere(opened, problem, find_student(opened, student).id)
-    if found is None and size(problem) > 1:
-        refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
-    return found or chapter(problem)

@@ -95,7 +95,12 @@ def in_language(problem: Problem) -> Problem:
         for part in problem.parts
     )
     givens = tuple(
-        replace(given, meaning=found.texts.get(given.meaning, given.meaning)) for given in problem.givens
+        replace(
+            given,
+            meaning=found.texts.get(given.meaning, given.meaning),
+            words=tuple(found.texts.get(word, word) for word in given.words),
+        )
+        for given in problem.givens
     )
     figure = LABEL.sub(lambda label: f'"{chosen(found.texts.get(label[1], ""), label[1])}"', problem.figure)
     return replace(
@@ -160,7 +165,8 @@ def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
             pairs.append((theirs.line, what, option.text, texts.get(option.letter, "")))
     for gone in found.parts.keys() - {part.id for part in problem.parts}:
         yield Diagnostic(path, found.parts[gone].line, f"the problem has no part {gone}; take it out")
-    for each in (*labels(problem), *(given.meaning for given in problem.givens if not given.source)):
+    meanings = (given.meaning for given in problem.givens if not given.source)
+    for each in (*labels(problem), *meanings, *(word for given in problem.givens for word in given.words)):
         pairs.append((found.lines.get(each, 1), f"the text {each!r}", each, found.texts.get(each, "")))
     for line, what, original, theirs in pairs:
         if original and not theirs:

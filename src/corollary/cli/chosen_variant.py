@@ -1,0 +1,34 @@
+"""The numbers of one problem that a command is about: the problem's own, a student's, those assigned in a course, or a variant's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from corollary.cli.ending import refuse
+from corollary.problem.bank import Bank
+from corollary.problem.problem import Problem
+from corollary.problem.variant import Variant, at, chapter, size
+
+
+def chosen_variant(
+    place: Bank, problem: Problem, student: str | None, course: Path | None, variant: int | None = None
+) -> Variant:
+    """Ends the command where a course is named without a student, or has no numbers for one."""
+    if course is not None and student is None:
+        refuse("--course holds many students' numbers; name one with --student")
+    if variant is not None:
+        return at(problem, variant)
+    if student is None:
+        return chapter(problem)
+    if course is None:
+        from corollary.grading.solutions import Solutions  # needed for the answers only
+
+        return Solutions(place).assign_variant(problem, b"", student, ()).variant
+    from corollary.records.assigned import variant_anywhere
+    from corollary.records.files import find_student, open_course
+
+    opened = open_course(course)
+    found = variant_anywhere(opened, problem, find_student(opened, student).id)
+    if found is None and size(problem) > 1:
+        refuse(f"{student} has no numbers for {problem.code} in {course}; generate a set with it first")
+    return found or chapter(problem)
