@@ -1,0 +1,84 @@
+"""The obligations of a bank by kind and outcome, from what `corollary verify --json` has written, as a Markdown table.
+
+corollary verify --anew --json > cold.json; corollary verify --json > unchanged.json
+python benchmarks/obligations.py cold.json [unchanged.json] [--markdown FILE]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+OUTCOMES = ("proven", "sampled", "counter-example")
+AT_RUN_TIME = "redrawn otherwise"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("cold", type=Path)
+    parser.add_argument("unchanged", type=Path, nargs="?")
+    parser.add_argument("--markdown", type=Path)
+    asked = parser.parse_args()
+    cold = json.loads(asked.cold.read_text(encoding="utf-8"))
+    again = json.loads(asked.unchanged.read_text(encoding="utf-8")) if asked.unchanged else None
+    text = "\n".join(lines(cold, again)) + "\n"
+    print(text)
+    if asked.markdown:
+        asked.markdown.write_text(text, encoding="utf-8")
+
+
+def lines(cold: dict[str, Any], again: dict[str, Any] | None) -> Iterator[str]:
+    every = [(problem["code"], each) for problem in cold["problems"] for each in problem["obligations"]]
+    yield "# Obligations of the chapter's problems"
+    yield ""
+    yield "```"
+    yield "corollary verify --anew --json > cold.json; corollary verify --json > unchanged.json"
+    yield "python benchmarks/obligations.py cold.json unchanged.json --markdown benchmarks/results/obligations.md"
+    yield "```"
+    yield ""
+    yield (
+        f"{len(cold['problems'])} problems, {len(every)} obligations. Everything verified anew took {cold['seconds']:.0f} s"
+        + (f", unchanged {again['seconds']:.1f} s." if again else ".")
+    )
+    yield ""
+    yield (
+        "| kind | "
+        + " | ".join(OUTCOMES)
+        + " | algebra | subdivision | z3 | enumeration | a point | redrawn otherwise |"
+    )
+    yield "|---" * 10 + "|"
+    for kind in (*dict.fromkeys(each["kind"] for _, each in every), "all"):
+        mine = [each for _, each in every if kind in (each["kind"], "all")]
+        outcomes = Counter(each["outcome"] for each in mine)
+        ways = Counter(each["by"].split(" (")[0] for each in mine if each["outcome"] == "proven")
+        numbers = [outcomes[name] for name in OUTCOMES]
+        numbers += [
+            ways[name] for name in ("algebra", "subdivision", "z3", "enumeration", "a point", AT_RUN_TIME)
+        ]
+        yield f"| {kind} | " + " | ".join(map(str, numbers)) + " |"
+    yield ""
+    proven = [each for _, each in every if each["outcome"] == "proven"]
+    before = [
+        each
+        for each in proven
+        if not each["by"].startswith(AT_RUN_TIME) and each["kind"] != "mistakes differ"
+    ]
+    rest = [each for _, each in every if each["kind"] != "mistakes differ"]
+    yield (
+        f"Proven: {len(proven) / len(every):.1%}. Without the pairs of mistakes, which one point tells apart, and without what "
+        f"is proven only because such numbers are drawn again: {len(before) / len(rest):.1%}."
+    )
+    yield ""
+    yield "## Not proven"
+    yield ""
+    for code, each in every:
+        if each["outcome"] != "proven":
+            yield f"- {code}, {each['kind']}: {each['claim']}: {each['outcome']} ({each['by']})"
+
+
+if __name__ == "__main__":
+    main()
