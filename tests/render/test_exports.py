@@ -278,6 +278,8 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         "moodle-grades",
         "canvas-grades",
         "feedback-zip",
+        "moodle",
+        "qti",
         "broken",
         "gone",
         "roll",
@@ -299,7 +301,9 @@ def test_what_an_exercise_can_be_shown_as_is_what_the_targets_say() -> None:
     assert tuple(name for name in OURS if target(name).exercise is not None) == FOR_EXERCISES
 
 
-@pytest.mark.parametrize(("word", "meant"), [("cvs", "csv"), ("moodle", "moodle-grades"), ("htlm", "html")])
+@pytest.mark.parametrize(
+    ("word", "meant"), [("cvs", "csv"), ("moodel-grades", "moodle-grades"), ("htlm", "html")]
+)
 def test_a_target_that_is_nearly_right_is_guessed(word: str, meant: str) -> None:
     with pytest.raises(UnknownTarget, match=rf"{word} is not known \(did you mean {meant}\?\)"):
         target(word)

@@ -67,11 +67,11 @@ def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verd
         for value, sentence in slips(way.values, question.unit):
             if any(value) and _meets(answer, wanted, value):
                 factor = value[0] / way.values[0] if len(value) == 1 and way.values[0] else 1.0
-                guess = _may_be_guessed(answer, question, value, way.values)
+                guess = _guess(answer, question, value, way.values)
                 return Slip(sentence, nothing=guess, factor=float(f"{factor:.3g}"))
         for value, sentence in way.slips() if way.slips else ():
             if any(value) and _meets(answer, wanted, value):
-                return Slip(sentence, nothing=_may_be_guessed(answer, question, value, way.values))
+                return Slip(sentence, nothing=_guess(answer, question, value, way.values))
     return Wrong(_hint(answer, wanted, question))
 
 
@@ -85,13 +85,14 @@ def _from_zero(wanted: Quantity, unit: Unit) -> Quantity:
     return remade(wanted, lambda values: _above(values, unit))
 
 
-def _may_be_guessed(answer: Numbers, question: Question, value: Values, target: Values) -> bool:
-    """Whether a slip in more than a sign fits a number of one digit, such as 1 or 100: so does many another."""
+def _guess(answer: Numbers, question: Question, value: Values, target: Values) -> bool:
     sizes: Sequence[float] = answer.sizes or (question.unit.si,) * len(answer.values)
-    digits = max(
-        len(f"{abs(x / size):.9e}".partition("e")[0].replace(".", "").rstrip("0"))
-        for x, size in zip(answer.values, sizes, strict=True)
-    )
+    return may_be_guessed([x / size for x, size in zip(answer.values, sizes, strict=True)], value, target)
+
+
+def may_be_guessed(typed: Sequence[float], value: Values, target: Values) -> bool:
+    """Whether a slip in more than a sign fits a number of one digit, such as 1 or 100: so does many another."""
+    digits = max(len(f"{abs(x):.9e}".partition("e")[0].replace(".", "").rstrip("0")) for x in typed)
     return digits <= 1 and tuple(map(abs, value)) != tuple(map(abs, target))
 
 

@@ -251,8 +251,11 @@ command(
     path("--roster", text="Without a course: a sheet for everybody in this CSV file."),
     GENERATED_BANK,
     click.Option(
-        ["--variants"], type=AT_LEAST_1, help="Without either: so many sheets with distinct numbers."
+        ["--variants"],
+        type=AT_LEAST_1,
+        help="Without either: so many sheets with distinct numbers; of questions, so many of each problem.",
     ),
+    flag("--apart", "moodle, qti: each part a question of its own, with numbers of its own."),
     SOLUTION,
     *PRINTED_AND_MARKED,
     path("--ids", text="feedback-zip: what Moodle or Canvas knows the students by, as for release."),

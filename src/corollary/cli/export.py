@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 
+from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.export import (
@@ -16,6 +18,7 @@ from corollary.course.export import (
     write_files,
 )
 from corollary.course.feedback import feedback_files
+from corollary.course.item_export import Exported, export_items
 from corollary.course.marks_export import By, Template, marks_file, marks_table
 from corollary.course.paper import form_owners, print_files
 from corollary.grading.solutions import Solutions
@@ -28,7 +31,7 @@ from corollary.records.files import Course, open_course, students
 from corollary.records.lms_file import FilledIn
 from corollary.records.marks_table import MarksTable, Notation
 from corollary.records.origin import set_of
-from corollary.render.exports import target
+from corollary.render.exports import Target, target
 from corollary.render.paper.sheet import PaperSheet
 
 
@@ -52,8 +55,17 @@ def run(
     forms: int | None = None,
     formula_sheet: bool = False,
     large_print: bool = False,
+    apart: bool = False,
 ) -> int:
     chosen, sets = target(to), list(dict.fromkeys(sets))
+    if chosen.items is not None:
+        if given := _of_marks(columns, decimals, out_of, blank, headings, template):
+            refuse(f"{given} is for marks, and {to} holds none; leave it out")
+        if course is not None or roster is not None or forms is not None:
+            refuse(f"{to} is a pool for everybody; say how many variants of each problem with --variants")
+        return _questions(chosen, to, sets, bank, variants, apart, output, as_json)
+    if apart:
+        refuse(f"--apart is for questions of an LMS; leave it out for {to}")
     if sum(each is not None for each in (course, roster, variants, forms)) > 1:
         refuse("--course, --roster, --variants and --forms each choose the numbers; give one of them")
     for option, given in (
@@ -131,6 +143,56 @@ def run(
         titles = ", ".join(each.title for each in problem_sets)
         print(f"{titles}: {count} file{'s' * (count != 1)} in {output}/")
     return HOLDS
+
+
+def _questions(
+    chosen: Target,
+    to: str,
+    names: Sequence[str],
+    bank: Path | None,
+    variants: int | None,
+    apart: bool,
+    output: Path,
+    as_json: bool,
+) -> int:
+    """Questions of an LMS, and a table of what became of each part."""
+    records: list[dict[str, object]] = []
+    for name in names:
+        made = export_items(chosen, bank, name, variants, apart)
+        written = write_files(output, made.files)
+        records.append(
+            {
+                "set": name,
+                "to": to,
+                "files": [str(path) for path in written],
+                "variants": made.variants,
+                "parts": [asdict(each) for each in made.parts],
+                "lost": made.lost,
+            }
+        )
+        if not as_json:
+            _show_parts(made)
+            print(f"{made.title}: {', '.join(str(path) for path in written)}")
+            if variants is not None and (
+                few_of := [code for code, n in made.variants.items() if n < variants]
+            ):
+                say(f"no {variants} variants are there of {few(few_of)}: as many as there are")
+    if as_json:
+        answer(records[0] if len(records) == 1 else records)
+    return HOLDS
+
+
+def _show_parts(made: Exported) -> None:
+    from rich.table import Table
+
+    table = Table("part", "carried as", "not carried")
+    for each in made.parts:
+        table.add_row(f"{each.code} ({each.part})", each.how or "refused", each.lost)
+    console().print(table)
+    refused = sum(not each.how for each in made.parts)
+    print(f"{len(made.parts) - refused} parts carried, {refused} refused. Of none is carried:")
+    for each in made.lost:
+        print(f"- {each}")
 
 
 def _of_marks(*values: object) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from corollary.cli.completion import CODES, FORMATS, SETS, STUDENTS, TARGETS, TOPICS, Complete
+from corollary.cli.completion import CODES, CODES_AND_SETS, FORMATS, SETS, STUDENTS, TARGETS, TOPICS, Complete
 
 # click itself and not typer: to read the options typer loads pydantic, which takes 0.2 s, more than a key does.
 PATH = click.Path(path_type=Path)
@@ -190,8 +190,8 @@ EXPORTED = (
         nargs=-1,
         required=True,
         metavar="SET…",
-        help="A problem set of the bank, or a path to its .md file; of marks several.",
-        shell_complete=SETS,
+        help="A problem set of the bank, or a path to its .md file; of marks several. As questions of an LMS a problem, too.",
+        shell_complete=CODES_AND_SETS,
     ),
     TargetOption(
         ["--to"],

@@ -19,6 +19,7 @@ from corollary.problem.roster import Student
 
 if TYPE_CHECKING:
     from corollary.records.marks_table import MarksTable
+    from corollary.render.item import LmsItem
     from corollary.render.paper.print_run import PrintRun
 
 GROUP = "corollary.exports"
@@ -29,7 +30,7 @@ FOR_EXERCISES = (
     "ipynb",
     "pdf",
 )  # known without loading them: help must not take a second
-OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip")
+OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip", "moodle", "qti")
 
 
 class UnknownTarget(LookupError):
@@ -45,6 +46,25 @@ class MarksText:
     notes: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class CarriedPart:
+    """What became of a part: `how` it is asked there (empty: it is not), and what is lost, by name."""
+
+    code: str
+    part: str
+    how: str
+    lost: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ItemFiles:
+    """Questions of an LMS as files by name, what became of each part, and what is lost of them all, by name."""
+
+    files: Mapping[str, bytes]
+    parts: tuple[CarriedPart, ...]
+    lost: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
     """A target offers the functions for what it can be made of, and leaves the others out.
@@ -53,7 +73,8 @@ class Target:
     Markdown (or ""), as text or as bytes; `worksheet` one student's sheet, with worked solutions by the code of the problem; `problem_set` all
     sheets of a set at once, as files by name; `marks` a table of marks, for everybody on the roster, which has every column of a
     set when `every_column`; `feedback` an archive of what goes back to students, from files by their names in it; `paper` is the
-    print run of sheets that are marked by hand, with their marking schemes.
+    print run of sheets that are marked by hand, with their marking schemes; `items` an LMS's
+    questions, from a name for the file, the variants of each problem one after the other, and whether each part is one question.
     """
 
     ending: str
@@ -64,6 +85,7 @@ class Target:
     every_column: bool = False
     feedback: Callable[[Mapping[str, bytes]], bytes] | None = None
     paper: type[PrintRun] | None = None
+    items: Callable[[str, Sequence[LmsItem], bool], ItemFiles] | None = None
 
 
 def target(name: str) -> Target:

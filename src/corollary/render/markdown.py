@@ -12,8 +12,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 # What sets formulas is loaded with the first formula: it is half of what a view without one would load.
 
 
-@lru_cache(maxsize=1)
-def parser() -> MarkdownIt:
+def new_parser() -> MarkdownIt:
     """CommonMark with tables and `$…$`, `$$…$$`; without raw HTML, links and pictures, for students' words may flow through."""
     markdown = (
         MarkdownIt("commonmark", {"html": False})
@@ -21,6 +20,13 @@ def parser() -> MarkdownIt:
         .disable(["link", "image", "autolink", "reference"])
     )
     dollarmath_plugin(markdown, allow_labels=False, allow_space=False, allow_digits=False, double_inline=True)
+    return markdown
+
+
+@lru_cache(maxsize=1)
+def parser() -> MarkdownIt:
+    """The same, with formulas as MathML."""
+    markdown = new_parser()
     markdown.add_render_rule("math_inline", _inline)
     markdown.add_render_rule("math_inline_double", _display)
     markdown.add_render_rule("math_block", _block)

@@ -62,15 +62,19 @@ def formula(latex: str, *, display: bool = False) -> Element | None:
     if len(latex) > LONGEST or DEFINES.search(latex) or max(depths, default=0) > DEEPEST:
         return None
     latex = UNSEEN.sub(" ", latex)
-    text = MEASURED.sub(lambda unit: rf"\,\text{{{unit[1]}}}", latex)
-    text = re.sub(r"(?<!\\)%", r"\\%", text)  # a percent sign is meant as one: no formula here holds comments
-    text = re.sub(r"\\(begin|end)\{aligned\}", r"\\\1{split}", text)
+    text = re.sub(r"\\(begin|end)\{aligned\}", r"\\\1{split}", prepared(latex))
     try:
         tree = typeset(convert_to_element(text, xmlns="", display="block" if display else "inline"))
     except Exception:  # malformed LaTeX ends there in a dozen unrelated exceptions (IndexError, StopIteration, KeyError, ...)
         return None
     tree.set("alttext", latex)
     return tree
+
+
+def prepared(latex: str) -> str:
+    """The LaTeX with units of filled holes upright, and percent signs meant as such: no formula here holds comments."""
+    text = MEASURED.sub(lambda unit: rf"\,\text{{{unit[1]}}}", latex)
+    return re.sub(r"(?<!\\)%", r"\\%", text)
 
 
 @lru_cache(maxsize=4096)

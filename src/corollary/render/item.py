@@ -1,0 +1,203 @@
+"""An exercise as an LMS asks it: fields, what earns which share of the points, and what is then read; no file format."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from corollary.answers.answer import Letter
+from corollary.answers.choice.judging import judge as judge_choice
+from corollary.answers.common_errors import slips
+from corollary.answers.expected import Expected, Quantity, Values
+from corollary.answers.judge_numbers import may_be_guessed
+from corollary.answers.tolerance import same_signs
+from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
+from corollary.grading.expected import expected_of
+from corollary.grading.feedback import sentence
+from corollary.grading.key import Key
+from corollary.grading.points import share
+from corollary.grading.solutions import Solutions
+from corollary.notebook.worksheet import Exercise, Prompt, exercise
+from corollary.problem.part import Option
+from corollary.problem.problem_set import Scheme
+from corollary.problem.variant import Variant
+from corollary.units.unit import Unit
+
+ZERO = 1e-9  # of the scale: what a misconception that gives zero takes for zero, as grading does
+NOT_ASKED = {
+    "expression": "the answer is a formula, and only STACK compares formulas in Moodle; there is no STACK here to try it in",
+    "example": "the answer is an example of the student's own, which has to be tried in the laws",
+    "proof": "the answer is a derivation, line by line",
+    "code": "the answer is a program, which has to be run",
+    "plot": "the answer is a figure, which has to be drawn by a program",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Credit:
+    """What earns a share of a part's points: numbers near `values`, in the unit asked for.
+
+    `reach` is how far off they may be together, `signed` which components must have the sign of theirs. `verdict` is right,
+    mistaken or slip, `feedback` is Markdown, empty for what is right.
+    """
+
+    values: Values
+    reach: float
+    signed: tuple[bool, ...]
+    share: float
+    verdict: str
+    feedback: str
+
+    def ranges(self) -> tuple[tuple[float, float], ...]:
+        """The lowest and the highest of each component, the others as they should be."""
+        return tuple(
+            (
+                max(x - self.reach, 0.0) if signed and x > 0 else x - self.reach,
+                min(x + self.reach, 0.0) if signed and x < 0 else x + self.reach,
+            )
+            for x, signed in zip(self.values, self.signed, strict=True)
+        )
+
+    def met_by(self, numbers: Sequence[float]) -> bool:
+        """Whether all components together are near enough."""
+        small = [0.0 if signed else math.inf for signed in self.signed]
+        return math.dist(numbers, self.values) <= self.reach and same_signs(numbers, self.values, small)
+
+
+@dataclass(frozen=True, slots=True)
+class NumbersAsked:
+    """A field for each component (one, without a name, where it is one number); the first mark met counts."""
+
+    prompt: Prompt
+    components: tuple[str, ...]
+    marks: tuple[Credit, ...]
+
+    @property
+    def unit(self) -> Unit:
+        return self.prompt.part.unit
+
+
+@dataclass(frozen=True, slots=True)
+class OptionAsked:
+    option: Option
+    share: float
+    feedback: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChoiceAsked:
+    """One of several options, in the order of the sheet."""
+
+    prompt: Prompt
+    options: tuple[OptionAsked, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ProseAsked:
+    """Words, which a person marks by the rubric."""
+
+    prompt: Prompt
+    rubric: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NotAsked:
+    """A part that no LMS can mark, and why."""
+
+    prompt: Prompt
+    why: str
+
+
+PartAsked = NumbersAsked | ChoiceAsked | ProseAsked | NotAsked
+
+
+@dataclass(frozen=True, slots=True)
+class LmsItem:
+    """One variant of a problem. `number` counts the variants of a pool from 1; `solution` is Markdown."""
+
+    exercise: Exercise
+    number: int
+    parts: tuple[PartAsked, ...]
+    solution: str
+    key: Key
+    scheme: Scheme
+
+
+def item(solutions: Solutions, variant: Variant, number: int, weight: float, scheme: Scheme) -> LmsItem:
+    """Raises NotDerivable, and Undefined where an answer does not exist."""
+    asked = exercise(variant, weight)
+    key = solutions.key(variant)
+    parts = tuple(_part(key, prompt, scheme) for prompt in asked.prompts)
+    return LmsItem(asked, number, parts, solutions.worked_solution_of(key), key, scheme)
+
+
+def _part(key: Key, prompt: Prompt, scheme: Scheme) -> PartAsked:
+    part = prompt.part
+    expected = expected_of(key, part)
+    if len(part.answer_types) > 1:
+        return NotAsked(prompt, NOT_ASKED["code"])
+    match part.answer_type:
+        case "value" | "vector" if expected.quantity is not None:
+            marks = tuple(_distinct(_marks(expected.quantity, part.unit, scheme)))
+            return NumbersAsked(prompt, part.components or ("",), marks)
+        case "choice" if expected.option is not None:
+            return ChoiceAsked(prompt, tuple(_options(expected, prompt, scheme)))
+        case "explain":
+            return ProseAsked(prompt, expected.rubric)
+        case other:
+            return NotAsked(prompt, NOT_ASKED.get(other, f"no LMS knows answers of the type {other}"))
+
+
+def _options(expected: Expected, prompt: Prompt, scheme: Scheme) -> Iterator[OptionAsked]:
+    for option in prompt.options:
+        verdict = judge_choice(Letter(option.letter, ""), expected)
+        right = isinstance(verdict, Right)
+        yield OptionAsked(option, share(verdict, scheme, "choice"), "" if right else sentence(verdict))
+
+
+def _marks(wanted: Quantity, unit: Unit, scheme: Scheme) -> Iterator[Credit]:
+    """In the order in which `judge_numbers` tries them, of an answer given alone, with figures enough."""
+    zero = float(unit.offset)
+    moved = replace(unit, offset=Fraction(0))  # temperatures are compared as they are written, in °C
+
+    def mark(values: Values, verdict: Verdict, reach: float | None = None) -> Credit:
+        above = [value - zero for value in values]
+        length = math.hypot(*above) or wanted.scale
+        return Credit(
+            tuple(value / unit.si for value in above),
+            (wanted.tolerance * length if reach is None else reach) / unit.si,
+            tuple(abs(x) > small for x, small in zip(above, wanted.uncertain, strict=True)),
+            share(verdict, scheme),
+            word(verdict),
+            "" if isinstance(verdict, Right) else sentence(verdict),
+        )
+
+    yield mark(wanted.values, Right())
+    ways = list(wanted.routes())
+    yield from (mark(way.values, Right()) for way in ways)
+    for way in ways:
+        for values, text in way.misconceptions() if way.misconceptions else ():
+            nothing = not any(values)
+            verdict = Mistaken(text, nothing=nothing)
+            if all(map(math.isfinite, values)):
+                yield mark(values, verdict, ZERO * wanted.scale if nothing else None)
+    for way in ways:
+        above = tuple(value - zero for value in way.values)
+        general = [(tuple(x + zero for x in values), text) for values, text in slips(above, moved)]
+        for values, text in [*general, *(way.slips() if way.slips else ())]:
+            if any(values) and all(map(math.isfinite, values)):
+                typed = [(value - zero) / unit.si for value in values]
+                yield mark(values, Slip(text, nothing=may_be_guessed(typed, values, way.values)))
+
+
+def _distinct(marks: Iterator[Credit]) -> Iterator[Credit]:
+    """Without those that an earlier one covers: two ways to the same value."""
+    found: list[Credit] = []
+    for each in marks:
+        if not any(
+            math.dist(each.values, other.values) + each.reach <= other.reach * (1 + 1e-9) for other in found
+        ):
+            found.append(each)
+            yield each

@@ -1,0 +1,83 @@
+"""How QTI marks the fields of an item: for each part the first range that the numbers lie in, then the sum."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from corollary.render.item import ChoiceAsked, Credit, NumbersAsked, PartAsked
+from corollary.render.qti_text import block
+
+
+def processing(parts: Sequence[PartAsked]) -> tuple[str, str]:
+    """The `responseProcessing` of an item, and the feedback that it shows."""
+    rules: list[str] = []
+    messages: list[str] = []
+    for asked in parts:
+        part = asked.prompt.part.id
+        branches = list(_branches(asked))
+        if not branches:
+            continue
+        conditions: list[str] = []
+        for place, (condition, share, feedback) in enumerate(branches, 1):
+            word = "responseIf" if place == 1 else "responseElseIf"
+            then = _set(f"SCORE_{part}", "float", float_text(share * asked.prompt.out_of))
+            if feedback:
+                then += _set(f"FEEDBACK_{part}", "identifier", f"{part}_{place}")
+                messages.append(
+                    f'<modalFeedback outcomeIdentifier="FEEDBACK_{part}" identifier="{part}_{place}" showHide="show">'
+                    f"{block(feedback)}</modalFeedback>\n"
+                )
+            conditions.append(f"<{word}>{condition}{then}</{word}>")
+        rules.append(f"<responseCondition>{''.join(conditions)}</responseCondition>\n")
+    scores = "".join(f'<variable identifier="SCORE_{asked.prompt.part.id}"/>' for asked in parts)
+    rules.append(f'<setOutcomeValue identifier="SCORE"><sum>{scores}</sum></setOutcomeValue>')
+    rules.append(_set("SOLUTION", "identifier", "solution"))
+    return f"<responseProcessing>\n{''.join(rules)}</responseProcessing>", "".join(messages)
+
+
+def float_text(value: float) -> str:
+    """With a point also before an exponent, as in 4.0e-06: TAO takes no 4e-06."""
+    mantissa, exponent, power = f"{value + 0.0:.12g}".partition("e")
+    return f"{mantissa if '.' in mantissa else mantissa + '.0'}{exponent}{power}"
+
+
+def _set(outcome: str, base: str, value: str) -> str:
+    return f'<setOutcomeValue identifier="{outcome}">{_value(base, value)}</setOutcomeValue>'
+
+
+def _value(base: str, value: str) -> str:
+    return f'<baseValue baseType="{base}">{value}</baseValue>'
+
+
+def _branches(asked: PartAsked) -> Iterator[tuple[str, float, str]]:
+    """A condition, the share of the points that it earns, and what is said; in the order of trying."""
+    part = asked.prompt.part.id
+    match asked:
+        case NumbersAsked(marks=marks):
+            for mark in marks:
+                yield _met(part, mark), mark.share, mark.feedback
+        case ChoiceAsked(options=options):
+            for each in options:
+                chosen = (
+                    f'<variable identifier="RESPONSE_{part}_1"/>{_value("identifier", each.option.letter)}'
+                )
+                yield f"<match>{chosen}</match>", each.share, each.feedback
+        case _:
+            return
+
+
+def _met(part: str, mark: Credit) -> str:
+    """Each component in its range and, where there are several, all of them as near together as they should be."""
+    conditions: list[str] = []
+    squares: list[str] = []
+    for place, ((low, high), value) in enumerate(zip(mark.ranges(), mark.values, strict=True), 1):
+        variable = f'<variable identifier="RESPONSE_{part}_{place}"/>'
+        conditions.append(f"<gte>{variable}{_value('float', float_text(low))}</gte>")
+        conditions.append(f"<lte>{variable}{_value('float', float_text(high))}</lte>")
+        off = f"<subtract>{variable}{_value('float', float_text(value))}</subtract>"
+        squares.append(f"<product>{off}{off}</product>")
+    if len(squares) > 1:
+        conditions.append(
+            f"<lte><sum>{''.join(squares)}</sum>{_value('float', float_text(mark.reach**2))}</lte>"
+        )
+    return f"<and>{''.join(conditions)}</and>"

@@ -1,0 +1,246 @@
+"""Questions as Moodle imports them (Question bank, Import, Moodle XML format): a category for each problem, a question a variant.
+
+A problem with several parts is one question with fields in its text (*Embedded answers*, Cloze), so that all parts have the same
+numbers. Its fields take numbers in the unit beside them. `apart` makes each part a question of its own, with units.
+"""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Iterator, Sequence
+from xml.sax.saxutils import escape
+
+from corollary.figure.paper import on_paper
+from corollary.messages import catalogue
+from corollary.render.exports import CarriedPart, ItemFiles, Target
+from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
+from corollary.render.moodle_fields import answers_in, cloze, size_of_points
+from corollary.render.page import drawing
+from corollary.render.tex_html import tex_html, tex_inline
+from corollary.render.typed_units import typed_units
+
+_ = catalogue(__name__)
+
+# What Moodle takes as the grade of an answer, in per cent (`question_bank::fraction_options_full`).
+GRADES = (
+    100,
+    90,
+    83.33333,
+    80,
+    75,
+    70,
+    66.66667,
+    60,
+    50,
+    40,
+    33.33333,
+    30,
+    25,
+    20,
+    16.66667,
+    14.28571,
+    12.5,
+    11.11111,
+    10,
+    5,
+    0,
+)
+WRONG_UNIT = 0.5  # what a slip costs
+LOST = (
+    "an answer that follows from the student's own earlier one is wrong",
+    "the same slip costs in every part, not once",
+    "figures are not counted: what is rounded to fewer than three is right or wrong as its value is",
+    "a decimal comma is read where Moodle speaks a language that has one; the question says so",
+)
+"""What no question carries."""
+
+
+def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
+    """One file with all questions, and what became of each part, from the first variant of each problem."""
+    questions = [text for item in items for text in _questions(name, item, apart)]
+    body = "\n".join(questions)
+    text = f'<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n{body}\n</quiz>\n'
+    first = [item for item in items if item.number == 1]
+    lost = (*LOST, *_grades_lost(first, apart))
+    return ItemFiles({f"{name}-moodle.xml": text.encode()}, tuple(_carried(first, apart)), lost)
+
+
+def _grades_lost(items: Sequence[LmsItem], apart: bool) -> Iterator[str]:
+    """Shares that Moodle does not have for an answer, and what takes their place; embedded answers take any."""
+    for scheme in dict.fromkeys(item.scheme for item in items if apart or len(_asked(item)) == 1):
+        for share in (scheme.mistaken, scheme.slip, scheme.choice):
+            if 100 * share - _grade(share) > 1e-3:
+                yield f"Moodle has no grade of {100 * share:g} %: such an answer earns {_grade(share):g} %"
+
+
+def _carried(items: Sequence[LmsItem], apart: bool) -> Iterator[CarriedPart]:
+    for item in items:
+        alone = apart or len(_asked(item)) == 1
+        for asked in item.parts:
+            yield CarriedPart(item.exercise.problem.code, asked.prompt.part.id, *_how(asked, alone))
+
+
+def _how(asked: PartAsked, alone: bool) -> tuple[str, str]:
+    """How a part is asked ("" where it is not), and what is lost of it."""
+    match asked:
+        case NumbersAsked(components=components) if len(components) > 1:
+            lost = "each component earns its share by itself; a unit that is typed is not read"
+            return "a field for each component", lost
+        case NumbersAsked() if alone:
+            return "number and unit", "a number without a unit earns half" if typed_units(asked.unit) else ""
+        case NumbersAsked():
+            return "field for a number", "a unit that is typed is not read: it stands beside the field"
+        case ChoiceAsked():
+            return "choice", ""
+        case ProseAsked() if alone:
+            return "essay", "a person marks it"
+        case ProseAsked():
+            return "", "a question of several parts has no field for prose; --apart sends it as an essay"
+        case NotAsked(why=why):
+            return "", why
+
+
+def _asked(item: LmsItem) -> Sequence[PartAsked]:
+    """What can stand in one question; prose only where there is nothing else."""
+    fields = [each for each in item.parts if isinstance(each, NumbersAsked | ChoiceAsked)]
+    prose = [each for each in item.parts if isinstance(each, ProseAsked)]
+    return fields or prose[:1]
+
+
+def _questions(name: str, item: LmsItem, apart: bool) -> Iterator[str]:
+    problem = item.exercise.problem
+    pool = f"{problem.code} {problem.title}".replace("/", "//")
+    if not apart:
+        if asked := _asked(item):
+            yield from _category(item, name, pool)
+            yield _question(item, asked, str(item.number))
+        return
+    for each in item.parts:
+        if not isinstance(each, NotAsked):
+            letter = each.prompt.part.heading_letter
+            yield _category_text(name, pool, f"({letter})")
+            yield _question(item, [each], f"({letter}), {item.number}")
+
+
+def _category(item: LmsItem, name: str, pool: str) -> Iterator[str]:
+    if item.number == 1:
+        yield _category_text(name, pool)
+
+
+def _category_text(*path: str) -> str:
+    text = escape("/".join(("$course$", "top", "Corollary", *path)))
+    return f'<question type="category"><category><text>{text}</text></category></question>'
+
+
+def _question(item: LmsItem, asked: Sequence[PartAsked], number: str) -> str:
+    problem = item.exercise.problem
+    head = [
+        f"<name><text>{escape(f'{problem.code} {problem.title}, {number}')}</text></name>",
+        f'<generalfeedback format="html">{_text(tex_html(item.solution))}</generalfeedback>',
+    ]
+    stem = f"{tex_html(item.exercise.statement)}{_figure(item)}"
+    match asked:
+        case [NumbersAsked(components=("",)) as one]:
+            kind, text, rest = (
+                "numerical",
+                f"{_words(one)}<p>{escape(_number_and_unit())}</p>",
+                _numerical(one),
+            )
+        case [ChoiceAsked() as one]:
+            kind, text, rest = "multichoice", _words(one), _multichoice(one)
+        case [ProseAsked() as one]:
+            kind, text, rest = "essay", _words(one), _essay(one)
+        case _:
+            size = size_of_points(asked)
+            fields = "".join(_words(each) + cloze(each, size) for each in asked)
+            kind, text, rest = "multianswer", f"<p>{escape(_numbers_only())}</p>{fields}", []
+    if kind != "multianswer":
+        rest = [f"<defaultgrade>{asked[0].prompt.out_of:g}</defaultgrade>", *rest]
+    question = f'<questiontext format="html">{_text(stem + text)}{_figure_file(item)}</questiontext>'
+    penalty = "<penalty>0</penalty>"
+    return "\n".join([f'<question type="{kind}">', *head, question, penalty, *rest, "</question>"])
+
+
+def _words(asked: PartAsked) -> str:
+    part = asked.prompt.part
+    return f"<h4>({part.heading_letter}) {tex_inline(part.title)}</h4>{tex_html(asked.prompt.text)}"
+
+
+def _numbers_only() -> str:
+    return _(
+        "Into each field for a number write the number alone, in the unit that stands beside it, with three significant figures "
+        "or more: 4.71 or 6.30e-5. Decimals stand behind a point, not behind a comma."
+    )
+
+
+def _number_and_unit() -> str:
+    return _(
+        "Write a number, with three significant figures or more, and its unit. Decimals stand behind a point, not behind a comma."
+    )
+
+
+def _numerical(asked: NumbersAsked) -> list[str]:
+    answers = [
+        f'<answer fraction="{_grade(mark.share):g}"><text>{middle}</text><tolerance>{reach}</tolerance>{_feedback(mark.feedback)}</answer>'
+        for middle, reach, mark in answers_in(asked, 0)
+    ]
+    units = typed_units(asked.unit)
+    listed = "".join(
+        f"<unit><multiplier>{size:.12g}</multiplier><unit_name>{escape(name)}</unit_name></unit>"
+        for name, size in units
+    )
+    graded = (
+        f"<units>{listed}</units><unitgradingtype>1</unitgradingtype><unitpenalty>{WRONG_UNIT}</unitpenalty>"
+        "<showunits>0</showunits><unitsleft>0</unitsleft>"
+    )
+    return [*answers, graded if units else "<unitgradingtype>0</unitgradingtype><showunits>3</showunits>"]
+
+
+def _multichoice(asked: ChoiceAsked) -> list[str]:
+    answers = [
+        f'<answer fraction="{_grade(each.share):g}" format="html">{_text(tex_inline(each.option.text))}'
+        f"{_feedback(each.feedback)}</answer>"
+        for each in asked.options
+    ]
+    rest = "<single>true</single><shuffleanswers>false</shuffleanswers><answernumbering>abc</answernumbering>"
+    return [rest, *answers]
+
+
+def _essay(asked: ProseAsked) -> list[str]:
+    rubric = "".join(f"<li>{tex_inline(each)}</li>" for each in asked.rubric)
+    info = f'<graderinfo format="html">{_text(f"<ul>{rubric}</ul>" if rubric else "")}</graderinfo>'
+    return ["<responseformat>editor</responseformat><responserequired>1</responserequired>", info]
+
+
+def _grade(share: float) -> float:
+    """The grade that Moodle has, in per cent: the nearest that is not above."""
+    return next(each for each in GRADES if each <= 100 * share + 1e-3)
+
+
+def _feedback(text: str) -> str:
+    return f'<feedback format="html">{_text(tex_html(text))}</feedback>' if text else ""
+
+
+def _figure(item: LmsItem) -> str:
+    if not item.exercise.figure:
+        return ""
+    alt = escape(item.exercise.figure_alt, {'"': "&quot;"})
+    return f'<p><img src="@@PLUGINFILE@@/{_figure_name(item)}" alt="{alt}"></p>'
+
+
+def _figure_name(item: LmsItem) -> str:
+    return f"{item.exercise.problem.name}-{item.number}.svg"
+
+
+def _figure_file(item: LmsItem) -> str:
+    if not item.exercise.figure:
+        return ""
+    svg = on_paper(str(drawing(item.exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1))
+    return f'<file name="{_figure_name(item)}" path="/" encoding="base64">{base64.b64encode(svg.encode()).decode()}</file>'
+
+
+def _text(html: str) -> str:
+    return f"<text><![CDATA[{html.replace(']]>', ']]&gt;')}]]></text>"
+
+
+TARGET = Target(ending="xml", items=write_items)
