@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -114,8 +113,6 @@ _at_work: list[Makers] = []  # of a worker process
 def _start(context: Makers, language: str) -> None:
     begin()
     speak(language)
-    gc.freeze()  # what was there before stays: looking through it again and again would be a fifth of the time
-    gc.set_threshold(100_000, 50, 100)
     _at_work.append(Makers(context.course, context.problem_set, context.solutions))
 
 
