@@ -12,9 +12,10 @@ from collections import Counter
 from collections.abc import Iterator
 
 import corollary
+from corollary.answers.options import option_named
 from corollary.answers.verdict import Mistaken, Right
 from corollary.formula.ball import Undefined
-from corollary.formula.value import Text, Value
+from corollary.formula.value import Items, Text, Value
 from corollary.grading.assign import admitted, visible_mistakes
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
@@ -24,10 +25,10 @@ from corollary.units.unit import show
 
 
 def typed(key: Key, part: str, values: tuple[float, ...]) -> Value:
-    """One quantity as a student types it."""
-    (value,) = values
+    """One quantity as a student types it, or a list of them."""
     unit = key.variant.problem.part(part).unit
-    return Text(f"{unit.from_si(value):.5g} {show(unit)}".replace(" 1", ""))
+    texts = tuple(Text(f"{unit.from_si(value):.5g} {show(unit)}".replace(" 1", "")) for value in values)
+    return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
 
 
 def mistaken(key: Key) -> Iterator[tuple[str, str, Value]]:
@@ -55,7 +56,7 @@ def play(code: str, count: int, counts: Counter[str]) -> list[str]:
     for key in keys[:count]:
         where = f"{code} {dict(key.variant.values)}"
         answers = {part: typed(key, part, truth.values) for part, truth in key.truths.items()}
-        answers |= {part: Text(letter) for part, letter in key.choices.items()}
+        answers |= {part: Text(option_named(problem.part(part), each)) for part, each in key.choices.items()}
         judged = judge(key, answers)
         counts["right"] += len(answers)
         faults += [
