@@ -13,6 +13,11 @@ def test_formulas_stand_in_the_line_and_apart():
     assert '<div class="formula"><math display="block"' in said
 
 
+def test_a_formula_may_begin_a_line_that_ends_with_a_digit():
+    assert inline("$m$ of part 5").count("<math") == 1
+    assert html("$m$ and $v$ of part 5").count("<math") == 2
+
+
 def test_a_price_is_no_formula():
     assert html("It costs $5 and $6.") == "<p>It costs $5 and $6.</p>\n"
 

@@ -7,7 +7,9 @@ from functools import lru_cache
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
+from markdown_it.rules_inline import StateInline
 from mdit_py_plugins.dollarmath import dollarmath_plugin
+from mdit_py_plugins.dollarmath.index import math_inline_dollar
 
 # What sets formulas is loaded with the first formula: it is half of what a view without one would load.
 
@@ -20,6 +22,7 @@ def new_parser() -> MarkdownIt:
         .disable(["link", "image", "autolink", "reference"])
     )
     dollarmath_plugin(markdown, allow_labels=False, allow_space=False, allow_digits=False, double_inline=True)
+    markdown.inline.ruler.at("math_inline", _at_the_beginning_too)
     return markdown
 
 
@@ -43,6 +46,21 @@ def html(text: str) -> str:
 def inline(text: str) -> str:
     """The HTML of one line in Markdown, without a paragraph around it."""
     return parser().renderInline(text)
+
+
+_formula = math_inline_dollar(allow_space=False, allow_digits=False, allow_double=True)
+
+
+def _at_the_beginning_too(state: StateInline, silent: bool) -> bool:
+    """The plug-in's rule. Before the first character it looks at the last one: a digit there must not count as one before a formula."""
+    if state.pos > 0 or not state.src[-1:].isdigit():
+        return _formula(state, silent)
+    source = state.src
+    state.src = source + " "
+    try:
+        return _formula(state, silent)
+    finally:
+        state.src = source
 
 
 def _inline(renderer: object, tokens: Sequence[Token], at: int, *rest: object) -> str:
