@@ -119,6 +119,15 @@ command(
     JSON,
 )
 command(
+    "certify",
+    "A proof script of the key, for all numbers, that an independent kernel (Coq) checks.",
+    CODE,
+    BANK,
+    path("--output", "-o", text="Where the script goes; CODE.v in the working folder when left out."),
+    flag("--check", "Let coqc check it, and put hash and version on the key's record."),
+    JSON,
+)
+command(
     "new",
     "A problem and its solution that verify as written, to be bent into one's own.",
     *NEW,

@@ -13,6 +13,7 @@ from corollary.derive.solution import Solution
 from corollary.grading.key_record import key_record
 from corollary.problem.bank import home
 from corollary.problem.variant import OutOfRange
+from corollary.verify.certificate.record import on_record
 
 
 def run(
@@ -41,6 +42,8 @@ def run(
         variant(problem, from_options(givens)) if givens else chosen_variant(place, problem, student, course)
     )
     record = key_record(solve(problem), numbers)
+    if certificate := on_record(place, problem):
+        record["certificate"] = certificate
     if as_json:
         answer(record)
         return HOLDS
@@ -52,6 +55,8 @@ def run(
     print(f"{problem.code}  {problem.title}\n  given (SI): {given}")
     for part, entry in record["parts"].items():
         print(f"  ({part}) {_line(entry)}")
+    if certificate:
+        print(f"  proof script {certificate['sha256'][:16]}…, accepted by {certificate['checker']}")
     return HOLDS
 
 

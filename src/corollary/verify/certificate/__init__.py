@@ -1,0 +1,1 @@
+"""Keys proven by a kernel that is not ours: scripts for the Coq proof assistant."""

@@ -1,0 +1,62 @@
+"""A proof script checked by Coq's kernel, in a process of its own."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from corollary.derive.solution import Solution
+from corollary.verify.certificate.lemmas import Lemma
+from corollary.verify.certificate.script import Certified, alone, script
+
+LEMMA, SCRIPT = 60, 600  # s: a search that takes longer finds nothing
+SIDE_BY_SIDE = 2
+
+
+class NoChecker(RuntimeError):
+    """There is no Coq on this machine; one sentence says how to get it."""
+
+
+def checker() -> str:
+    """What will check, with its version. Raises NoChecker."""
+    if shutil.which("coqc") is None:
+        raise NoChecker(
+            "coqc, which checks the script, is not installed: apt install coq (or opam install coq); "
+            "without --check the script is only written"
+        )
+    done = subprocess.run(["coqc", "--version"], capture_output=True, text=True, timeout=LEMMA, check=True)
+    return done.stdout.splitlines()[0].strip()
+
+
+def unproven(solution: Solution, steps: Sequence[Certified]) -> frozenset[str]:
+    """The lemmas that Coq does not accept; the script without them it does. Raises NoChecker."""
+    checker()
+    if accepted(script(solution, steps), SCRIPT):
+        return frozenset()
+    written = [each for step in steps for each in step.lemmas if each.text]
+    with ThreadPoolExecutor(SIDE_BY_SIDE) as threads:
+        found = threads.map(_stands_alone, written)
+        failed = frozenset(each.name for each, stands in zip(written, found, strict=True) if not stands)
+    if not accepted(script(solution, steps, failed), SCRIPT):
+        return frozenset(each.name for each in written)
+    return failed
+
+
+def _stands_alone(lemma: Lemma) -> bool:
+    return accepted(alone(lemma), LEMMA)
+
+
+def accepted(text: str, seconds: float) -> bool:
+    """Whether Coq accepts the file within the time."""
+    with tempfile.TemporaryDirectory(prefix="corollary-coq-") as folder:
+        path = Path(folder) / "certificate.v"
+        path.write_text(text, encoding="utf-8")
+        try:
+            done = subprocess.run(["coqc", path.name], cwd=folder, capture_output=True, timeout=seconds)
+        except subprocess.TimeoutExpired:
+            return False
+        return done.returncode == 0

@@ -1,0 +1,164 @@
+"""Formulas and polynomials as Coq writes them, in real numbers."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any, assert_never
+
+from corollary.formula.ast import (
+    Call,
+    Expr,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    children,
+    rebuilt,
+)
+
+WORDS = (
+    "as at by cofix do else end exists exists2 fix for forall fun if IF in let match mod open or return Set Prop SProp Type "
+    "then using where with R I E PI sqrt pow Rabs sin cos tan exp ln positive nonzero equations solved"
+)
+TAKEN = frozenset(WORDS.split())  # by Coq, its library of real numbers, and our tactics
+HALF = Fraction(1, 2)
+LARGEST_POWER = 12
+
+
+class NotAlgebraic(ValueError):
+    """A formula that is not made by the four operations, powers and square roots; one sentence says of what."""
+
+
+class Roots:
+    """Square roots, sines and cosines as letters of their own: of a root only its square and its sign are said, of an angle
+    only that sine and cosine lie on the unit circle. What holds for all such letters holds for the roots and angles."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self.taken = {coq_name(name) for name in taken}
+        self.made: dict[Expr, str] = {}
+        self.known: list[Relation] = []
+
+    def without(self, tree: Expr) -> Expr:
+        """The formula with these letters. Raises NotAlgebraic."""
+        below = rebuilt(tree, tuple(map(self.without, children(tree))))
+        match below:
+            case Call("sqrt", (inner,)) | Power(
+                inner, Quotient(Number(Fraction(numerator=1)), Number(Fraction(numerator=2)))
+            ):
+                return self._root(inner)
+            case Power(inner, Number(value)) if value == HALF:
+                return self._root(inner)
+            case Call("sin" | "cos", (angle,)):
+                sine, cosine = (self._letter(Call(name, (angle,))) for name in ("sin", "cos"))
+                circle = Relation(
+                    "=",
+                    Sum((Power(sine, Number(Fraction(2))), Power(cosine, Number(Fraction(2))))),
+                    Number(Fraction(1)),
+                )
+                if circle not in self.known:
+                    self.known.append(circle)
+                return self.letter_of(below)
+            case Call("abs", (inner,)):
+                raise NotAlgebraic("it has the size of a number, |…|")
+            case Call(function, _):
+                raise NotAlgebraic(f"it has {function}")
+            case _:
+                return below
+
+    def letter_of(self, tree: Expr) -> Name:
+        return Name(self.made[tree])
+
+    def _root(self, inner: Expr) -> Name:
+        tree = Call("sqrt", (inner,))
+        fresh = tree not in self.made
+        letter = self._letter(tree)
+        if fresh:
+            self.known.append(Relation("=", Product((letter, letter)), inner))
+            self.known.append(Relation(">=", letter, Number(Fraction(0))))
+        return letter
+
+    def _letter(self, tree: Expr) -> Name:
+        if tree not in self.made:
+            stem = (
+                {"sqrt": "root", "sin": "sine", "cos": "cosine"}[tree.function]
+                if isinstance(tree, Call)
+                else "root"
+            )
+            name = next(each for place in range(1, 1000) if (each := f"{stem}{place}") not in self.taken)
+            self.taken.add(name)
+            self.made[tree] = name
+        return Name(self.made[tree])
+
+
+def coq_name(name: str) -> str:
+    """A letter of ours as an identifier of Coq."""
+    if name == "pi":
+        return "PI"
+    plain = "".join(
+        each if each.isascii() and (each.isalnum() or each == "_") else f"u{ord(each):x}" for each in name
+    )
+    return f"{plain}_" if plain in TAKEN or plain.startswith("_") else plain
+
+
+def coq(tree: Expr) -> str:
+    """Raises NotAlgebraic."""
+    match tree:
+        case Number(value):
+            return number(value)
+        case Name(name):
+            return coq_name(name)
+        case Negative(term):
+            return f"(- {coq(term)})"
+        case Sum(terms):
+            return f"({' + '.join(map(coq, terms))})"
+        case Product(factors):
+            return f"({' * '.join(map(coq, factors))})"
+        case Quotient(top, bottom):
+            return f"({coq(top)} / {coq(bottom)})"
+        case Power(base, Number(value) | Negative(Number(value))) if (
+            value.denominator == 1 and abs(value) <= LARGEST_POWER
+        ):
+            below = value < 0 or isinstance(tree.exponent, Negative)
+            return f"(1 / {_times(base, abs(value))})" if below else _times(base, value)
+        case Power():
+            raise NotAlgebraic("it has a power that is no whole number")
+        case Call(function, _):
+            raise NotAlgebraic(f"it has {function}")
+        case Relation(">" | ">=", left, right):  # turned round: nsatz takes >= for an equation, and fails
+            return f"{coq(right)} {'<' if tree.sign == '>' else '<='} {coq(left)}"
+        case Relation(sign, left, right):
+            return f"{coq(left)} {'<>' if sign == '!=' else sign} {coq(right)}"
+        case _:
+            assert_never(tree)
+
+
+def _times(base: Expr, count: Fraction) -> str:
+    """A power as a product: nsatz does not read powers."""
+    return f"({' * '.join([coq(base)] * int(count))})" if count else "1"
+
+
+def number(value: Fraction) -> str:
+    if value.denominator == 1:
+        return str(value) if value >= 0 else f"(- {-value})"
+    sign = "- " if value < 0 else ""
+    return f"({sign}{abs(value.numerator)} / {value.denominator})"
+
+
+def polynomial(found: Any) -> str:
+    """A polynomial of python-flint."""
+    names = found.context().names()
+    terms: list[str] = []
+    for powers, coefficient in found.to_dict().items():
+        factors = [
+            coq_name(name) for name, power in zip(names, map(int, powers), strict=True) for _ in range(power)
+        ]
+        whole = int(coefficient)
+        terms.append(" * ".join([number(Fraction(whole)), *factors]))
+    return f"({' + '.join(terms)})" if terms else "0"

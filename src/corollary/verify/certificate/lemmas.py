@@ -1,0 +1,257 @@
+"""The lemmas that certify a step: its laws hold for what is found, and nothing else fulfils them."""
+
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from corollary.derive.solution import Solution, Unknown
+from corollary.formula.ast import Expr, Name, Relation, names, substitute
+from corollary.formula.errors import Undefined
+from corollary.formula.text import text
+from corollary.polynomials.polynomial import TooLarge
+from corollary.polynomials.rational_function import RationalFunction
+from corollary.polynomials.translate import Translation
+from corollary.verify.certificate.coq import NotAlgebraic, Roots, coq, coq_name, number, polynomial
+from corollary.verify.obligations.box import Box
+from corollary.verify.obligations.obligation import Equations
+from corollary.verify.obligations.roots import only_roots
+
+
+@dataclass(frozen=True, slots=True)
+class Lemma:
+    """A claim and its proof, as Coq reads them; `why` says instead why there is none."""
+
+    name: str
+    claim: str
+    text: str = ""
+    why: str = ""
+
+
+def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
+    """For each step of a derivation the lemmas that certify what it finds, for all numbers of the box."""
+    box = Box(solution.problem)
+    steps = [find for find in solution.unknowns if find.laws]
+    for find, owed in zip(steps, only_roots(solution), strict=True):
+        found = ", ".join(find.names)
+        stem = "_".join(map(coq_name, find.names))
+        claims = (f"{stem}_holds", f"the laws hold for {found}"), (f"{stem}_only", f"nothing else is {found}")
+        try:
+            if owed.equations is None:
+                raise NotAlgebraic(owed.open or "its laws are no algebraic equations")
+            one, two = claims
+            yield (
+                find,
+                [
+                    Lemma(*one, Step(box, owed.equations).holds(one[0])),
+                    Lemma(*two, Step(box, owed.equations).only(two[0])),
+                ],
+            )
+        except (NotAlgebraic, TooLarge, Undefined, ValueError) as error:
+            why = str(error) or "its polynomials are too large"
+            yield find, [Lemma(*claim, why=why) for claim in claims]
+
+
+class Step:
+    """The equations of one step in letters of Coq, and what may be taken for granted about these. Raises NotAlgebraic."""
+
+    def __init__(self, box: Box, equations: Equations) -> None:
+        every = [
+            *equations.laws,
+            *equations.where,
+            *(Relation("=", Name(k), v) for k, v in equations.meant.items()),
+        ]
+        _, conditions = box.tied(every)
+        letters = frozenset[str]().union(*map(names, (*every, *conditions)))
+        self.givens = [name for name in box.axes if name in letters]
+        in_laws = frozenset[str]().union(*map(names, equations.laws))
+        self.unknowns = [name for name in equations.unknowns if name in in_laws]
+        self.roots = Roots(letters)
+        put = self.roots.without
+        self.laws = [_of(put(each)) for each in equations.laws]
+        self.where = [_of(put(each)) for each in equations.where]
+        self.meant = {name: put(tree) for name, tree in equations.meant.items() if name in self.unknowns}
+        self.rejected = [
+            {name: put(tree) for name, tree in each.items() if name in self.unknowns}
+            for each in equations.rejected
+        ]
+        self.bounds: list[str] = []
+        self.low: dict[str, Fraction] = {}
+        self.high: dict[str, Fraction] = {}
+        for name in self.givens:
+            low, high = self.low[name], self.high[name] = box.axes[name].bounds
+            self.bounds.append(f"{number(low)} <= {coq_name(name)} <= {number(high)}")
+        self.conditions: list[str] = []
+        for each in conditions:
+            try:
+                self.conditions.append(coq(put(each)))
+            except NotAlgebraic:
+                continue  # one condition less: the claim is the stronger
+        trees: list[Expr] = [
+            *self.laws,
+            *self.where,
+            *self.meant.values(),
+            *(v for r in self.rejected for v in r.values()),
+            *self.roots.known,
+        ]
+        self.translation = Translation([*trees, *map(Name, self.unknowns)], {})
+        if "pi" in frozenset[str]().union(*map(names, trees)):
+            self.bounds.append("3 < PI")
+
+    def holds(self, name: str) -> str:
+        """The laws with what is found put in."""
+        if set(self.unknowns) - self.meant.keys():
+            raise NotAlgebraic("a letter of its laws is found nowhere")
+        goals = [
+            Relation("=", substitute(each.left, self.meant), substitute(each.right, self.meant))
+            for each in self.laws
+        ]
+        proof = [f"  {{ {self._identity(goal)} }}" for goal in goals]
+        split = "  repeat match goal with |- _ /\\ _ => split end.\n" if len(goals) > 1 else ""
+        return self._lemma(
+            name, [], " /\\\n    ".join(map(coq, goals)), split + "\n".join(proof), unknowns=()
+        )
+
+    def only(self, name: str) -> str:
+        """Whatever fulfils the laws and the conditions is what is found, or a root that is rejected in words."""
+        if len(self.rejected) > 1:
+            raise NotAlgebraic("it has several roots that are rejected in words")
+        if not self.unknowns:
+            raise NotAlgebraic("it was found with an earlier step")
+        given = [coq(each) for each in (*self.laws, *self.where)]
+        meanings = [self.meant, *self.rejected]
+        if any(set(self.unknowns) - each.keys() for each in meanings):
+            raise NotAlgebraic("a letter of its laws is found nowhere")
+        goal = " \\/ ".join(
+            "(" + " /\\ ".join(f"{coq_name(k)} = {coq(v)}" for k, v in each.items()) + ")"
+            for each in meanings
+        )
+        return self._lemma(name, given, goal, self._uniqueness(), unknowns=self.unknowns)
+
+    def _lemma(self, name: str, given: Sequence[str], goal: str, proof: str, unknowns: Sequence[str]) -> str:
+        letters = [
+            *map(coq_name, self.givens),
+            *map(coq_name, self.roots.made.values()),
+            *map(coq_name, unknowns),
+        ]
+        known = [*self.bounds, *self.conditions, *map(coq, self.roots.known)]
+        premises = "".join(f"  {each} ->\n" for each in (*known, *given))
+        remarks = "".join(f"(* {letter} is {text(tree)} *)\n" for tree, letter in self.roots.made.items())
+        binder = f"forall {' '.join(letters)} : R,\n" if letters else ""
+        labels = (
+            " ".join(f"K{place}" for place in range(len(known)))
+            + " "
+            + " ".join(f"L{place}" for place in range(len(given)))
+        )
+        return f"{remarks}Lemma {name} : {binder}{premises}    {goal}.\nProof.\n  intros {' '.join(letters)} {labels}.\n{proof}\nQed.\n"
+
+    def _identity(self, goal: Relation) -> str:
+        """That two sides are the same: as fractions, or for the squares of the roots."""
+        try:
+            gap = self.translation.fraction(goal.left) - self.translation.fraction(goal.right)
+        except KeyError:
+            raise NotAlgebraic("it has letters that stand for nothing") from None
+        plain = "field; nonzero"
+        if gap.top.is_zero() and not self.roots.made:
+            return f"first [ ring | {plain} ]."
+        top, bottom = polynomial(gap.top), polynomial(gap.bottom)
+        return (
+            f"first [ ring | {plain} | apply Rminus_diag_uniq; assert (E : {top} = 0) by equations; "
+            f"replace ({coq(goal.left)} - {coq(goal.right)}) with ({top} / {bottom}) by (field; nonzero); rewrite E; "
+            "unfold Rdiv; ring ]."
+        )
+
+    def _uniqueness(self) -> str:
+        """Each law as a polynomial that is zero; then what the unknowns are follows from these polynomials."""
+        lines: list[str] = []
+        tops: list[Any] = []
+        outright = {name: place for name in self.meant if (place := self._stated_outright(name)) is not None}
+        if outright.keys() == self.meant.keys() and not self.rejected:
+            lines += ["  repeat match goal with |- _ /\\ _ => split end."] if len(self.meant) > 1 else []
+            for name, place in outright.items():
+                goal = Relation("=", self.laws[place].right, self.meant[name])
+                lines.append(f"  {{ rewrite L{place}. {self._identity(goal)} }}")
+            return "\n".join(lines)
+        for place, law in enumerate(self.laws):
+            gap = self._fraction(law.left) - self._fraction(law.right)
+            tops.append(gap.top)
+            top, bottom = polynomial(gap.top), polynomial(gap.bottom)
+            left, right = coq(law.left), coq(law.right)
+            lines.append(
+                f"  assert (P{place} : {top} = 0).\n"
+                f"  {{ replace {top} with (({left} - {right}) * {bottom}) by (field; nonzero). replace ({left} - {right}) with 0 by lra. ring. }}"
+            )
+        for place, name in enumerate(self._divisors(tops)):
+            lines.append(
+                f"  assert (exists i, i * {name} = 1) as [i{place} J{place}] by (exists (/ {name}); apply Rinv_l; nonzero)."
+            )
+        if self.rejected:
+            first = self.unknowns[0]
+            meant, other = (self._off(first, each[first]) for each in (self.meant, self.rejected[0]))
+            lines += [
+                f"  assert (E : {polynomial(meant.top)} * {polynomial(other.top)} = 0) by solved.",
+                "  destruct (Rmult_integral _ _ E) as [F | F]; [ left | right ];",
+                "  repeat match goal with |- _ /\\ _ => split end.",
+            ]
+            for each in (self.meant, self.rejected[0]):
+                lines += [self._equal(name, tree) for name, tree in each.items()]
+            return "\n".join(lines)
+        lines += ["  repeat match goal with |- _ /\\ _ => split end."] if len(self.meant) > 1 else []
+        lines += [self._equal(name, tree) for name, tree in self.meant.items()]
+        return "\n".join(lines)
+
+    def _stated_outright(self, name: str) -> int | None:
+        """The law that says what an unknown is, in givens alone."""
+        for place, law in enumerate(self.laws):
+            if law.left == Name(name) and not names(law.right) & set(self.unknowns):
+                return place
+        return None
+
+    def _divisors(self, tops: Sequence[Any]) -> list[str]:
+        """Givens that are never zero, and stand in the equations of more than one unknown: one may divide by them."""
+        if len(self.unknowns) < 2:
+            return []
+        used = {
+            name
+            for top in tops
+            for name in self.givens
+            if name in top.context().names()
+            and any(int(p[top.context().names().index(name)]) for p in top.to_dict())
+        }
+        apart = [name for name in self.givens if name in used and not self.low[name] <= 0 <= self.high[name]]
+        return [coq_name(name) for name in apart]
+
+    def _equal(self, name: str, tree: Expr) -> str:
+        """An unknown is its formula: the denominator times their difference is zero; of a square the root with the other sign is not it."""
+        off = self._off(name, tree)
+        top, bottom = polynomial(off.top), polynomial(off.bottom)
+        sides = f"{coq_name(name)} - {coq(tree)}"
+        by_sign = ""
+        if self.where:
+            turned = self._fraction(Name(name)) + self._fraction(tree)
+            by_sign = (
+                f" | assert (T : {top} * {polynomial(turned.top)} = 0) by solved; "
+                "destruct (Rmult_integral _ _ T) as [U | U]; [ exact U | first [ lra | nra ] ]"
+            )
+        return (
+            f"  {{ assert (Z : {top} = 0) by (first [ solved{by_sign} ]). apply Rminus_diag_uniq.\n"
+            f"    replace ({sides}) with ({top} / {bottom}) by (field; nonzero). rewrite Z. unfold Rdiv. ring. }}"
+        )
+
+    def _off(self, name: str, tree: Expr) -> RationalFunction:
+        return self._fraction(Name(name)) - self._fraction(tree)
+
+    def _fraction(self, tree: Expr) -> RationalFunction:
+        try:
+            return self.translation.fraction(tree)
+        except KeyError:
+            raise NotAlgebraic("it has letters that stand for nothing") from None
+
+
+def _of(tree: Expr) -> Relation:
+    assert isinstance(tree, Relation)
+    return tree

@@ -1,0 +1,74 @@
+"""A proof script for one problem: every step's lemmas, in one file for the Coq proof assistant (8.16 or later)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from corollary.derive.solution import Solution
+from corollary.verify.certificate.lemmas import Lemma, lemmas
+
+OPENING = """\
+Require Import Reals Lra Psatz Nsatz.
+Open Scope R_scope.
+
+Ltac positive := first [ lra | nra | apply Rmult_lt_0_compat; positive | apply Rplus_lt_0_compat; positive
+  | apply Rdiv_lt_0_compat; positive ].
+Ltac nonzero := repeat split; try (first [ apply Rgt_not_eq; solve [ positive ] | apply Rlt_not_eq; solve [ positive ]
+  | intro; nra ]).
+(* nsatz stumbles over inequalities among the hypotheses, and does not fail where it proves nothing *)
+Ltac equations := repeat match goal with
+  | H : _ <= _ |- _ => clear H | H : _ < _ |- _ => clear H | H : _ /\\ _ |- _ => clear H | H : _ <> _ |- _ => clear H
+  end; solve [ nsatz ].
+Ltac solved := first [ lra | equations | nra ].
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Certified:
+    """One step of a derivation: what it finds, for which part ("" for none), and its lemmas."""
+
+    names: tuple[str, ...]
+    part: str
+    lemmas: tuple[Lemma, ...]
+
+
+def certificate(solution: Solution) -> list[Certified]:
+    """The lemmas of a solution, step by step."""
+    seen: dict[str, int] = {}
+    return [
+        Certified(find.names, find.part, tuple(_named_apart(each, seen) for each in found))
+        for find, found in lemmas(solution)
+    ]
+
+
+def script(solution: Solution, steps: Sequence[Certified], without: Collection[str] = ()) -> str:
+    """The whole file; lemmas named in `without` are left out, with a remark."""
+    problem = solution.problem
+    lines = [
+        f"(* {problem.code}: {problem.title}. Each lemma holds for all numbers between the bounds. *)",
+        OPENING,
+    ]
+    for step in steps:
+        part = f" (part {step.part})" if step.part else ""
+        for each in step.lemmas:
+            if each.text and each.name not in without:
+                lines.append(f"(* {each.claim}{part} *)\n{each.text}")
+            else:
+                why = each.why or "these tactics do not prove it"
+                lines.append(f"(* not here: {each.claim}{part}; {why} *)\n")
+    return "\n".join(lines)
+
+
+def alone(lemma: Lemma) -> str:
+    """A file with one lemma."""
+    return f"{OPENING}\n{lemma.text}"
+
+
+def _named_apart(lemma: Lemma, seen: dict[str, int]) -> Lemma:
+    """The same letter may be found twice, by another step."""
+    seen[lemma.name] = count = seen.get(lemma.name, 0) + 1
+    if count == 1:
+        return lemma
+    name = f"{lemma.name}_{count}"
+    return Lemma(name, lemma.claim, lemma.text.replace(f"Lemma {lemma.name} :", f"Lemma {name} :"), lemma.why)
