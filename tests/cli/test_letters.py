@@ -36,6 +36,8 @@ COMMANDS = [
     ["grade", "größe.md", "--course", "/nowhere/Übung"],
     ["doctor"],
     ["schema"],
+    ["audit", str(Path(__file__).with_name("one_record.yaml"))],
+    ["certify", "X12.7"],
 ]
 
 
@@ -131,5 +133,6 @@ def test_every_command_is_tried_here_or_needs_a_course():
         "mark",
         "new",
         "preview",
+        "practise",
     }
     assert {words[0] for words in COMMANDS} | elsewhere >= app.commands.keys()

@@ -13,7 +13,7 @@ from corollary.problem.bank import home
 from corollary.verify.certificate.check import NoChecker, checker, unproven
 from corollary.verify.certificate.lemmas import Lemma
 from corollary.verify.certificate.record import keep
-from corollary.verify.certificate.script import Certified, certificate, script
+from corollary.verify.certificate.script import CertifiedStep, certificate, script
 
 
 def run(code: str, bank: Path | None, output: Path | None, check: bool, as_json: bool) -> int:
@@ -53,7 +53,7 @@ def _outcome(lemma: Lemma, failed: frozenset[str], by: str) -> str:
     return "not proven" if lemma.name in failed else "proven" if by else "written"
 
 
-def _show(rows: list[tuple[Certified, Lemma, str]], path: Path, by: str) -> None:
+def _show(rows: list[tuple[CertifiedStep, Lemma, str]], path: Path, by: str) -> None:
     from rich.table import Table
     from rich.text import Text
 

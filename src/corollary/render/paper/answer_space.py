@@ -57,7 +57,8 @@ def _fields(prompt: Prompt, each: AnswerType) -> Iterator[str]:
     # An interval, or a list in any order, is written as one.
     if not prompt.part.components or not each.lists_components:
         width = FORMULA if each.in_symbols or prompt.part.components else NUMBER
-        yield f"field([{words_of(_('Answer:'))}], {literal('') if each.in_symbols else unit}, {width})"
+        label = words_of(_("Answer:"))
+        yield f"field([{label}], {literal('') if each.in_symbols else unit}, {width})"
         return
     for name in prompt.part.components:
         symbol = f"{typst_formula(letter(name))}{words_of(' =')}"

@@ -36,7 +36,8 @@ def typst_formulas(solutions: Iterable[Solution]) -> str:
     if not found:
         return ""
     cells = ", ".join(f"[{words_of(name)}], [{equation}]" for (name, _tex), equation in sorted(found.items()))
-    return f"#formulas([{words_of(_('Formulas'))}], {cells})"
+    title = words_of(_("Formulas"))
+    return f"#formulas([{title}], {cells})"
 
 
 def _laws(solution: Solution) -> Iterator[AppliedLaw]:

@@ -39,7 +39,8 @@ def typst_key(paper: PaperSheet, keys: Mapping[str, Key], solutions: Mapping[str
         weight = about.weight(exercise.problem)
         pieces.append(typst_exercise_key(exercise, keys[code], about.scheme, weight))
         if worked := solutions.get(code):
-            pieces += [f"#heading(level: 3)[{words_of(_('Worked solution'))}]", typst_text(worked)]
+            title = words_of(_("Worked solution"))
+            pieces += [f"#heading(level: 3)[{title}]", typst_text(worked)]
     return typst_pages(paper, "key", "\n\n".join(pieces))
 
 
@@ -108,7 +109,8 @@ def _quantity(each: PartScheme, key: Key) -> Iterator[str]:
         for name, tree in zip(find.names, find.in_givens or (), strict=False)
     ]
     if answer_type(each.part.answer_type).in_symbols:
-        yield f"- {', '.join(formulas)} ({_('or any formula equal to it')})"
+        remark = _("or any formula equal to it")
+        yield f"- {', '.join(formulas)} ({remark})"
         return
     accepted = _accepted(each)
     yield f"- **{_values(each.truth.values, each)}** ({accepted})"

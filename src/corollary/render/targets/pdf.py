@@ -24,7 +24,8 @@ def write_exercise(exercise: Exercise, student: Student, solution: str) -> bytes
         typst_exercise(exercise, room=not solution, level=2),
     ]
     if solution:
-        pieces += [f"#heading(level: 2)[{words_of(_('Worked solution'))}]", typst_text(solution, level=3)]
+        heading = words_of(_("Worked solution"))
+        pieces += [f"#heading(level: 2)[{heading}]", typst_text(solution, level=3)]
     return pdf([numbered_pages("exercise", title, "\n\n".join(filter(None, pieces)))], title)
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from corollary.derive.solution import Solution
 from corollary.verify.certificate.lemmas import Lemma
-from corollary.verify.certificate.script import Certified, alone, script
+from corollary.verify.certificate.script import CertifiedStep, alone, script
 
 LEMMA, SCRIPT = 60, 600  # s: a search that takes longer finds nothing
 SIDE_BY_SIDE = 2
@@ -32,7 +32,7 @@ def checker() -> str:
     return done.stdout.splitlines()[0].strip()
 
 
-def unproven(solution: Solution, steps: Sequence[Certified]) -> frozenset[str]:
+def unproven(solution: Solution, steps: Sequence[CertifiedStep]) -> frozenset[str]:
     """The lemmas that Coq does not accept; the script without them it does. Raises NoChecker."""
     checker()
     if accepted(script(solution, steps), SCRIPT):

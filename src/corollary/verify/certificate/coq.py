@@ -1,7 +1,5 @@
 """Formulas and polynomials as Coq writes them, in real numbers."""
 
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -27,7 +25,7 @@ WORDS = (
     "as at by cofix do else end exists exists2 fix for forall fun if IF in let match mod open or return Set Prop SProp Type "
     "then using where with R I E PI sqrt pow Rabs sin cos tan exp ln positive nonzero equations solved"
 )
-TAKEN = frozenset(WORDS.split())  # by Coq, its library of real numbers, and our tactics
+RESERVED = frozenset(WORDS.split())  # by Coq, its library of real numbers, and our tactics
 HALF = Fraction(1, 2)
 LARGEST_POWER = 12
 
@@ -40,8 +38,8 @@ class Roots:
     """Square roots, sines and cosines as letters of their own: of a root only its square and its sign are said, of an angle
     only that sine and cosine lie on the unit circle. What holds for all such letters holds for the roots and angles."""
 
-    def __init__(self, taken: Iterable[str]) -> None:
-        self.taken = {coq_name(name) for name in taken}
+    def __init__(self, letters: Iterable[str]) -> None:
+        self.names = {coq_name(name) for name in letters}
         self.made: dict[Expr, str] = {}
         self.known: list[Relation] = []
 
@@ -91,8 +89,8 @@ class Roots:
                 if isinstance(tree, Call)
                 else "root"
             )
-            name = next(each for place in range(1, 1000) if (each := f"{stem}{place}") not in self.taken)
-            self.taken.add(name)
+            name = next(each for place in range(1, 1000) if (each := f"{stem}{place}") not in self.names)
+            self.names.add(name)
             self.made[tree] = name
         return Name(self.made[tree])
 
@@ -101,10 +99,10 @@ def coq_name(name: str) -> str:
     """A letter of ours as an identifier of Coq."""
     if name == "pi":
         return "PI"
-    plain = "".join(
+    ascii_name = "".join(
         each if each.isascii() and (each.isalnum() or each == "_") else f"u{ord(each):x}" for each in name
     )
-    return f"{plain}_" if plain in TAKEN or plain.startswith("_") else plain
+    return f"{ascii_name}_" if ascii_name in RESERVED or ascii_name.startswith("_") else ascii_name
 
 
 def coq(tree: Expr) -> str:

@@ -1,7 +1,5 @@
 """The lemmas that certify a step: its laws hold for what is found, and nothing else fulfils them."""
 
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
@@ -47,8 +45,8 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
             yield (
                 find,
                 [
-                    Lemma(*one, Step(box, owed.equations).holds(one[0])),
-                    Lemma(*two, Step(box, owed.equations).only(two[0])),
+                    Lemma(*one, StepInCoq(box, owed.equations).holds(one[0])),
+                    Lemma(*two, StepInCoq(box, owed.equations).only(two[0])),
                 ],
             )
         except (NotAlgebraic, TooLarge, Undefined, ValueError) as error:
@@ -56,7 +54,7 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
             yield find, [Lemma(*claim, why=why) for claim in claims]
 
 
-class Step:
+class StepInCoq:
     """The equations of one step in letters of Coq, and what may be taken for granted about these. Raises NotAlgebraic."""
 
     def __init__(self, box: Box, equations: Equations) -> None:
@@ -155,12 +153,12 @@ class Step:
             gap = self.translation.fraction(goal.left) - self.translation.fraction(goal.right)
         except KeyError:
             raise NotAlgebraic("it has letters that stand for nothing") from None
-        plain = "field; nonzero"
+        as_fractions = "field; nonzero"
         if gap.top.is_zero() and not self.roots.made:
-            return f"first [ ring | {plain} ]."
+            return f"first [ ring | {as_fractions} ]."
         top, bottom = polynomial(gap.top), polynomial(gap.bottom)
         return (
-            f"first [ ring | {plain} | apply Rminus_diag_uniq; assert (E : {top} = 0) by equations; "
+            f"first [ ring | {as_fractions} | apply Rminus_diag_uniq; assert (E : {top} = 0) by equations; "
             f"replace ({coq(goal.left)} - {coq(goal.right)}) with ({top} / {bottom}) by (field; nonzero); rewrite E; "
             "unfold Rdiv; ring ]."
         )

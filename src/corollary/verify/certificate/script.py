@@ -25,7 +25,7 @@ Ltac solved := first [ lra | equations | nra ].
 
 
 @dataclass(frozen=True, slots=True)
-class Certified:
+class CertifiedStep:
     """One step of a derivation: what it finds, for which part ("" for none), and its lemmas."""
 
     names: tuple[str, ...]
@@ -33,16 +33,16 @@ class Certified:
     lemmas: tuple[Lemma, ...]
 
 
-def certificate(solution: Solution) -> list[Certified]:
+def certificate(solution: Solution) -> list[CertifiedStep]:
     """The lemmas of a solution, step by step."""
     seen: dict[str, int] = {}
     return [
-        Certified(find.names, find.part, tuple(_named_apart(each, seen) for each in found))
+        CertifiedStep(find.names, find.part, tuple(_named_apart(each, seen) for each in found))
         for find, found in lemmas(solution)
     ]
 
 
-def script(solution: Solution, steps: Sequence[Certified], without: Collection[str] = ()) -> str:
+def script(solution: Solution, steps: Sequence[CertifiedStep], without: Collection[str] = ()) -> str:
     """The whole file; lemmas named in `without` are left out, with a remark."""
     problem = solution.problem
     lines = [
