@@ -48,3 +48,8 @@ def test_what_changes_an_answer_stays(written):
 )
 def test_a_minus_in_words_and_an_uncertainty(written, answer):
     assert " ".join(answer_in(written)[0].split()) == answer
+
+
+def test_quotation_marks_around_nothing_stay():
+    assert answer_in('""') == ('""', 0)
+    assert answer_in('"8"') == ("8", 1)

@@ -15,7 +15,7 @@ from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, Unmarked, Unread, Verdict
 from corollary.course.demo.player import right_sources
 from corollary.formula.errors import ParseError
-from corollary.grading.marking import mark
+from corollary.grading.marking import late_share, mark
 from corollary.grading.solutions import Solutions
 from corollary.notebook.notebook import filled_in
 from corollary.notebook.worksheet import Worksheet, worksheet
@@ -192,3 +192,19 @@ def test_where_our_machine_fails_nothing_is_held_against_the_student(sheet: Work
         assert len(parts) > 15
         assert all(isinstance(part.verdict, Unmarked) and part.points == 0.0 for part in parts)
     assert not mark(sheet, keys, Unreadable("It is a picture."), NoRoom(why), b"secret", late).machine_failed
+
+
+def test_what_comes_in_time_keeps_all_marks(problem_set_with_a_late_rule):
+    assert late_share(problem_set_with_a_late_rule, 0) == 1
+    assert late_share(problem_set_with_a_late_rule, -5) == 1
+    assert late_share(problem_set_with_a_late_rule, 1) == 0.5
+
+
+@pytest.fixture
+def problem_set_with_a_late_rule(tmp_path):
+    path = tmp_path / "late.md"
+    path.write_text(
+        "---\ntitle: Late\ndue: 2026-12-01\ncredit: {late: 50 %}\nproblems:\n  - X12.5\n---\nAn introduction.\n",
+        encoding="utf-8",
+    )
+    return read_set(chapter_bank(), path)
