@@ -134,8 +134,3 @@ def test_half_a_surrogate_in_the_request_is_no_case(case):
     with pytest.raises(BadCase) as refused:
         read_case(case)
     str(refused.value).encode()
-
-
-@pytest.mark.parametrize(("text", "value"), [("1e300 YN", "inf"), ("-1e300 YN", "-inf")])
-def test_a_value_beyond_the_doubles_is_named(text, value):
-    assert read(text)["value"] == value

@@ -204,7 +204,7 @@ def test_what_comes_in_time_keeps_all_marks(problem_set_with_a_late_rule):
 def problem_set_with_a_late_rule(tmp_path):
     path = tmp_path / "late.md"
     path.write_text(
-        "---\ntitle: Late\ndue: 2026-12-01\ncredit: {late: 50 %}\nproblems:\n  - X12.5\n---\nAn introduction.\n",
+        "---\ntitle: Late\ndue: 2026-12-01\ncredit: {late: 0.5}\nproblems:\n  - X12.5\n---\nAn introduction.\n",
         encoding="utf-8",
     )
     return read_set(chapter_bank(), path)
