@@ -10,7 +10,9 @@ import pytest
 from corollary.answers.answer import Formulas, Numbers, Unclear
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
+from corollary.formula.text import text
 from corollary.formula.value import Text
+from corollary.problem.part import Option
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit
 
@@ -61,3 +63,14 @@ def test_an_energy_has_no_direction_but_may_be_lost():
     asked = read("a loss of 3 J", replace(energy, title="Energy lost"))
     assert isinstance(asked, Numbers)
     assert asked.values == (3,)
+
+
+def test_a_formula_keeps_its_sign_where_the_words_agree():
+    found = read("m*v to the right")
+    assert isinstance(found, Formulas)
+    assert text(found.trees[0]) == "m*v"
+
+
+def test_a_choice_asks_for_one_letter():
+    letter = replace(VALUE, answer_types=("choice",), options=(Option("a", "one"), Option("b", "two")))
+    assert answer_type("choice").heading(question_of(PROBLEM, letter)) == "One letter."

@@ -119,3 +119,13 @@ def test_nonsense_is_refused_with_a_sentence(answer):
     said = judged(1, lambda inputs: answer)
     assert isinstance(said, Fault)
     assert said.sentence.endswith(".")
+
+
+def test_a_velocity_that_is_still_the_first_is_told():
+    def not_stepped(inputs):
+        truth = reference(**{name: inputs[name] for name in ARGUMENTS})
+        return inputs["v0"], truth.force, truth.duration
+
+    fault = judged(3, not_stepped)
+    assert isinstance(fault, Fault)
+    assert "still the one at the start" in fault.sentence

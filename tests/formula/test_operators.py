@@ -1,0 +1,33 @@
+"""Products of vectors, derivatives and integrals in formulas."""
+
+from __future__ import annotations
+
+import pytest
+
+from corollary.formula.latex import latex
+from corollary.formula.operators import scalar_part
+from corollary.formula.syntax import author_formula
+from corollary.formula.text import text
+
+SIZES = {"r": 3, "F": 3, "u": 2}
+
+
+@pytest.mark.parametrize(
+    ("formula", "index", "written"),
+    [
+        ("norm(u)", 0, "sqrt(u[0]*u[0] + u[1]*u[1])"),
+        ("dot(r, F)", 0, "r[0]*F[0] + r[1]*F[1] + r[2]*F[2]"),
+        ("cross(r, F)", 0, "r[1]*F[2] - r[2]*F[1]"),
+        ("cross(r, F)", 2, "r[0]*F[1] - r[1]*F[0]"),
+    ],
+)
+def test_a_component_is_written_out(formula, index, written):
+    found = text(scalar_part(author_formula(formula, operators=True), index, SIZES))
+    assert found.replace(" ", "") == written.replace(" ", "")
+
+
+@pytest.mark.parametrize(
+    ("formula", "tex"), [("dot(r, F)", r"\cdot"), ("cross(r, F)", r"\times"), ("norm(u)", "|")]
+)
+def test_each_has_its_sign(formula, tex):
+    assert tex in latex(author_formula(formula, operators=True))
