@@ -81,3 +81,11 @@ def test_too_few_numbers_are_told():
     said = judge_orbit({}, [Called(case, (1.0,)) for case in orbit_inputs({}, random.Random(1).uniform)])
     assert isinstance(said, Fault)
     assert "pair" in said.sentence
+
+
+def test_an_atom_that_is_nowhere_near_is_told_what_to_check():
+    cases = orbit_inputs({}, random.Random(1).uniform)
+    fault = judge_orbit({}, [Called(case, (50.0 + place, -40.0)) for place, case in enumerate(cases)])
+    assert isinstance(fault, Fault)
+    assert not fault.known
+    assert "not where it should be" in fault.sentence
