@@ -80,7 +80,7 @@ def test_without_a_checker_the_script_is_written_and_checking_is_refused(tmp_pat
 @pytest.mark.client
 @pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed (apt install coq)")
 def test_the_kernel_accepts_the_key(code, tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))  # what is on record is seen by every later key
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))  # every later key would say what is on record
     done = CliRunner().invoke(
         app, ["certify", code, "--bank", "chapter", "--check", "-o", str(tmp_path / "key.v"), "--json"]
     )
