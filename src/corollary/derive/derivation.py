@@ -30,6 +30,8 @@ from corollary.derive.statements import (
 if TYPE_CHECKING:  # as in statements
     import sympy
 
+    from corollary.laws.law import Law  # noqa: F401  (named in a text below)
+
 
 @dataclass(frozen=True, slots=True)
 class Limit:
