@@ -39,6 +39,11 @@ def write(name: str, origin: str, text: bytes) -> None:
         write_whole(place, b"\n".join((origin.encode(), digest.encode(), text)), mode=0o600)
 
 
+def name_of(stem: str, path: Path) -> str:
+    """A name for what is kept of a file: two that are called alike have each their own."""
+    return f"{stem}-{hashlib.sha256(str(path).encode()).hexdigest()[:16]}"
+
+
 def state(paths: Iterable[Path]) -> str:
     """Files by size and moment of change, not by text: reading whole programs takes longer than a command."""
     states = [(path, path.stat()) for path in paths]

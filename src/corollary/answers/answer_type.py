@@ -21,6 +21,7 @@ class AnswerType(ABC):
     part. `accepts` and `needs` are the attributes of a part's heading beside unit and points: `components`, `options`,
     `function`. `lists_components`: the components are the members of a list (in a proof they are further symbols).
     `in_symbols`: the answer must be a formula, numbers will not do.
+    `in_lines`: it is written in lines, as many as it takes.
     `shows_letters`: options stand below the question with their letters; else its heading names them.
     """
 
@@ -32,6 +33,7 @@ class AnswerType(ABC):
     needs: ClassVar[frozenset[str]] = frozenset()
     lists_components: ClassVar[bool] = True
     in_symbols: ClassVar[bool] = False
+    in_lines: ClassVar[bool] = False
     shows_letters: ClassVar[bool] = True
 
     def heading(self, question: Question) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -107,7 +106,7 @@ class PublishedExercise:
             yield replace(self, givens=dict(self.givens) | changed), words
 
     def _in_si(self, at: Numbers) -> dict[str, float]:
-        return {name: in_si(value) for name, value in at.items()}
+        return {name: float(value) for name, value in at.items()}
 
 
 def contradictions(left: Sequence[NamedEquation], within: float) -> Iterator[tuple[str, float, float]]:
@@ -192,11 +191,6 @@ def exact(given: StatedGiven) -> RationalPi:
     """A given with one value in SI."""
     assert given.low is not None
     return RationalPi(*given.unit.to_si(given.low))
-
-
-def in_si(value: RationalPi) -> float:
-    """The nearest double but one."""
-    return float(value.ratio) * math.pi**value.pi
 
 
 def quantity(value: float, unit: Unit | None, figures: int = FIGURES) -> str:

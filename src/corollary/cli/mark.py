@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import getpass
-import webbrowser
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.ending import HOLDS, answer, refuse
+from corollary.cli.local_page import serve
 from corollary.cli.mark_terminal import mark_in_terminal
 from corollary.course.one_page_server import OnePageServer
 from corollary.course.up_to_date import up_to_date
@@ -90,13 +89,7 @@ def _serve(
         _give(course, problem_set, part, students, ManualMark(score, None, comment or None, by=_who()))
 
     page()  # what is wrong with the course is said before anything is opened
-    with OnePageServer(page, receive, port) as server:
-        print(server.address, flush=True)
-        say("this address is for you alone; ctrl-C ends it, and what you gave is saved")
-        if not no_browser:
-            webbrowser.open(server.address)
-        with suppress(KeyboardInterrupt):
-            server.serve_forever()
+    serve(OnePageServer(page, receive, port), "ctrl-C ends it, and what you gave is saved", no_browser)
 
 
 def _give(

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import errno
 import json
-import webbrowser
 from collections.abc import Callable
-from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, cast
 
 from corollary.cli.ending import HOLDS, refuse, say
+from corollary.cli.local_page import serve
 from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
@@ -21,9 +20,9 @@ from corollary.problem.bank import Bank, open_bank
 from corollary.problem.problem_set import find_set, set_names
 from corollary.render.markdown import html
 from corollary.render.practice_page import (
-    MARKED_BY_A_PERSON,
     asked_parts,
     exercise_piece,
+    marked_by_a_person,
     practice_page,
     verdict_piece,
 )
@@ -40,13 +39,7 @@ def run(
         found = practice(opened, wanted, _left_out(opened, left_out))
     except LookupError as error:
         refuse(str(error))
-    with _server(found, port) as server:
-        print(server.address, flush=True)
-        say("this address is for you alone; ctrl-C ends it, and your browser keeps what you did")
-        if not no_browser:
-            webbrowser.open(server.address)
-        with suppress(KeyboardInterrupt):
-            server.serve_forever()
+    serve(_server(found, port), "ctrl-C ends it, and your browser keeps what you did", no_browser)
     return HOLDS
 
 
@@ -93,7 +86,7 @@ def answered(found: Practice, posted: dict[str, Any]) -> str:
 
 
 def _exercise(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
-    return {"html": exercise_piece(posed, int(posted["turn"])), "judged": asked_parts(posed.exercise)}
+    return {"html": exercise_piece(posed), "judged": asked_parts(posed.exercise)}
 
 
 def _read(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
@@ -107,7 +100,7 @@ def _judge(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
     return {
         "html": verdict_piece(grade),
         "right": known(grade),
-        "person": grade.part.answer_type in MARKED_BY_A_PERSON,
+        "person": marked_by_a_person(grade.part),
     }
 
 
@@ -118,7 +111,8 @@ def _hint(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
 
 
 def _step(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
-    return {"html": html(posed.worked_steps[int(posted["place"])])}
+    place, steps = int(posted["place"]), posed.worked_steps
+    return {"html": html(steps[place]), "last": place + 1 >= len(steps)}
 
 
 def _answer(posted: object) -> Answer:

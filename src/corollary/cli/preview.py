@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import webbrowser
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
 
-from corollary.cli.ending import HOLDS, expected, say, unforeseen
+from corollary.cli.ending import HOLDS, expected, unforeseen
+from corollary.cli.local_page import serve
 from corollary.cli.saved import edition
 from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
@@ -29,15 +28,8 @@ DRAWS = 20
 
 def run(code: str, bank: Path | None, no_browser: bool, port: int) -> int:
     place, path = home_of_file(bank, code)
-    with OnePageServer(
-        lambda: previewed(place, path), _takes_nothing, port, lambda: edition(place, path)
-    ) as server:
-        print(server.address, flush=True)
-        say("this address is for you alone; it follows what you save; ctrl-C ends it")
-        if not no_browser:
-            webbrowser.open(server.address)
-        with suppress(KeyboardInterrupt):
-            server.serve_forever()
+    server = OnePageServer(lambda: previewed(place, path), _takes_nothing, port, lambda: edition(place, path))
+    serve(server, "it follows what you save; ctrl-C ends it", no_browser)
     return HOLDS
 
 

@@ -47,7 +47,7 @@ def solution_of(bank: Bank, problem: Problem) -> Solution:
     if not place.is_file():
         return _solved(bank, problem)
     origin = _origin(bank, problem)
-    name = f"{problem.name}-{hashlib.sha256(str(place).encode()).hexdigest()[:16]}"
+    name = user_cache.name_of(problem.name, place)
     found = _recalled(user_cache.read(name, origin), bank, problem)
     if found is None:
         found = _solved(bank, problem)

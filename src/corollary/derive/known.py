@@ -41,12 +41,12 @@ class Point:
 
 def point(givens: Mapping[str, RationalPi], symbols: list[sympy.Symbol]) -> Point:
     """The point of a variant."""
-    values = {
-        symbol: sympy.Rational(exact.ratio.numerator, exact.ratio.denominator) * sympy.pi**exact.pi
-        for symbol in symbols
-        for exact in (givens[symbol.name],)
-    }
-    return Point(values, dict(givens))
+    return Point({symbol: in_sympy(givens[symbol.name]) for symbol in symbols}, dict(givens))
+
+
+def in_sympy(value: RationalPi) -> sympy.Expr:
+    """The exact number."""
+    return sympy.Rational(value.ratio.numerator, value.ratio.denominator) * sympy.pi**value.pi
 
 
 def at(expression: object, where: Point) -> Any:

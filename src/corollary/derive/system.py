@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import sympy
 
-from corollary.derive.known import simplest
+from corollary.derive.known import in_sympy, simplest
 from corollary.derive.roots import NoRoot
 from corollary.formula.ast import Expr
 from corollary.formula.ball import RationalPi, Undefined, certified
@@ -80,7 +80,11 @@ def number_at(value: sympy.Expr, givens: Mapping[str, RationalPi]) -> float | No
         return certified(tree(value), givens).value
     except (NoTree, Undefined):
         number = cast(Any, value).subs(
-            {each: _exact(givens[each.name]) for each in value.free_symbols if isinstance(each, sympy.Symbol)}
+            {
+                each: in_sympy(givens[each.name])
+                for each in value.free_symbols
+                if isinstance(each, sympy.Symbol)
+            }
         )
         number = sympy.N(number, DIGITS)
     if not number.is_number or number.is_finite is not True:
@@ -113,7 +117,7 @@ def system_roots(
     Raises NoRoot where one stays free, or the equations cannot be solved in formulas.
     """
     numbers = {
-        symbol: _exact(at[symbol.name])
+        symbol: in_sympy(at[symbol.name])
         for each in laws
         for symbol in symbols(each)
         if at and symbol.name in at
@@ -202,7 +206,3 @@ def _given(name: str, sign: int) -> sympy.Symbol:
     return sympy.Symbol(
         name, real=True, **({"positive": True} if sign > 0 else {"negative": True} if sign < 0 else {})
     )
-
-
-def _exact(value: RationalPi) -> sympy.Expr:
-    return sympy.Rational(value.ratio.numerator, value.ratio.denominator) * sympy.pi**value.pi

@@ -53,7 +53,7 @@ class Tried:
                 return False
             true = spot.found.get(letter)
             if true is None:
-                true = number_of(spot.givens[letter])
+                true = float(spot.givens[letter])
             if abs(values[0] - true) > ALIKE * max(abs(true), abs(values[0])) + 1e-300:
                 return False
         return True
@@ -89,7 +89,7 @@ class Tried:
         found: set[str] = set()
         for given in self.solution.problem.givens:
             for place, spot in enumerate(self.spots):
-                value = number_of(spot.givens[given.symbol])
+                value = float(spot.givens[given.symbol])
                 moved = spot.givens | exact({given.symbol: value * 1.013 if value else 0.013})
                 letters = self.bent(spot, earlier, 0)
                 values = None if letters is None else at(trees, moved | exact(letters))
@@ -110,11 +110,6 @@ def at(trees: Collection[Expr] | None, letters: Mapping[str, RationalPi]) -> tup
 def exact(values: Mapping[str, float]) -> dict[str, RationalPi]:
     """Doubles as exact numbers."""
     return {name: as_exact(value) for name, value in values.items()}
-
-
-def number_of(value: RationalPi) -> float:
-    """An exact number as a double."""
-    return float(value.ratio) * math.pi**value.pi
 
 
 def same(left: tuple[float, ...] | None, right: tuple[float, ...] | None) -> bool:

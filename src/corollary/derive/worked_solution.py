@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.options import option_named
@@ -51,7 +51,12 @@ def worked_solution(
 
     `neglected` are the bounds of what is neglected, in the solution's order: in SI, and relative to the answer.
     """
-    return "\n".join(worked_steps(solution, variant, values, letters, neglected)).strip() + "\n"
+    return whole(worked_steps(solution, variant, values, letters, neglected))
+
+
+def whole(steps: Iterable[str]) -> str:
+    """The steps as one text."""
+    return "\n".join(steps).strip() + "\n"
 
 
 def worked_steps(

@@ -22,6 +22,10 @@ class RationalPi:
     ratio: Fraction
     pi: int = 0
 
+    def __float__(self) -> float:
+        """The nearest double but one or two. Raises OverflowError beyond the doubles."""
+        return float(self.ratio) * math.pi**self.pi
+
 
 NOTHING = RationalPi(ZERO)
 ONE = RationalPi(Fraction(1))

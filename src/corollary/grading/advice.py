@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from itertools import islice
 
-from corollary.derive.solution import AppliedLaw, ClosedForms, Unknown
+from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.derive.statements import Choice
 from corollary.formula.ast import Name, Relation, names
 from corollary.grading.key import Key
+from corollary.grading.replay import letters_of
 from corollary.messages import catalogue, spoken
 from corollary.problem.given import Given
 from corollary.problem.part import Part
@@ -48,30 +49,32 @@ def advice(key: Key, part: Part) -> str:
 
 def _steps(key: Key, asked: Unknown) -> list[Unknown]:
     """The step that answers the part, and before it those that lead to it and that nobody asks for."""
-    homes = {name: find for find in key.solution.unknowns for name in find.names}
+    parts = {find.part for find in key.solution.unknowns if find.part}
+    return steps_to(key.solution, asked, parts)
+
+
+def steps_to(solution: Solution, asked: Unknown, known: Set[str]) -> list[Unknown]:
+    """The step that answers the part, and those that lead to it from the givens and from the parts that are `known`; from the
+    last back."""
+    homes = {name: find for find in solution.unknowns for name in find.names}
     found, left = list[Unknown](), [asked]
     while left:
         step = left.pop()
         if all(step is not each for each in found):
             found.append(step)
-            left += [homes[name] for name in sorted(_letters(step)) if name in homes and not homes[name].part]
+            before = (homes[name] for name in sorted(letters_of(step.local)) if name in homes)
+            left += [each for each in before if each.part not in known]
     return found
 
 
-def _letters(step: Unknown) -> frozenset[str]:
-    """What a step computes its unknowns from."""
-    trees = step.local.trees if isinstance(step.local, ClosedForms) else step.local.settings.values()
-    return frozenset[str]().union(*(names(tree) for tree in trees)) - {"pi"}
-
-
 def _used(key: Key, steps: Iterable[Unknown]) -> list[Given]:
-    letters = frozenset[str]().union(*(_letters(step) for step in steps))
+    letters = frozenset[str]().union(*(letters_of(step.local) for step in steps))
     return [given for given in key.variant.problem.givens if given.symbol in letters]
 
 
 def _earlier(key: Key, steps: Iterable[Unknown]) -> list[str]:
     """The parts whose answers are used."""
-    letters = frozenset[str]().union(*(_letters(step) for step in steps))
+    letters = frozenset[str]().union(*(letters_of(step.local) for step in steps))
     asked = {find.part for find in key.solution.unknowns if find.part and letters & set(find.names)}
     return [part.heading_letter for part in key.variant.problem.parts if part.id in asked]
 

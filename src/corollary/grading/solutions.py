@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -10,7 +10,7 @@ from corollary.derive.cache import solution_of
 from corollary.derive.load import source
 from corollary.derive.solution import Solution
 from corollary.derive.translated import translated
-from corollary.derive.worked_solution import worked_solution
+from corollary.derive.worked_solution import whole, worked_steps
 from corollary.grading.assign import AssignedVariant, assign_variant
 from corollary.grading.key import Key, make_key
 from corollary.grading.neglect import neglects
@@ -19,6 +19,12 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.problem.translation import text_in_language
 from corollary.problem.variant import Variant
+
+
+def worked_steps_of(key: Key) -> Iterator[str]:
+    """The worked solution of a variant as Markdown, step by step."""
+    left_out = [(each.most, each.share) for each in neglects(key)]
+    return worked_steps(key.solution, key.variant, key.values, key.choices, left_out)
 
 
 @dataclass(slots=True)
@@ -58,8 +64,7 @@ class Solutions:
 
     def worked_solution_of(self, key: Key) -> str:
         """The same, where the key is at hand."""
-        left_out = [(each.most, each.share) for each in neglects(key)]
-        return worked_solution(key.solution, key.variant, key.values, key.choices, left_out)
+        return whole(worked_steps_of(key))
 
     def __reduce__(self):
         """Sent to another process it is found again there: programs are functions of a file, and do not travel."""

@@ -15,8 +15,9 @@ from corollary.derive.solution import AppliedLaw, ClosedForms, Solution, Unknown
 from corollary.formula.ast import Expr, Name, Number, names
 from corollary.formula.ball import Undefined, certified
 from corollary.formula.latex import latex, letter
-from corollary.grading.advice import advice
+from corollary.grading.advice import advice, steps_to
 from corollary.grading.key import Key
+from corollary.grading.replay import letters_of
 from corollary.messages import catalogue
 from corollary.problem.part import Part
 
@@ -50,31 +51,15 @@ def missing(solution: Solution, asked: Unknown, right: Set[str]) -> list[Unknown
     """
     if any(set(way.earlier) <= right for way in solution.paths.get(asked.part, ())):
         return [asked]
-    homes = {name: find for find in solution.unknowns for name in find.names}
-    needed: list[Unknown] = []
-    left = [asked]
-    while left:
-        step = left.pop()
-        if any(step is each for each in needed):
-            continue
-        needed.append(step)
-        left += [
-            homes[name] for name in sorted(letters(step)) if name in homes and homes[name].part not in right
-        ]
+    needed = steps_to(solution, asked, right)
     return [find for find in solution.unknowns if any(find is each for each in needed)]
-
-
-def letters(step: Unknown) -> frozenset[str]:
-    """What a step computes its unknowns from."""
-    trees = step.local.trees if isinstance(step.local, ClosedForms) else step.local.settings.values()
-    return frozenset[str]().union(*(names(tree) for tree in trees)) - {"pi"}
 
 
 def _of_step(key: Key, steps: Sequence[Unknown], asked: Unknown, right: Set[str]) -> Iterator[str]:
     step, problem = steps[0], key.variant.problem
     found = ", ".join(f"${letter(name)}$" for name in step.names)
     if step is asked:
-        needs = letters(step)
+        needs = letters_of(step.local)
         earlier = [
             problem.part(find.part).heading_letter
             for find in key.solution.unknowns

@@ -10,14 +10,13 @@ from corollary.answers.preview import Preview
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Right
-from corollary.derive.worked_solution import worked_steps
 from corollary.grading.from_json import from_json
 from corollary.grading.grade import PartGrade
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
-from corollary.grading.neglect import neglects
 from corollary.grading.points import grade
 from corollary.grading.run_programs import run_programs
+from corollary.grading.solutions import worked_steps_of
 from corollary.notebook.worksheet import Exercise, exercise
 from corollary.practice.hints import hints
 from corollary.problem.part import Part
@@ -63,9 +62,7 @@ class Posed:
     @cached_property
     def worked_steps(self) -> tuple[str, ...]:
         """The worked solution as Markdown, step by step."""
-        left_out = [(each.most, each.share) for each in neglects(self.key)]
-        key = self.key
-        return tuple(worked_steps(key.solution, key.variant, key.values, key.choices, left_out))
+        return tuple(worked_steps_of(self.key))
 
 
 def known(grade: PartGrade) -> bool:

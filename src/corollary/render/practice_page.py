@@ -6,22 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from markupsafe import Markup
-
 from corollary.answers.registry import answer_type
 from corollary.grading.grade import PartGrade
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Exercise, Prompt
 from corollary.practice.posed import Posed
 from corollary.practice.practice import Practice
+from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.problem.translation import in_language
 from corollary.render.page import drawing, environment, page
 from corollary.render.wording import look, wanted
 
 _ = catalogue(__name__)
-
-MARKED_BY_A_PERSON = frozenset({"explain"})  # what is compared with the worked solution instead
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,11 +52,10 @@ def practice_page(practice: Practice) -> str:
         sends=True,
         topics=topics,
         words=_words(),
-        count=len(titled),
     )
 
 
-def exercise_piece(posed: Posed, turn: int) -> str:
+def exercise_piece(posed: Posed) -> str:
     """One exercise: what is asked, and a field for each part."""
     asked = posed.exercise
     return _piece(
@@ -67,8 +63,6 @@ def exercise_piece(posed: Posed, turn: int) -> str:
         exercise=asked,
         drawing=drawing(asked),
         fields=[field(prompt) for prompt in asked.prompts],
-        steps=len(posed.worked_steps),
-        turn=turn,
         many=more_numbers(asked.problem),
         wanted=wanted,
     )
@@ -76,11 +70,12 @@ def exercise_piece(posed: Posed, turn: int) -> str:
 
 def verdict_piece(grade: PartGrade) -> str:
     """What is said of an answer."""
-    by_person = grade.part.answer_type in MARKED_BY_A_PERSON
+    by_person = marked_by_a_person(grade.part)
+    seen = look(grade.verdict)
     return _piece(
         "practise_verdict.html",
-        look=look(grade.verdict),
-        phrase=_("Compare it with the worked solution below") if by_person else look(grade.verdict).phrase,
+        look=seen,
+        phrase=_("Compare it with the worked solution below") if by_person else seen.phrase,
         feedback="" if by_person else grade.feedback,
     )
 
@@ -95,7 +90,7 @@ def field(prompt: Prompt) -> Field:
         return Field(prompt, "lines", text=text)
     if prompt.options:
         return Field(prompt, "options")
-    if part.answer_type == "proof":
+    if its_type.in_lines:
         return Field(prompt, "lines")
     if part.components and its_type.lists_components:
         return Field(prompt, "texts", tuple(part.components))
@@ -112,12 +107,17 @@ def asked_parts(exercise: Exercise) -> Sequence[str]:
     return [
         each.part.id
         for each in exercise.prompts
-        if field(each).kind != "none" and each.part.answer_type not in MARKED_BY_A_PERSON
+        if field(each).kind != "none" and not marked_by_a_person(each.part)
     ]
 
 
+def marked_by_a_person(part: Part) -> bool:
+    """Whether nothing but a comparison with the worked solution can say how good the answer is."""
+    return answer_type(part.answer_type).found_in == "cell"
+
+
 def _piece(template: str, **facts: object) -> str:
-    return str(Markup(environment().get_template(template).render(**facts)))
+    return environment().get_template(template).render(**facts)
 
 
 def _words() -> dict[str, str]:
@@ -131,7 +131,6 @@ def _words() -> dict[str, str]:
         "solved": _("All of it is right. It comes back in {days}."),
         "again": _("It comes back soon, with other numbers."),
         "dueAgain": _("due again"),
-        "fresh": _("new"),
         "goOn": _("go on with it"),
         "result": _("Show the result"),
         "equations": _("Show the equations"),

@@ -61,7 +61,7 @@ def _written(checked: Checked, bank: Bank, problem: Problem, count: int) -> Chec
 
 
 def _name(problem: Problem) -> str:
-    return f"verified-{problem.name}-{hashlib.sha256(str(problem.path).encode()).hexdigest()[:16]}"
+    return user_cache.name_of(f"verified-{problem.name}", problem.path)
 
 
 def _origin(bank: Bank, problem: Problem, count: int) -> str:

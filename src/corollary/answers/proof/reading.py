@@ -22,6 +22,7 @@ LONGEST, LONGEST_LINE = 60, 400
 class ProofType(AnswerType):
     name, word, stated_by = "proof", "proof", "proof"
     accepts, lists_components = frozenset({"components"}), False
+    in_lines = True
 
     def instructions(self, question: Question) -> str:
         more = _(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -33,23 +34,15 @@ def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
     try:
         match question.get("type"):
             case "numerical":
-                return _with(bare, _number(question))
+                return replace(bare, published=(_number(question),))
             case "calculated" | "calculatedsimple":
                 return _calculated(bare, question)
             case "multichoice":
-                return _with(bare, _choice(question))
+                return replace(bare, published=(_choice(question),))
             case kind:
                 raise NotRead(f"questions of type {kind} are not read")
     except NotRead as error:
-        return _unread(bare, str(error))
-
-
-def _with(bare: ExerciseRecord, published: str) -> ExerciseRecord:
-    return ExerciseRecord(bare.id, bare.path, bare.line, published=(published,), statement=bare.statement)
-
-
-def _unread(bare: ExerciseRecord, why: str) -> ExerciseRecord:
-    return ExerciseRecord(bare.id, bare.path, bare.line, statement=bare.statement, unread=why)
+        return replace(bare, unread=str(error))
 
 
 def _right(question: Element) -> str:
@@ -92,9 +85,7 @@ def _calculated(bare: ExerciseRecord, question: Element) -> ExerciseRecord:
     if "^" in key:
         raise NotRead("^ is no power in a formula of Moodle's, pow is")
     formula, drawn = program.key(WILDCARD.sub(r"\1", key))
-    return ExerciseRecord(
-        bare.id, bare.path, bare.line, drawn, published=(formula,), statement=bare.statement
-    )
+    return replace(bare, given=drawn, published=(formula,))
 
 
 def _choice(question: Element) -> str:

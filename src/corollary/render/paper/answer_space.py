@@ -37,10 +37,7 @@ def _room(prompt: Prompt, each: AnswerType) -> str:
     if each.found_in == "figure":
         note = _("Sketch the figure by hand; name both axes, each with its unit.")
         return f"#note[{typst_line(note)}]\n\n#squared({FIGURE_HEIGHT})"
-    in_lines = (
-        not each.lists_components and "components" not in each.needs
-    )  # a proof: its components are letters
-    if each.found_in == "cell" or in_lines:
+    if each.found_in == "cell" or each.in_lines:
         return f"#ruled({min(MOST_LINES, LINES + round(LINES_A_POINT * prompt.out_of))})"
     fields = f"#answers({_working(prompt)}, {', '.join(_fields(prompt, each))})"
     if each.shows_letters:

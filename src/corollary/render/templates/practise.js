@@ -117,12 +117,9 @@ async function check(section) {
       now.wrong[part] = (now.wrong[part] || 0) + 1;
       if (!got.person && now.wrong[part] > 2) now.helped = true;
     }
-    if (got.person) showPersons();
+    if (got.person) document.getElementById("step").focus();
     finish();
   } catch (error) { trouble(place, error); }
-}
-function showPersons() {
-  if (now.steps < Number(document.getElementById("step").dataset.steps)) document.getElementById("step").focus();
 }
 function finish() {
   if (now.finished || !now.judged.length || !now.judged.every(part => now.right.has(part))) return;
@@ -176,7 +173,7 @@ async function showStep() {
     place.hidden = false;
     now.steps += 1;
     now.helped = true;
-    if (now.steps >= Number(button.dataset.steps)) {
+    if (got.last) {
       button.hidden = true;
       const mine = stored()[now.code] || {};
       keep(now.code, {box: 0, due: Date.now() + REST[0], shown: (mine.shown || 0) + 1});

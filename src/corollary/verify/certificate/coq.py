@@ -20,6 +20,7 @@ from corollary.formula.ast import (
     children,
     rebuilt,
 )
+from corollary.formula.exact import constant
 
 WORDS = (
     "as at by cofix do else end exists exists2 fix for forall fun if IF in let match mod open or return Set Prop SProp Type "
@@ -27,6 +28,7 @@ WORDS = (
 )
 RESERVED = frozenset(WORDS.split())  # by Coq, its library of real numbers, and our tactics
 HALF = Fraction(1, 2)
+STEMS = {"sqrt": "root", "sin": "sine", "cos": "cosine"}
 LARGEST_POWER = 12
 
 
@@ -47,11 +49,9 @@ class Roots:
         """The formula with these letters. Raises NotAlgebraic."""
         below = rebuilt(tree, tuple(map(self.without, children(tree))))
         match below:
-            case Call("sqrt", (inner,)) | Power(
-                inner, Quotient(Number(Fraction(numerator=1)), Number(Fraction(numerator=2)))
-            ):
+            case Call("sqrt", (inner,)):
                 return self._root(inner)
-            case Power(inner, Number(value)) if value == HALF:
+            case Power(inner, exponent) if constant(exponent) == HALF:
                 return self._root(inner)
             case Call("sin" | "cos", (angle,)):
                 sine, cosine = (self._letter(Call(name, (angle,))) for name in ("sin", "cos"))
@@ -62,16 +62,13 @@ class Roots:
                 )
                 if circle not in self.known:
                     self.known.append(circle)
-                return self.letter_of(below)
+                return self._letter(below)
             case Call("abs", (inner,)):
                 raise NotAlgebraic("it has the size of a number, |…|")
             case Call(function, _):
                 raise NotAlgebraic(f"it has {function}")
             case _:
                 return below
-
-    def letter_of(self, tree: Expr) -> Name:
-        return Name(self.made[tree])
 
     def _root(self, inner: Expr) -> Name:
         tree = Call("sqrt", (inner,))
@@ -82,13 +79,9 @@ class Roots:
             self.known.append(Relation(">=", letter, Number(Fraction(0))))
         return letter
 
-    def _letter(self, tree: Expr) -> Name:
+    def _letter(self, tree: Call) -> Name:
         if tree not in self.made:
-            stem = (
-                {"sqrt": "root", "sin": "sine", "cos": "cosine"}[tree.function]
-                if isinstance(tree, Call)
-                else "root"
-            )
+            stem = STEMS[tree.function]
             name = next(each for place in range(1, 1000) if (each := f"{stem}{place}") not in self.names)
             self.names.add(name)
             self.made[tree] = name
@@ -120,13 +113,11 @@ def coq(tree: Expr) -> str:
             return f"({' * '.join(map(coq, factors))})"
         case Quotient(top, bottom):
             return f"({coq(top)} / {coq(bottom)})"
-        case Power(base, Number(value) | Negative(Number(value))) if (
-            value.denominator == 1 and abs(value) <= LARGEST_POWER
-        ):
-            below = value < 0 or isinstance(tree.exponent, Negative)
-            return f"(1 / {_times(base, abs(value))})" if below else _times(base, value)
-        case Power():
-            raise NotAlgebraic("it has a power that is no whole number")
+        case Power(base, exponent):
+            power = constant(exponent)
+            if power is None or power.denominator > 1 or abs(power) > LARGEST_POWER:
+                raise NotAlgebraic("it has a power that is no whole number")
+            return f"(1 / {_times(base, -power)})" if power < 0 else _times(base, power)
         case Call(function, _):
             raise NotAlgebraic(f"it has {function}")
         case Relation(">" | ">=", left, right):  # turned round: nsatz takes >= for an equation, and fails

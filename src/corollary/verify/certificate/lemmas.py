@@ -41,14 +41,8 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
         try:
             if owed.equations is None:
                 raise NotAlgebraic(owed.open or "its laws are no algebraic equations")
-            one, two = claims
-            yield (
-                find,
-                [
-                    Lemma(*one, StepInCoq(box, owed.equations).holds(one[0])),
-                    Lemma(*two, StepInCoq(box, owed.equations).only(two[0])),
-                ],
-            )
+            step, (one, two) = StepInCoq(box, owed.equations), claims
+            yield find, [Lemma(*one, step.holds(one[0])), Lemma(*two, step.only(two[0]))]
         except (NotAlgebraic, TooLarge, Undefined, ValueError) as error:
             why = str(error) or "its polynomials are too large"
             yield find, [Lemma(*claim, why=why) for claim in claims]

@@ -27,7 +27,7 @@ def on_record(bank: Bank, problem: Problem) -> dict[str, Any] | None:
 
 
 def _name(problem: Problem) -> str:
-    return f"certificate-{problem.name}-{hashlib.sha256(str(problem.path).encode()).hexdigest()[:16]}"
+    return user_cache.name_of(f"certificate-{problem.name}", problem.path)
 
 
 def _origin(bank: Bank, problem: Problem) -> str:
