@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from corollary.course import cluster
-from corollary.course.cluster import NoCluster, mark_there, on_cluster
+from corollary import cluster
+from corollary.cluster import NoCluster
+from corollary.course.cluster import Sent, mark_there, on_cluster
 from corollary.course.workers import in_turn
 from corollary.grading.submission import state_of
 
@@ -44,4 +45,4 @@ def test_nobody_answers(monkeypatch, tmp_path: Path) -> None:
 def test_a_worker_with_other_solutions_marks_nothing(tmp_path: Path) -> None:
     by = order(tmp_path)
     with pytest.raises(NoCluster, match="another version"):
-        mark_there(cluster.Sent(by, "token", state_of(by.problem_set, by.solutions) + "x"), handed_in(by)[0])
+        mark_there(Sent(by, "token", state_of(by.problem_set, by.solutions) + "x"), handed_in(by)[0])

@@ -31,6 +31,7 @@ from corollary.cli.parameters import (
     SET,
     SOLUTION,
     VARIANTS,
+    VERIFYING_CLUSTER,
     WAY_OUT,
     WHAT_CAME,
     all_when_left_out,
@@ -110,6 +111,7 @@ command(
     flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
     path("--report", text="Write what was found as a page: derivations, obligations, answers over the grid."),
     flag("--anew", "Verify also what held before and has not changed since."),
+    VERIFYING_CLUSTER,
     flag("--watch", "Verify one problem again whenever it is saved, until ctrl-C."),
 )
 command(

@@ -34,7 +34,7 @@ RAISED = {
     "corollary.records.renames": ["NotSettled"],
     "corollary.render.exports": ["UnknownTarget"],
     "corollary.render.paper.document": ["CannotTypeset"],
-    "corollary.course.cluster": ["NoCluster"],
+    "corollary.cluster": ["NoCluster"],
     "corollary.course.grade": ["NotGenerated"],
     "corollary.course.lms_places": ["NoPlaces"],
     "corollary.course.release": ["NoSheets"],

@@ -93,6 +93,10 @@ WHAT_CAME = click.Argument(
 VARIANTS = click.Option(
     ["--variants"], type=AT_LEAST_1, default=100, help="How many variants to walk for each problem."
 )
+# Not the course's setting: its cluster marks, and may not have the bank that is written on.
+VERIFYING_CLUSTER = click.Option(
+    ["--executor", "cluster"], default="", metavar="tcp://HOST:PORT", help="Verify on this Dask cluster."
+)
 SOLUTION = flag("--solution", "Add the worked solution.")
 
 

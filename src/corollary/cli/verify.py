@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Iterable
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from corollary.problem.problem import Problem
 from corollary.problem.problem_set import find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
+from corollary.verify.cluster import on_cluster
 from corollary.verify.obligations.obligation import Settled
 from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
@@ -37,11 +39,14 @@ def run(
     watch: bool = False,
     anew: bool = False,
     report: Path | None = None,
+    cluster: str = "",
 ) -> int:
     start = time.perf_counter()
     if watch:
-        if len(codes) != 1 or as_json or extremes:
-            refuse("--watch follows one problem, for a person; name one code, without --json and --extremes")
+        if len(codes) != 1 or as_json or extremes or cluster:
+            refuse(
+                "--watch follows one problem, for a person; name one code, and no other option but --variants"
+            )
         from corollary.cli.watch import follow
 
         return follow(*home_of_file(bank, codes[0]), variants)
@@ -63,7 +68,8 @@ def run(
 
         return run_extremes(todo, broken, scenes=not codes, as_json=as_json)
     found: list[Checked] = []
-    verify_all = verify_each if anew else verify_changed
+    verify_those = on_cluster(cluster) if cluster else verify_each
+    verify_all = verify_those if anew else partial(verify_changed, verify_those=verify_those)
     with bar("verifying", len(todo)) as progress, verify_all(todo, variants) as checked:
         for each in checked:
             progress(each.code)

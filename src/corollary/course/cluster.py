@@ -13,6 +13,7 @@ from itertools import islice
 from threading import Lock
 from typing import TYPE_CHECKING, Any
 
+from corollary.cluster import NoCluster, connect, worker_count
 from corollary.course.workers import AHEAD, Execute
 from corollary.grading.submission import GradingContext, Submission, state_of
 from corollary.messages import speak
@@ -22,15 +23,9 @@ from corollary.sandbox.runner import Runner
 if TYPE_CHECKING:
     from distributed import Client
 
-SECONDS_TO_CONNECT = 15
-
 # Of a worker process: what it marks with, under the token of the grading.
 _at_work: dict[str, tuple[GradingContext, Runner]] = {}
 _one_at_a_time = Lock()  # a worker may have several threads; the judge's arithmetic is for one
-
-
-class NoCluster(Exception):
-    """The cluster cannot be used; one sentence says why and what to do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +47,7 @@ def on_cluster(address: str) -> Execute:
     def execute(
         context: GradingContext, submissions: Iterable[Submission]
     ) -> Generator[Iterator[GradedSubmission]]:
-        client = _connect(address)
+        client = connect(address)
         try:
             sent = Sent(context, os.urandom(8).hex(), state_of(context.problem_set, context.solutions))
             yield _as_done(client, sent, iter(submissions))
@@ -93,30 +88,6 @@ def _leave() -> None:
         runner.__exit__(None, None, None)
 
 
-def _connect(address: str) -> Client:
-    try:
-        from distributed import Client
-    except ImportError:
-        raise NoCluster("a cluster needs Dask; install it with: pip install 'corollary[dask]'") from None
-    try:
-        client = Client(address, timeout=SECONDS_TO_CONNECT)
-    except (OSError, ValueError) as error:
-        raise NoCluster(
-            f"no Dask scheduler answers at {address} ({error}); start one, or leave out --executor"
-        ) from None
-    if not _processes(client):
-        client.close()
-        raise NoCluster(
-            f"the Dask cluster at {address} has no workers; start some with: dask worker {address} --nthreads 1"
-        )
-    return client
-
-
-def _processes(client: Client) -> int:
-    info: Any = client.scheduler_info(n_workers=-1)
-    return len(info["workers"])
-
-
 def _as_done(client: Client, sent: Sent, waiting: Iterator[Submission]) -> Iterator[GradedSubmission]:
     from distributed import KilledWorker, as_completed
 
@@ -126,7 +97,7 @@ def _as_done(client: Client, sent: Sent, waiting: Iterator[Submission]) -> Itera
         return future
 
     pending: dict[Any, Submission] = {}
-    done = as_completed([submit(each) for each in islice(waiting, AHEAD * _processes(client))])
+    done = as_completed([submit(each) for each in islice(waiting, AHEAD * worker_count(client))])
     for future in done:
         submission = pending.pop(future.key)
         for another in islice(waiting, 1):

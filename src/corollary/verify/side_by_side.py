@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 
 from corollary.parallel import begin, cores, way_to_start
 from corollary.problem.bank import Bank
@@ -17,6 +17,7 @@ from corollary.verify.programs import unstarted
 from corollary.verify.verify import verify
 
 Todo = Sequence[tuple[Bank, Problem]]
+VerifyEach = Callable[[Todo, int], AbstractContextManager[Iterator[Checked]]]
 
 _at_work: list[tuple[Todo, int, Runner]] = []  # of a worker process
 

@@ -18,7 +18,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Checked
 from corollary.verify.obligations.obligation import Settled
-from corollary.verify.side_by_side import Todo, verify_each
+from corollary.verify.side_by_side import Todo, VerifyEach, verify_each
 
 LIBRARIES = ("sympy", "python-flint", "numpy", "scipy", "z3-solver", "matplotlib", "numba")
 """What a verdict may depend on besides our own programs."""
@@ -26,11 +26,13 @@ PLUG_INS = ("corollary.laws", "corollary.banks", "corollary.answers")
 
 
 @contextmanager
-def verify_changed(todo: Todo, count: int) -> Generator[Iterator[Checked]]:
-    """As `verify_each`, in the same order; what held before, and is the same, is not verified again. Complaints are not kept."""
+def verify_changed(
+    todo: Todo, count: int, verify_those: VerifyEach = verify_each
+) -> Generator[Iterator[Checked]]:
+    """As `verify_those` does it, in the same order; what held before, and is the same, is not verified again. Complaints are not kept."""
     before = [_recalled(bank, problem, count) for bank, problem in todo]
     changed = [each for each, found in zip(todo, before, strict=True) if found is None]
-    with verify_each(changed, count) as verified:
+    with verify_those(changed, count) as verified:
 
         def in_order() -> Iterator[Checked]:
             for (bank, problem), found in zip(todo, before, strict=True):
@@ -41,7 +43,7 @@ def verify_changed(todo: Todo, count: int) -> Generator[Iterator[Checked]]:
 
 def _recalled(bank: Bank, problem: Problem, count: int) -> Checked | None:
     with suppress(NotDerivable, ValueError, TypeError, KeyError):
-        text = user_cache.read(_name(problem), _origin(bank, problem, count))
+        text = user_cache.read(_name(problem), origin(bank, problem, count))
         if text is not None:
             found: dict[str, Any] = json.loads(text)
             found["obligations"] = tuple(Settled(**each) for each in found["obligations"])
@@ -56,7 +58,7 @@ def _written(checked: Checked, bank: Bank, problem: Problem, count: int) -> Chec
     if checked.ok:
         with suppress(NotDerivable):
             text = json.dumps(asdict(checked), ensure_ascii=False).encode()
-            user_cache.write(_name(problem), _origin(bank, problem, count), text)
+            user_cache.write(_name(problem), origin(bank, problem, count), text)
     return checked
 
 
@@ -64,8 +66,11 @@ def _name(problem: Problem) -> str:
     return user_cache.name_of(f"verified-{problem.name}", problem.path)
 
 
-def _origin(bank: Bank, problem: Problem, count: int) -> str:
-    """Tells apart whatever could be verified differently: the problem with its translations, its solution, all programs."""
+def origin(bank: Bank, problem: Problem, count: int) -> str:
+    """Tells apart whatever could be verified differently: the problem with its translations, its solution, all programs.
+
+    Raises NotDerivable where the solution cannot be read.
+    """
     texts = [path.read_bytes() for path in sorted(problem.path.parent.glob(f"{problem.path.stem}*.md"))]
     own = source(bank, problem) if bank.solution(problem).is_file() else b""
     parts = (
