@@ -9,6 +9,7 @@ from fractions import Fraction
 from corollary.answers.options import option_named
 from corollary.answers.registry import answer_type
 from corollary.derive.typeset_numbers import given_numbers, quantity
+from corollary.formula.ast import names
 from corollary.formula.latex import latex, letter
 from corollary.formula.numerals import decimal_text
 from corollary.grading.key import Key
@@ -62,7 +63,9 @@ def typst_exercise_key(exercise: Exercise, key: Key, scheme: Scheme, weight: flo
         prompt = prompts[each.part.id]
         title = words_of(f"({prompt.part.heading_letter}) ") + typst_line(prompt.part.title)
         pieces.append(f"#exercise-part([{title}], [{words_of(points_earned(each.out_of))}])")
-        pieces.append(typst_text(formulas_in_convention("\n".join(_lines(each, key, prompt)))))
+        if items := [f"[{item}]" for item in _items(each, key, prompt)]:
+            pieces.append(f"#list({', '.join(items)})")
+        pieces.append(typst_text(formulas_in_convention(each.answer)))
     return "\n\n".join(filter(None, pieces))
 
 
@@ -81,23 +84,26 @@ def _percent(share: float) -> str:
     return f"{earned(100 * share)}\N{NO-BREAK SPACE}%"
 
 
-def _lines(each: PartScheme, key: Key, prompt: Prompt) -> Iterator[str]:
-    """One item of a list for each thing that a marker looks for, then the answer that a person compares with."""
+def _items(each: PartScheme, key: Key, prompt: Prompt) -> Iterator[str]:
+    """In Typst's markup, one item for each thing that a marker looks for; what a person compares with comes after."""
     if each.truth is not None:
-        yield from _quantity(each, key)
+        yield from map(_set, _quantity(each, key))
         for carried in each.carried:
-            yield f"- {_points(each.follows)} {_carried(carried, each, key, prompt)}"
+            yield f"{_points(each.follows)} {_set(_carried(carried, each, key, prompt))}"
     elif each.letter:
-        yield f"- **{option_named(each.part, each.letter)}**"
+        yield f"#strong[{_set(option_named(each.part, each.letter))}];"
     for mistake in each.mistakes:
         found = option_named(each.part, mistake.letter) if mistake.letter else _values(mistake.values, each)
-        yield f"- {_points(mistake.points)} {found}: {mistake.sentence}"
-    if each.answer:
-        yield f"\n{each.answer}"
+        yield f"{_points(mistake.points)} {_set(found)}{words_of(': ')}{_set(mistake.sentence)}"
+
+
+def _set(markdown: str) -> str:
+    """A piece of an item; apart, because a sentence is the same on every sheet and the number before it on none."""
+    return typst_line(formulas_in_convention(markdown))
 
 
 def _points(points: float) -> str:
-    return f"**{points_earned(points)}:**"
+    return f"#strong[{words_of(f'{points_earned(points)}:')}];"
 
 
 def _quantity(each: PartScheme, key: Key) -> Iterator[str]:
@@ -110,12 +116,12 @@ def _quantity(each: PartScheme, key: Key) -> Iterator[str]:
     ]
     if answer_type(each.part.answer_type).in_symbols:
         remark = _("or any formula equal to it")
-        yield f"- {', '.join(formulas)} ({remark})"
+        yield f"{', '.join(formulas)} ({remark})"
         return
     accepted = _accepted(each)
-    yield f"- **{_values(each.truth.values, each)}** ({accepted})"
+    yield f"**{_values(each.truth.values, each)}** ({accepted})"
     if formulas:
-        yield f"- {', '.join(formulas)}"
+        yield ", ".join(formulas)
 
 
 def _values(values: tuple[float, ...], each: PartScheme) -> str:
@@ -157,11 +163,12 @@ def _carried(carried: CarriedAnswer, each: PartScheme, key: Key, prompt: Prompt)
     """The formula by which a part follows from the student's own answers, with this sheet's numbers in it."""
     assert each.truth is not None
     letters = {part.id: part.heading_letter for part in prompt.problem.parts}
+    used = frozenset[str]().union(*map(names, carried.trees))
     asked = {name for find in key.solution.unknowns if find.part in carried.earlier for name in find.names}
     numbers = given_numbers(key.variant)
     for find, values in zip(key.solution.unknowns, key.values, strict=True):
         for name, value, dimension in zip(find.names, values, find.dimensions, strict=True):
-            if name not in asked:
+            if name in used - asked:
                 numbers[name] = quantity(value, si_unit(dimension), in_formula=dimension != ONE)
     formulas = [
         " = ".join(dict.fromkeys((f"${letter(name)}", latex(tree), latex(tree, numbers)))) + "$"

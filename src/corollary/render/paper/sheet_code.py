@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from functools import lru_cache
 from urllib.parse import quote
 
 from corollary.problem.roster import Student
@@ -16,6 +17,7 @@ def sheet_address(set_name: str, owner: Student, form: str) -> str:
     return f"corollary:{quote(set_name)}" + (f"?student={quote(owner.id, safe='@')}" if owner.id else "")
 
 
+@lru_cache(maxsize=1)  # the sheet's and its marking scheme's
 def code_svg(address: str) -> str:
     """The QR code as an SVG drawing, with a quiet border. Raises CannotTypeset without the extra `pdf`."""
     out = io.BytesIO()
