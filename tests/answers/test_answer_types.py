@@ -145,6 +145,9 @@ def test_what_cannot_be_read_says_why(part, given, why):
         (Text("(-3, -4) kg m/s with positive reversed"), (3, 4)),
         (Text("(-3, 4) kg m/s, positive to the left"), (3, 4)),
         (Text("5 kg m/s at 90 deg, y down"), (0, -5)),
+        (items("y = 4 Ns", "x = 3 Ns"), (3, 4)),
+        (items("p_y = 4 Ns", "p_x = 3 Ns"), (3, 4)),
+        (items("x = 3 Ns", "4 Ns"), (3, 4)),
     ],
 )
 def test_a_vector(given, values):
@@ -243,3 +246,20 @@ def test_words_alone_are_left_to_a_person():
     assert answer_type("explain").preview(
         Text("Gravity pulls it down."), question_of(PROBLEM, VALUE)
     ).text == ("will be read by a person")
+
+
+def test_what_is_asked_for_is_said_with_the_names_that_are_wanted():
+    """Of a proof its letters, of formulas along axes how many there are and what they are called."""
+    assert "and, as said above, `p`" in answer_type("proof").instructions(question_of(PROBLEM, PROOF))
+    pair = replace(FORMULA, components=("x", "y"))
+    found = read(Real(1.0), pair)
+    assert isinstance(found, Unclear)
+    assert "a list of 2 formulas is asked for, [x, y], each as text" in found.why
+
+
+def test_pairs_in_texts_of_a_list_are_opened():
+    four = replace(PLANE, components=("A_x", "A_y", "B_x", "B_y"))
+    found = read(items("1 Ns; 2 Ns", "(3, 4) Ns"), four)
+    assert isinstance(found, Numbers), found
+    assert found.values == (1, 2, 3, 4)
+    assert isinstance(read(items("1 Ns; 2 Ns", "3 Ns", "4 Ns"), four), Unclear)

@@ -16,6 +16,7 @@ from corollary.answers.expected import Expected, FreeBody
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.verdict import Mistaken, Right, Wrong
+from corollary.answers.ways import DEGREES
 from corollary.formula.ball import RationalPi
 from corollary.formula.value import Items, Named, Nothing, Real, Text
 from corollary.messages import language
@@ -139,3 +140,16 @@ def test_neither_the_order_nor_whole_turns_matter(lines, turns):
         f"{line.partition(':')[0]}: {int(line.partition(': ')[2][:-1]) + 360 * turns}°" for line in lines
     ]
     assert judged(items(*turned)) == Right()
+
+
+def test_opposite_ways_are_half_a_turn_apart_and_the_slope_s_own_stand_upright_on_each_other():
+    for way, opposite in (
+        ("up", "down"), ("right", "left"), ("up the slope", "down the slope"), ("away from the slope", "into the slope"),
+    ):  # fmt: skip
+        assert (DEGREES[opposite] - DEGREES[way]) % 360 == 180
+    assert (
+        (DEGREES["right"], DEGREES["up"])
+        == (DEGREES["up the slope"], DEGREES["away from the slope"])
+        == (0, 90)
+    )
+    assert all(0 <= degrees < 360 for degrees in DEGREES.values())

@@ -11,8 +11,9 @@ from corollary.answers.answer import Numbers
 from corollary.answers.expected import Quantity
 from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.questions import question_of
-from corollary.answers.verdict import Wrong
+from corollary.answers.verdict import Right, Wrong
 from corollary.problem.reader import read_problem
+from corollary.units.unit import unit
 
 PROBLEM = read_problem(Path(__file__).with_name("two_letters.md"))
 LINE = PROBLEM.part("a")
@@ -59,3 +60,14 @@ def test_all_but_one_fit():
     assert said(space, 13.0, (3.0, 4.0, 12.0), 3.0, 1.0, 9.0) == (
         "Component A fits; look at the others again."
     )
+
+
+def test_a_temperature_is_near_as_it_is_written_in_degrees_celsius():
+    """20 °C may be 20.1 °C at one percent; 21 °C is as far off as 21 m from 20 m, though 294 K and 293 K are near."""
+    room = replace(LINE, unit=unit("degC"))
+    wanted = Quantity((293.15,), 293.15, 0.01, (0.0,), dict, None, dict, list, list, list)
+    question = question_of(PROBLEM, room)
+    near = judge_numbers(Numbers((293.25,), (4,), ""), wanted, question)
+    far = judge_numbers(Numbers((294.15,), (4,), ""), wanted, question)
+    assert isinstance(near, Right)
+    assert isinstance(far, Wrong)

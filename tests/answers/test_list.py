@@ -56,6 +56,11 @@ def test_any_number_of_values_is_read(typed, values):
     assert list(found.values) == pytest.approx(values)
 
 
+def test_the_blank_says_that_the_order_is_free():
+    blank = answer_type("list").blank(QUESTION)
+    assert blank == f"{QUESTION.name} = []   # all of them, in any order: numbers, or texts with a unit"
+
+
 def test_what_is_no_list():
     assert isinstance(read(Nothing()), Blank)
     assert isinstance(read(items()), Blank)

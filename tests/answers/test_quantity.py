@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tracemalloc
 from fractions import Fraction
 
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.answers.quantity import Reading, in_si, read_quantities, read_quantity
+from corollary.answers.quantity import Reading, components_in, in_si, read_quantities, read_quantity
 from corollary.formula.errors import ParseError
 from corollary.units.unit import Unit, read_unit, show, unit
 
@@ -464,3 +465,11 @@ def test_most_units_of_mechanics_are_read_in_capitals():
             found = read_quantity("8.6 " + each.replace(" ", between).upper(), unit(each))
             assert isinstance(found, ParseError if lone else Reading), (each, found)
             assert lone or found.si == unit(each).to_si(Fraction("8.6")), each
+
+
+def test_a_text_may_be_as_long_as_the_refusal_says():
+    refused = components_in("1, 2" + " " * 5_000, 2)
+    assert isinstance(refused, ParseError)
+    most = int(re.search(r"longer than (\d+) characters", refused.why)[1])
+    assert components_in("(1, 2)".ljust(most), 2) == components_in("(1, 2)", 2)
+    assert isinstance(components_in("(1, 2)".ljust(most + 1), 2), ParseError)

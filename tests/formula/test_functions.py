@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 
 import mpmath
 import numpy as np
@@ -219,3 +220,16 @@ def test_functions_of_two_numbers(written, meant):
 )
 def test_towers_by_another_name_are_refused(bomb):
     assert isinstance(parse(bomb, ["x"]), ParseError)
+
+
+@pytest.mark.parametrize(
+    "name", sorted(name for name, row in FUNCTIONS.items() if row.slope and row.arity == 1)
+)
+def test_no_values_are_further_apart_than_the_slope_says_and_some_are_nearly_as_far(name):
+    """The slope is the least whole number that bounds how steep the function is anywhere."""
+    row = FUNCTIONS[name]
+    places = [place / 64 for place in range(-640, 641)]
+    steepest = max(
+        abs(row.double(right) - row.double(left)) / (right - left) for left, right in pairwise(places)
+    )
+    assert row.slope - 1 < steepest <= row.slope * (1 + 1e-12)

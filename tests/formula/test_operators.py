@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from corollary.formula.latex import latex
-from corollary.formula.operators import scalar_part
+from corollary.formula.operators import read_operators, scalar_part
 from corollary.formula.syntax import author_formula
 from corollary.formula.text import text
 
@@ -31,3 +31,28 @@ def test_a_component_is_written_out(formula, index, written):
 )
 def test_each_has_its_sign(formula, tex):
     assert tex in latex(author_formula(formula, operators=True))
+
+
+LETTERS = {"m", "v", "x", "t", "dq"}
+
+
+@pytest.mark.parametrize(
+    ("formula", "read"),
+    [
+        ("m*dv/dt", "m*derivative(v, t, 1)"),
+        ("d2x/dt2", "derivative(x, t, 2)"),
+        ("d(m*v)/dt", "derivative(m*v, t, 1)"),
+        ("dq/dt", "dq/dt"),  # a letter of its own
+        ("dz/dt", "dz/dt"),  # of nothing known
+        ("m/t", "m/t"),
+    ],
+)
+def test_what_stands_above_and_below_a_line_is_derived_where_it_is_no_letter_of_its_own(formula, read):
+    found = read_operators(author_formula(formula, operators=True), LETTERS, frozenset())
+    assert text(found).replace(" ", "") == read.replace(" ", "")
+
+
+@pytest.mark.parametrize("formula", ["d2x/dt", "dx/dt2"])
+def test_as_often_above_as_below(formula):
+    with pytest.raises(ValueError, match="as often above the line as below it"):
+        read_operators(author_formula(formula, operators=True), LETTERS, frozenset())

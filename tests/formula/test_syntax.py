@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tracemalloc
 from fractions import Fraction
 
@@ -350,3 +351,14 @@ def test_hostile_text_is_read_or_refused_with_little_work_and_memory(written, ca
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 50e6
+
+
+def test_a_formula_may_have_as_many_signs_as_the_refusal_says():
+    refused = parse("-" * 390 + "x", ["x"])
+    assert isinstance(refused, ParseError)
+    signs = [parse("x" + "+x" * count, ["x"]) for count in range(200)]
+    told = next(each for each in signs if isinstance(each, ParseError))
+    most = int(re.search(r"more than (\d+) signs", told.why)[1])
+    assert signs.index(told) == (most + 1) // 2  # count additions are 2 count + 1 signs
+    assert isinstance(parse("-x" + "+x" * ((most - 2) // 2), ["x"]), Expr)
+    assert isinstance(parse("-x" + "+x" * (most // 2), ["x"]), ParseError)

@@ -72,3 +72,18 @@ def test_a_quantity_in_tex(typed):
     assert isinstance(found, Reading), found
     assert float(found.si[0]) == 8.6
     assert (found.unit and found.unit.dimension.s) == -1
+
+
+@pytest.mark.parametrize(
+    ("before", "behind"),
+    [(r"\frac{", "}{2}"), (r"\frac{1}{", "}"), (r"\sqrt{", "}"), (r"\hat{", "}"), (r"\dot{", "}"), (r"\text{", "}"),
+     (r"\SI{", "}{m}"), (r"\SI{3}{", "}")],
+)  # fmt: skip
+def test_braces_however_deep_end_soon(before, behind):
+    """What lies deeper than any formula is left as it stands, and no reader is exhausted by it."""
+    typed = 1500 * before + "x" + 1500 * behind
+    assert before.partition("{")[0] in without_tex(typed)
+
+
+def test_a_sign_alone_behind_a_backslash_is_that_sign():
+    assert without_tex(r"5 \% of \{x\|y\}") == "5 % of x|y"

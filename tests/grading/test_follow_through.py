@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from corollary.answers.verdict import Follows, Mistaken, Right
-from corollary.grading.follow_through import consequences
+from corollary.grading.follow_through import consequences, from_student
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
@@ -129,3 +129,8 @@ def test_what_follows_is_not_punished_again_for_a_known_mistake(tmp_path):
     key = make_key(solution, chosen(solution.problem, dict[str, Fraction]()))
     assert isinstance(verdicts(key, c=4.0)["c"], Mistaken)
     assert verdicts(key, a=48.0, c=4.0)["c"] == Follows(("a",))
+
+
+def test_answers_to_no_part_and_with_too_many_numbers_are_left_out(push):
+    found = from_student(push, {"a": (6.0,), "b": (3.0,), "z": (1.0,), "c": (6.0, 1.0)})
+    assert (found.right, found.wrong) == ({"a": (6.0,)}, {"b": (3.0,)})
