@@ -20,7 +20,6 @@ def empty(h, g): ...
 
 def empty_with_words(h, g):
     """How long it falls."""
-    ...
 
 
 def written(h, g):

@@ -82,7 +82,7 @@ def test_the_velocities_of_two_balls_are_told_by_their_number_their_beginnings_a
         "The curves must start with one ball at v0 = 0.3 m/s and the other at rest."
     )
     assert said(*velocities(times=0.6)).startswith("The curves must run until the balls have parted")
-    (t, a), (_, b) = velocities()
+    (t, _a), (_, _b) = velocities()
     bent = ROW["v0"] * np.clip(t / t[-1] * 1.3, 0.0, 1.0) ** 3
     assert said((t, ROW["v0"] - bent), (t, bent)).startswith("The velocities begin and end well")
 
