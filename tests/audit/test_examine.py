@@ -199,6 +199,40 @@ def test_a_formula_is_compared_as_a_function(audited, published, finding):
         assert bool(outcome.counterexample) == (finding == "wrong")
 
 
+RISE = """
+- id: rise
+  given: {{m: kg, M: kg, v: {v}, g: m/s^2}}
+  laws: [m*v = (m + M)*u, u^2/2 = g*h]
+  asked: h
+  published: {published}
+"""
+
+
+@pytest.mark.parametrize("v", ["m/s", "2..5 m/s"])
+@pytest.mark.parametrize(
+    ("published", "finding", "compared"),
+    [
+        ("m^2*v^2/(2*g*(m + M)^2)", "agrees", "algebra"),
+        ("(v*m/(M + m))^2/2/g", "agrees", "algebra"),
+        ("(sqrt(v^2)*m/(M + m))^2/(2*g)", "agrees", "algebra"),
+        ("m^2*v^2/(2*g*(m^2 + M^2))", "wrong", "algebra"),
+        ("(1 + 1e-70)*m^2*v^2/(2*g*(m + M)^2)", "wrong", "algebra"),  # at points the same to 2^-200
+    ],
+)
+def test_quotients_of_polynomials_are_settled_for_all_numbers(audited, v, published, finding, compared):
+    outcome = one(audited(RISE.format(v=v, published=published)))
+    assert (outcome.finding, outcome.compared) == (finding, compared)
+    assert "proven" in outcome.sentence
+    assert outcome.as_json()["compared"] == compared
+
+
+@pytest.mark.parametrize("published", ["v^2*sin(2*theta)/g", "v^2*cos(pi/2 - 2*theta)/g"])
+def test_what_is_only_the_same_at_points_is_not_called_proven(audited, published):
+    outcome = one(audited(FORMULA.format(v="m/s", theta="deg", published=published)))
+    assert outcome.finding == "agrees"
+    assert ("proven" in outcome.sentence) == (outcome.compared == "algebra")
+
+
 def test_the_counterexample_is_one(audited):
     """Its numbers, put into the true formula of the range of a throw and into the published one, give what it says."""
     outcome = one(audited(FORMULA.format(v="2..5 m/s", theta="20..40 deg", published="v^2*sin(theta)/g")))

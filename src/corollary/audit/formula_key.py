@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from corollary.answers.equality import Different, Equal, compare, hint
 from corollary.audit.exercise import PublishedExercise, exact, quantity
+from corollary.audit.identity import identical
 from corollary.audit.outcome import AuditedAnswer
 from corollary.audit.record import StatedGiven
 from corollary.derive.roots import NoRoot
@@ -72,14 +73,18 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
     domain = {
         name: tuple(sorted((float(low), float(high)))) for name, (low, high) in _si(box, exercise).items()
     }
-    matching, undecided = None, ""
+    matching, undecided, way = None, "", "points"
     difference: Different | None = None
+    others_proven: list[bool] = []
     for root in candidates:
-        theirs = substitute(_in_givens(formula, root, exercise), numbers)
-        seen = compare(theirs, derived[id(root)], domain)  # type: ignore[arg-type]
-        if isinstance(seen, Equal):
-            matching = root
+        theirs, mine = substitute(_in_givens(formula, root, exercise), numbers), derived[id(root)]
+        assert mine is not None
+        same = identical(theirs, mine, domain)
+        seen = Equal() if same else compare(theirs, mine, domain)
+        if same or (same is None and isinstance(seen, Equal)):
+            matching, way = root, "algebra" if same else "points"
             break
+        others_proven.append(same is False)
         if isinstance(seen, Different):
             difference = seen
         else:
@@ -88,7 +93,11 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
     if matching is not None:
         rivals = _rivals(exercise, matching, candidates, points, letter)
         found = replace(
-            nothing, finding="agrees", derived=displayed[id(matching)], formula=displayed[id(matching)]
+            nothing,
+            finding="agrees",
+            derived=displayed[id(matching)],
+            formula=displayed[id(matching)],
+            compared=way,
         )
         if rivals:
             why = f"the statement admits {', '.join(displayed[id(each)] for each in rivals)} as well"
@@ -97,7 +106,13 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
     found = replace(
         nothing, derived=displayed[id(candidates[0])], formula=displayed[id(candidates[0])], others=others[1:]
     )
+    if all(others_proven):
+        found = replace(found, compared="algebra")
     failing = _counterexample(exercise, formula, candidates, points, letter)
+    if failing is None and found.compared:
+        return replace(
+            found, finding="wrong", why="the two are not the same formula, though no double tells them apart"
+        )
     if failing is None:
         return replace(
             found, why=undecided or "the formulas could not be told apart, nor shown to be the same"

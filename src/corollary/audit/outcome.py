@@ -14,6 +14,8 @@ FINDINGS: tuple[FindingName, ...] = (
 )  # fmt: skip
 FAULTS: frozenset[FindingName] = frozenset({"wrong", "not unique", "impossible"})
 
+PROVEN = ("proven for all numbers", "proven to be another function")
+
 
 @dataclass(frozen=True, slots=True)
 class AuditedAnswer:
@@ -21,7 +23,8 @@ class AuditedAnswer:
 
     `values` are all unknowns of the root compared with. `violates` names the law that the published answer breaks, `sides` are
     then its two sides; `counterexample` has the numbers at which a published formula fails; `mistake` says what was done wrong
-    where that gives the published answer.
+    where that gives the published answer. `compared` says of a published formula how it was settled: by "algebra", which is a
+    proof for all numbers, or at "points".
     """
 
     record: ExerciseRecord
@@ -37,11 +40,14 @@ class AuditedAnswer:
     sides: tuple[str, str] | None = None
     counterexample: Mapping[str, str] = field(default_factory=dict[str, str])
     mistake: str = ""
+    compared: Literal["", "algebra", "points"] = ""
 
     @property
     def sentence(self) -> str:
         """All that there is to say besides the two answers, in one line."""
         words = [self.why]
+        if self.compared == "algebra":
+            words.append(PROVEN[self.finding == "wrong"])
         if self.violates:
             words.append(
                 f"it breaks {self.violates}" + (f": {' against '.join(self.sides)}" if self.sides else "")
@@ -68,6 +74,7 @@ class AuditedAnswer:
             "sides": list(self.sides or ()),
             "counterexample": dict(self.counterexample),
             "mistake": self.mistake,
+            "compared": self.compared,
             "why": self.why,
             "source": self.record.source,
             "file": self.record.place,
