@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
+
+from corollary.problem.bank import Bank, find
+from corollary.problem.diagnostic import Malformed
+from corollary.verify.checked import Checked
+from corollary.verify.verify import verify
 
 
 @dataclass(frozen=True)
@@ -348,3 +355,52 @@ PLANTED = (
         "redrawn",
     ),
 )
+
+WORDS = {
+    "printed": (" prints ",),
+    "confirm": ("does not hold for the answers: a sign or a term is wrong",),
+    "special case": (" at ",),
+    "dimension": ("the dimensions do not fit", "the answer is not in"),
+    "condition": ("cannot be compared",),
+    "one root": ("2 answers (",),
+    "mistake is the truth": ("100% of the draws may not be assigned",),
+}
+"""The sentence of each check that complains of its own."""
+
+
+def verified(folder: Path, base: Base) -> Checked:
+    """The problem written into the folder, and verified over ten variants. Raises Malformed."""
+    for room in ("problems", "solutions"):
+        (folder / room / "carts").mkdir(parents=True)
+    (folder / "problems/carts/cart.md").write_text(base.problem, encoding="utf-8")
+    (folder / "solutions/carts/cart.py").write_text('"""A cart."""\n\n' + base.solution, encoding="utf-8")
+    bank = Bank(folder)
+    return verify(bank, find(bank, "X1.1"), 10)
+
+
+def evidence(folder: Path, planted: Planted) -> str:
+    """What the check named says of the fault: its complaint, or the numbers for which its obligation fails; "" where it is not found."""
+    base, check = BASES[planted.base], planted.check
+    faulty = Base(*(text.replace(planted.old, planted.new) for text in (base.problem, base.solution)))
+    try:
+        checked = verified(folder, faulty)
+    except Malformed as error:
+        return _first(map(str, error.complaints), check)
+    if check == "redrawn":
+        failing = [each for each in checked.obligations if each.kind == "mistake apart" and each.numbers]
+    else:
+        if said := _first(checked.complaints, check):
+            return said
+        failing = [
+            each
+            for each in (() if checked.ok else checked.obligations)
+            if each.kind == check and each.outcome == "counter-example" and each.numbers
+        ]
+    if not failing:
+        return ""
+    numbers = ", ".join(f"{letter} = {value}" for letter, value in failing[0].numbers.items())
+    return f"{failing[0].claim}: not for {numbers}"
+
+
+def _first(sentences: Iterable[str], check: str) -> str:
+    return next((each for each in sentences if any(words in each for words in WORDS.get(check, ()))), "")
