@@ -18,7 +18,8 @@ from corollary.verify.obligations.algebra import Algebra
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import OPPOSITE, Clause, Equations
 
-TIMEOUT = 2000  # ms
+STEPS = 4_000_000  # of z3's own count, about 2 s; what is proven of the chapter takes 120 000 at most
+LONGEST_STEP = 60_000  # ms: for a step that does not count; a loaded machine must not decide what is proven
 LONGEST = (
     400  # terms of a polynomial: nonlinear arithmetic is doubly exponential, and larger ones only time out
 )
@@ -32,24 +33,26 @@ def installed() -> bool:
 class Query:
     """One question to z3: whether real numbers fulfil all that is said of them."""
 
-    def __init__(self, algebra: Algebra, timeout: int = TIMEOUT) -> None:
+    def __init__(self, algebra: Algebra, steps: int = STEPS) -> None:
         # only here: it takes a quarter of a second to load; it has no types
         self.z3: Any = import_module("z3")
         self.algebra = algebra
         self.context = algebra.translation.context
-        self.solver: Any = self.z3.SolverFor("QF_NRA")
-        self.solver.set("timeout", timeout)
-        self.letters: dict[str, Any] = {name: self.z3.Real(name) for name in self.context.names()}
+        self.alone: Any = self.z3.Context()  # else what was asked before changes how many steps it takes
+        self.solver: Any = self.z3.SolverFor("QF_NRA", ctx=self.alone)
+        self.solver.set("rlimit", steps)
+        self.solver.set("timeout", LONGEST_STEP)
+        self.letters: dict[str, Any] = {name: self.z3.Real(name, self.alone) for name in self.context.names()}
 
     def polynomial(self, polynomial: Any) -> Any:
         """Raises TooLarge."""
         if len(polynomial) > LONGEST:
             raise TooLarge
         letters = [self.letters[name] for name in self.context.names()]
-        total = self.z3.RealVal(0)
+        total = self.z3.RealVal(0, self.alone)
         for exponents, coefficient in polynomial.to_dict().items():
             factors = [letter for letter, n in zip(letters, exponents, strict=True) for _ in range(int(n))]
-            total = total + reduce(lambda a, b: a * b, factors, self.z3.RealVal(int(coefficient)))
+            total = total + reduce(lambda a, b: a * b, factors, self.z3.RealVal(int(coefficient), self.alone))
         return total
 
     def bounded(self) -> None:
@@ -71,7 +74,7 @@ class Query:
             self.solver.add(self.polynomial(each) != 0)
 
     def number(self, value: Fraction) -> Any:
-        return self.z3.RealVal(f"{value.numerator}/{value.denominator}")
+        return self.z3.RealVal(f"{value.numerator}/{value.denominator}", self.alone)
 
     def compared(self, gap: RationalFunction, sign: str) -> Any:
         """The quotient compared with zero, its bottom not zero."""
@@ -102,14 +105,14 @@ class Query:
         return found
 
 
-def no_exception(box: Box, need: Clause, timeout: int = TIMEOUT) -> bool | dict[str, int]:
+def no_exception(box: Box, need: Clause, steps: int = STEPS) -> bool | dict[str, int]:
     """True: one of the relations holds for all real numbers of the box that keep the conditions. Else False, or the grid point next to
     numbers for which none does."""
     letters, conditions = box.tied(need)
     try:
         algebra = Algebra(box, [*need, *conditions])
         gaps = [algebra.gap(each) for each in need]
-        query = Query(algebra, timeout)
+        query = Query(algebra, steps)
         for each in conditions:
             query.solver.add(query.compared(algebra.gap(each), each.sign))
         query.bounded()
@@ -141,7 +144,7 @@ def only_root(box: Box, equations: Equations) -> bool:
                 for name, tree in root.items()
                 if name in free
             ]
-            query.solver.add(query.z3.Or(*apart))
+            query.solver.add(query.z3.Or(*apart, query.alone))
         query.bounded()
         return query.impossible() is True
     except (TooLarge, Undefined, KeyError):

@@ -31,7 +31,7 @@ from corollary.verify.obligations.values import existing, not_zero
 
 POINTS = 256  # tried first: most of what does not hold fails there, and no prover has to find it
 FEW_BOXES = 3_000  # before z3 is asked, which takes longer
-REDRAWN_TIMEOUT = 250  # ms: what cannot be proven of these is never dealt anyway
+REDRAWN_STEPS = 250_000  # of z3: what cannot be proven of these is never dealt anyway
 SEED = 12
 
 
@@ -141,7 +141,7 @@ class Settling:
                 )
             if most == FEW_BOXES and installed():
                 found = (
-                    no_exception(self.box, need, REDRAWN_TIMEOUT) if redrawn else no_exception(self.box, need)
+                    no_exception(self.box, need, REDRAWN_STEPS) if redrawn else no_exception(self.box, need)
                 )
                 if found is True:
                     return "z3"
