@@ -91,7 +91,7 @@ def scene(vA, vB, answer, neglected):
     hit = {"mA": 1.0, "k": 1e9, "eta": 0.0, "dx": 0.08, "dy": 0.0, "vA": (vA, 0.0), "vB": (vB, 0.0)}
     after = (answer["a"], 0.0, vB, 0.0)
     return [
-        simulate("spheres", hit | {"mB": 1e9}, neglected=1e-8, velocities=after),
+        simulate("spheres", hit | {"mB": 1e9}, animated=True, neglected=1e-8, velocities=after),
         simulate(
             "spheres",
             hit | {"mB": 1e4},

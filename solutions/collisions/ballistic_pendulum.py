@@ -197,6 +197,7 @@ def scene(mA, mB, h, L, g, answer, neglected):
         simulate(
             "ballistic_pendulum",
             shot | {"mA": mA, "mB": mB, "L": L, "dt": 1e-3},
+            animated=True,
             height=h,
             angle=answer["d"],
             neglected=2 * neglected["a"] / answer["a"],

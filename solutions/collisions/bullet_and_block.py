@@ -102,6 +102,7 @@ def scene(m, M, mu, d, g, answer):
         simulate(
             "bullet_block",
             {"m": m, "M": M, "mu": mu, "g": g, "v": answer["a"]},
+            animated=True,
             distance=d,
             energy_change=answer["b"],
         )

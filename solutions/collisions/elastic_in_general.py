@@ -106,4 +106,4 @@ def scene(mA, mB, vA, vB, answer):
         "vA": (vA, 0.0),
         "vB": (vB, 0.0),
     }
-    return [simulate("spheres", settings, velocities=(answer["a"], 0.0, answer["b"], 0.0))]
+    return [simulate("spheres", settings, animated=True, velocities=(answer["a"], 0.0, answer["b"], 0.0))]

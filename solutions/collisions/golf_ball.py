@@ -141,6 +141,11 @@ def scene(v, M, m, r, answer):
     eta = 2 * math.sqrt(k * mass) * loss / math.hypot(math.pi, loss)
     hit = {"mA": M, "mB": m, "k": k, "q": 1, "dx": 0.08, "dy": 0.0, "vA": (v, 0.0), "vB": (0.0, 0.0)}
     return [
-        simulate("spheres", hit | {"eta": 0.0}, velocities=(v - m / M * answer["b"], 0.0, answer["b"], 0.0)),
+        simulate(
+            "spheres",
+            hit | {"eta": 0.0},
+            animated=True,
+            velocities=(v - m / M * answer["b"], 0.0, answer["b"], 0.0),
+        ),
         simulate("spheres", hit | {"eta": eta}, velocities=(v - m / M * answer["c"], 0.0, answer["c"], 0.0)),
     ]

@@ -284,7 +284,13 @@ def scene(v0, theta, s, D, mA, mB, answer):
     vx, vy = answer["d"]
     ax_d, ay_d = v0 - mB / mA * vx, -mB / mA * vy
     return [
-        simulate("spheres", hard | {"mA": mA, "mB": mA}, neglected=10 * flat, velocities=(ax, ay, bx, by)),
+        simulate(
+            "spheres",
+            hard | {"mA": mA, "mB": mA},
+            animated=True,
+            neglected=10 * flat,
+            velocities=(ax, ay, bx, by),
+        ),
         simulate(
             "spheres", hard | {"mA": mA, "mB": mB}, neglected=10 * flat, velocities=(ax_d, ay_d, vx, vy)
         ),

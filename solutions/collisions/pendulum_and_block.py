@@ -148,5 +148,7 @@ def scene(m, M, L, g, answer, neglected):
             velocities=answer["a"],
             neglected=neglected["a"] / math.hypot(*answer["a"]),
         ),
-        simulate("pendulum_block", whole, height=answer["b"], neglected=neglected["b"] / answer["b"]),
+        simulate(
+            "pendulum_block", whole, animated=True, height=answer["b"], neglected=neglected["b"] / answer["b"]
+        ),
     ]

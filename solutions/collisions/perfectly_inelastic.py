@@ -192,7 +192,11 @@ def scene(mA, mB, vA, vB, answer):
     free = {"m": mA, "M": mB}
     return [
         simulate(
-            "bullet_block", free | {"v": vA}, velocities=(answer["a"], answer["a"]), energy_change=answer["c"]
+            "bullet_block",
+            free | {"v": vA},
+            animated=True,
+            velocities=(answer["a"], answer["a"]),
+            energy_change=answer["c"],
         ),
         simulate(
             "bullet_block",

@@ -193,6 +193,7 @@ def scene(m, v0, r, h0, n, g, answer, neglected):
         simulate(
             "ball_on_floor",
             damped | {"v0": -fall, "g": g},
+            animated=True,
             rebound_speed=rise,
             neglected=neglected["c"] / answer["c"] / 2,
         ),

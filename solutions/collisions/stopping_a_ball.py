@@ -107,6 +107,7 @@ def scene(v0, answer, neglected):
         simulate(
             "spheres",
             hit | {"mB": 1e9, "vB": (floor, 0.0)},
+            animated=True,
             neglected=1e-8,
             velocities=(0.0, 0.0, floor, 0.0),
         ),

@@ -267,6 +267,7 @@ def scene(mA, mB, h0, g, answer, neglected):
         simulate(
             "super_ball",
             dropped,
+            animated=True,
             heights=(answer["c"] ** 2 / (2 * g), answer["d"]),
             neglected=neglected["d"] / answer["d"],
         ),

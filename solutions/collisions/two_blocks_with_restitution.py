@@ -188,6 +188,7 @@ def scene(mA, mB, vA, vB, r, answer):
         simulate(
             "spheres",
             settings,
+            animated=True,
             velocities=(answer["a"], 0.0, answer["b"], 0.0),
             energy_ratio=1 + answer["c"] / before,
         )

@@ -168,5 +168,5 @@ def scene(C, mA, mB, v, r0, s, dx, dy, answer):
     pair = {"C": C, "mA": mA, "mB": mB, "v": v, "r0": r0}
     return [
         simulate("ions", pair | {"s": 0.0}, turning_points=answer["b"]),
-        simulate("ions", pair | {"s": s}, turning_points=answer["c"]),
+        simulate("ions", pair | {"s": s}, animated=True, turning_points=answer["c"]),
     ]

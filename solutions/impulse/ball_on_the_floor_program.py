@@ -217,6 +217,7 @@ def scene(g, R, m, y0, v0, k, answer):
         simulate(
             "ball_on_floor",
             {"m": m, "k": k, "R": R, "y0": y0, "v0": v0, "g": g},
+            animated=True,
             rebound_speed=-answer["a"],
             impulse=answer["b"] + m * g * answer["e"],
             peak_force=answer["d"] + m * g,

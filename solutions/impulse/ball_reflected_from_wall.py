@@ -106,6 +106,7 @@ def scene(m, v0, theta, dt, answer):
         simulate(
             "wall",
             {"m": m, "v0": v0, "theta": theta, "dt": dt},
+            animated=True,
             momentum_change=answer["a"],
             impulse=answer["b"],
             mean_force=answer["c"],

@@ -177,7 +177,7 @@ def scene(mA, mB, vAy, vBy, dt, g, answer):
     apart, touching = ({"dx": way * (vA[0] - vB[0]) * dt, "dy": way * (vAy - vBy) * dt} for way in (3, 2))
     total = mA * vA[0] + mB * vB[0], answer["c"]
     return [
-        simulate("spheres", spheres | apart, duration=dt),
+        simulate("spheres", spheres | apart, animated=True, duration=dt),
         simulate(
             "touching_spheres",
             spheres | touching | {"g": g, "t": dt},

@@ -182,7 +182,13 @@ def scene(mA, mB, vAx, vAy, vBx, vBy, answer):
     mud = {"q": 1.0, "k": 1e-13 * eta * u / R, "eta": eta, "g": 0.0, "t": t}
     together = {"velocities": (*answer["a"], *answer["a"]), "energy_ratio": 1 + answer["c"] / before}
     return [
-        simulate("spheres", bodies | far | spring, **together, impulse=tuple(mB * dv for dv in answer["b"])),
+        simulate(
+            "spheres",
+            bodies | far | spring,
+            animated=True,
+            **together,
+            impulse=tuple(mB * dv for dv in answer["b"]),
+        ),
         simulate(
             "touching_spheres",
             bodies | near | mud,

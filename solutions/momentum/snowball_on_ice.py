@@ -138,6 +138,7 @@ def scene(M, Ms, m, v, theta, answer):
         simulate(
             "snowball",
             {"M": M, "Ms": Ms, "m": m, "v": v, "theta": theta},
+            animated=True,
             momentum=answer["a"],
             velocities_after_throw=(answer["b"], answer["b2"]),
             velocities=(answer["c"], answer["c2"]),

@@ -356,6 +356,9 @@ def scene(m, h0, r, k, v0, g, answer):
             largest_overlap=answer["h2"],
         ),
         simulate(
-            "cradle", {"N": 3, "q": 1, "m": m, "k": k, "v0": v0, "gaps": (0.0, gap)}, velocities=answer["f2"]
+            "cradle",
+            {"N": 3, "q": 1, "m": m, "k": k, "v0": v0, "gaps": (0.0, gap)},
+            animated=True,
+            velocities=answer["f2"],
         ),
     ]

@@ -162,7 +162,7 @@ def scene(m, dm, V, v, u, vrel, mdot, F, t, R, g, dv, answer):
     fuel = -mdot
     rocket = {"m0": 1e6 * fuel, "m1": 1e6 * fuel - fuel, "v_rel": -vrel}
     return [
-        simulate("absorbed_drop", drop, velocities=(answer["a"], answer["a"])),
+        simulate("absorbed_drop", drop, animated=True, velocities=(answer["a"], answer["a"])),
         simulate("absorbed_drop", drop | pushed, velocities=(caught, caught), momentum_change=answer["b"]),
         # Seen from the rocket: its velocity V does not count. In one second its mass changes by a millionth.
         simulate("rocket", rocket, velocities=answer["c"] / (1e6 * fuel), neglected=1e-6),

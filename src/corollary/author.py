@@ -274,10 +274,18 @@ def printed(part: str, text: str, where: str, *, erratum: str = "") -> Printed:
 
 
 def simulate(
-    scene: str | Scene, settings: Mapping[str, object] = NONE, *, neglected: float = 0.0, **expect: Seen
+    scene: str | Scene,
+    settings: Mapping[str, object] = NONE,
+    *,
+    neglected: float = 0.0,
+    animated: bool = False,
+    **expect: Seen,
 ) -> Simulation:
-    """In a solution's scene function: run this ready-made scene, or a composed one, and find these values (SI)."""
-    return Simulation(scene, settings, expect, neglected, line_of_word())
+    """In a solution's scene function: run this ready-made scene, or a composed one, and find these values (SI).
+
+    One that is `animated` is the motion of the exercise itself, seen as the exercise sees it: whoever has solved it can play it.
+    """
+    return Simulation(scene, settings, expect, neglected, line_of_word(), animated)
 
 
 def __getattr__(name: str) -> Any:

@@ -73,6 +73,12 @@ def test_hints_end_and_steps_follow_each_other(kicks):
     assert "86.00" in words(ask(kicks, ask="step", place=2)["html"])
 
 
+def test_what_moves_is_played_where_the_solution_shows_it(kicks):
+    got = ask(kicks, ask="motion")
+    assert "A (0.43 kg): at the beginning at rest, at the end 20 m/s to the right." in words(got["html"])
+    assert ask(kicks, ask="motion", code="X12.2") == {"html": ""}
+
+
 @pytest.mark.parametrize(
     "posted",
     [
@@ -158,6 +164,22 @@ def test_a_student_practises(address, chromium, axe):
     expect(first.locator(".hints li")).to_have_count(1)
     page.get_by_role("button", name="Show the next step").click()
     expect(page.locator(".worked > div")).to_have_count(1)
+    steps = page.get_by_role("button", name="Show the next step")
+    for shown in range(2, 40):
+        if not steps.is_visible():
+            break
+        steps.click()
+        expect(page.locator(".worked > div")).to_have_count(shown)
+    film = page.locator(".film")
+    expect(film.locator(".clock")).to_have_text("0 s")
+    before = film.locator(".body").first.get_attribute("transform")
+    page.emulate_media(reduced_motion="reduce")
+    film.get_by_role("button", name="Play").press("Enter")
+    expect(film.locator(".clock")).not_to_have_text("0 s")
+    film.get_by_role("button", name="Pause").click()
+    assert film.locator(".body").first.get_attribute("transform") != before
+    film.locator(".scrub").press("End")
+    expect(film.locator("[data-value=x]")).to_have_text("8")
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
     for scheme in ("light", "dark"):
         page.emulate_media(color_scheme=scheme)

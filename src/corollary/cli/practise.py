@@ -18,6 +18,7 @@ from corollary.practice.posed import Answer, Posed, known
 from corollary.practice.practice import Practice, practice
 from corollary.problem.bank import Bank, open_bank
 from corollary.problem.problem_set import find_set, set_names
+from corollary.render.animation import animation
 from corollary.render.markdown import html
 from corollary.render.practice_page import (
     asked_parts,
@@ -78,6 +79,8 @@ def answered(found: Practice, posted: dict[str, Any]) -> str:
         ask, code, turn = posted["ask"], str(posted["code"]), int(posted["turn"])
         if not 0 <= turn < MOST_TURNS:
             raise ValueError("there are not so many turns")
+        if ask == "motion":
+            return json.dumps(_motion(found, code, turn))
         return json.dumps(ANSWERS[ask](found.pose(code, turn), posted))
     except (KeyError, TypeError, IndexError):
         raise ValueError("this page is of an earlier run; reload it") from None
@@ -113,6 +116,11 @@ def _hint(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
 def _step(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
     place, steps = int(posted["place"]), posed.worked_steps
     return {"html": html(steps[place]), "last": place + 1 >= len(steps)}
+
+
+def _motion(found: Practice, code: str, turn: int) -> dict[str, Any]:
+    film = found.motion(code, turn)
+    return {"html": animation(film) if film else ""}
 
 
 def _answer(posted: object) -> Answer:

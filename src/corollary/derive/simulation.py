@@ -21,7 +21,8 @@ class Simulation:
     """One run of a ready-made scene by its name, or of a composed one, which is followed by Newton's second law until its `until`.
 
     `expect` has what `Observable` names; a `trajectory` is where the bodies are at the end. `neglected` bounds what the algebra leaves
-    out, relative to each expected value; `line` is where the solution asks for it. Raises TypeError for settings of a composed scene.
+    out, relative to each expected value; `line` is where the solution asks for it. One that is `animated` is the motion of the exercise, and
+    is played beside it. Raises TypeError for settings of a composed scene.
     """
 
     scene: str | Scene
@@ -29,6 +30,7 @@ class Simulation:
     expect: Mapping[str, Seen]
     neglected: float
     line: int
+    animated: bool = False
 
     def __post_init__(self) -> None:
         if self.settings and isinstance(self.scene, Scene):

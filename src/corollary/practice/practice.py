@@ -7,10 +7,12 @@ from dataclasses import dataclass, field
 
 from corollary.grading.key import Key
 from corollary.grading.solutions import Solutions
+from corollary.practice.motion import motion
 from corollary.practice.posed import Posed
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.problem.variant import chapter
+from corollary.scenes.film import Film
 
 SECRET = b"practice"  # numbers for practice are nobody's own: they may be guessed
 AT_HAND = 64  # exercises at hand; an older one is drawn again
@@ -36,6 +38,10 @@ class Practice:
                 del self.posed[next(iter(self.posed))]
             self.posed[code, turn] = Posed(self._key(problem, turn))
         return self.posed[code, turn]
+
+    def motion(self, code: str, turn: int) -> Film | None:
+        """What moves in the exercise of a turn; it tells the answers. Raises as `pose` does."""
+        return motion(self.bank, self.pose(code, turn).key)
 
     def _key(self, problem: Problem, turn: int) -> Key:
         """The printed numbers where these are all there are."""

@@ -21,16 +21,22 @@ _ = catalogue(__name__)
 
 
 def page(
-    template: str, *, title: str, lang: str = "en", script: str = "", sends: bool = False, **facts: object
+    template: str,
+    *,
+    title: str,
+    lang: str = "en",
+    script: str | tuple[str, ...] = (),
+    sends: bool = False,
+    **facts: object,
 ) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
 
-    `script` names a file of `templates/`. Nothing else runs, and nothing is fetched: the page's own policy forbids both,
+    `script` names a file of `templates/`, or several. Nothing else runs, and nothing is fetched: the page's own policy forbids both,
     but that a page which `sends` may answer the server that it came from.
     """
     body = environment().get_template(template).render(**facts)
     style = _style("<math" in body)
-    program = _text(script) if script else ""
+    program = "".join(map(_text, (script,) if isinstance(script, str) else script))
     whole = (
         environment()
         .get_template("page.html")
@@ -107,6 +113,6 @@ def font() -> str:
     ).decode()
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=8)
 def _text(name: str) -> str:
     return files("corollary.render").joinpath("templates", name).read_text(encoding="utf-8")

@@ -48,7 +48,7 @@ def practice_page(practice: Practice) -> str:
         "practise.html",
         title=_("Practise"),
         lang=spoken(),
-        script="practise.js",
+        script=("animation.js", "practise.js"),
         sends=True,
         topics=topics,
         words=_words(),

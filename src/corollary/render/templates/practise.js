@@ -1,4 +1,3 @@
-"use strict";
 // One exercise at a time. What is right or wrong is said by the program behind the page; what was done is kept by the browser.
 const frame = document.querySelector(".practice"), sheet = document.getElementById("sheet");
 const words = JSON.parse(frame.dataset.words);
@@ -130,6 +129,18 @@ function finish() {
   const count = Math.round(REST[box] / DAY);
   const days = count === 1 ? words.day : words.days.replace("{count}", count);
   say(document.getElementById("ending"), box ? words.solved.replace("{days}", days) : words.again);
+  showMotion();
+}
+// What moves tells what is asked: it is shown to whom has found that, or read all of it.
+async function showMotion() {
+  const place = sheet.querySelector(".motion");
+  if (!place || place.hasChildNodes()) return;
+  try {
+    const got = await ask({ask: "motion", code: now.code, turn: now.turn});
+    if (!got.html || place.hasChildNodes()) return;
+    place.innerHTML = got.html;
+    animate(place.querySelector(".film"));
+  } catch (error) { trouble(place, error); }
 }
 async function hint(section) {
   const part = section.dataset.part, list = section.querySelector(".hints");
@@ -175,6 +186,7 @@ async function showStep() {
     now.helped = true;
     if (got.last) {
       button.hidden = true;
+      showMotion();
       const mine = stored()[now.code] || {};
       keep(now.code, {box: 0, due: Date.now() + REST[0], shown: (mine.shown || 0) + 1});
     }
