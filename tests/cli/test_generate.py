@@ -106,12 +106,17 @@ def test_two_ids_that_are_one_folder(run):
     assert "one folder on many disks" in err
 
 
-def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(tmp_path: Path) -> None:
-    """Its name may be one of the chapter's, too."""
+@pytest.mark.parametrize(
+    ("name", "words"), [("momentum_1", ["--bank", "bank"]), ("bank/problems/sets/momentum_1.md", [])]
+)
+def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(
+    tmp_path: Path, name: str, words: list[str]
+) -> None:
+    """Its name may be one of the chapter's, too; a set's file that lies in a bank is of that bank."""
     command = [
         str(Path(sys.executable).with_name("corollary")),
         "generate",
-        "momentum_1",
+        name,
         "--course",
         "course",
         "--json",
@@ -122,10 +127,10 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(tmp_pa
         shutil.copy(Path(__file__).parents[2] / kind / "impulse" / name, bank / kind / "impulse")
     (bank / "problems" / "sets").mkdir()
     (bank / "problems" / "sets" / "momentum_1.md").write_text(SET)
-    for students_now, words in (("id\nada\n", ["--bank", "bank"]), ("id\nada\nben\n", [])):
+    for students_now, words_now in (("id\nada\n", words), ("id\nada\nben\n", [])):
         (tmp_path / "roster.csv").write_text(students_now)
         done = subprocess.run(
-            [*command, "--roster", "roster.csv", *words],
+            [*command, "--roster", "roster.csv", *words_now],
             cwd=tmp_path,
             capture_output=True,
             text=True,
@@ -136,3 +141,5 @@ def test_a_set_that_was_generated_before_comes_from_the_bank_it_came_from(tmp_pa
         assert all(list(each["variants"]) == ["X12.5"] for each in rows.values()), (
             "one problem, not the chapter's five"
         )
+    origin = json.loads((tmp_path / "course" / ".corollary" / "origin" / "momentum_1.json").read_text())
+    assert origin["bank"] == str(bank)

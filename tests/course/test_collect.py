@@ -380,12 +380,12 @@ def test_of_two_files_handed_in_at_one_moment_it_is_said_by_what_one_is_taken(
     assert taken(course)["ada"] == files[second]
     (left,) = found.of(OLDER)
     assert left.why == f"was handed in at the same moment as {second}, whose file has the later date"
-    assert found.conflicts == (f"ada: {first} {left.why}; that one is taken",)
+    assert found.conflicts == (f"ada: {first} {left.why}; the latter is taken",)
     shutil.rmtree(course / "submitted/ada/one")
     found = collected(course, archive(tmp_path / "no_dates.zip", files, 2, minutes=0), times=times)
     assert taken(course)["ada"] == files[first]
     assert [each.why.rpartition(", ")[2] for each in found.of(OLDER)] == ["whose name comes last"]
-    assert any("that one is taken" in each for each in found.conflicts)
+    assert any("the latter is taken" in each for each in found.conflicts)
 
 
 def test_of_two_files_without_a_time_nothing_is_said_of_when(course: Path, tmp_path: Path) -> None:
@@ -396,8 +396,8 @@ def test_of_two_files_without_a_time_nothing_is_said_of_when(course: Path, tmp_p
     line = [COMMAND, "collect", "one", zipped, "--course", course, "--dry-run"]
     done = subprocess.run(list(map(str, line)), capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stderr
-    why = f"says no time, and neither does {first}, whose name comes last"
-    assert f"ada: {second} {why}; that one is taken" in done.stderr
+    why = f"does not say when it was handed in, nor does {first}, whose name comes last"
+    assert f"ada: {second} {why}; the latter is taken" in done.stderr
     assert done.stdout.count("not said") == 2
     assert "UTC" not in done.stdout
 
@@ -435,7 +435,7 @@ def test_a_real_time_counts_before_a_guess_in_one_run(course: Path, tmp_path: Pa
     assert taken(course)["ada"] == sheet(course, "ada", note="by mail")
     assert when(course, "ada") == "03 09:00"
     (conflict,) = found.conflicts
-    assert conflict.startswith("ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb says no time")
+    assert conflict.startswith("ada: Ada Lovelace_171_assignsubmission_file_/one.ipynb does not say when")
     # with the worksheet both are known, and the later is taken
     shutil.rmtree(course / "submitted")
     times = grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM")

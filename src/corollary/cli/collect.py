@@ -85,12 +85,11 @@ def show(found: Collected, name: str, dry_run: bool) -> None:
         if outcome == ACCEPTED:
             title = "Would be taken" if dry_run else "Taken, with something to know"
             title += " (as the students will read it)" if any(each.why for each in arrivals) else ""
-        table = Table(
-            "student", "file", "handed in", "", title=title, title_justify="left", title_style="bold"
-        )
+        headings = ("student", "file", "handed in", *(("why",) if any(each.why for each in arrivals) else ()))
+        table = Table(*headings, title=title, title_justify="left", title_style="bold")
         for each in arrivals:
             cells = (each.student or "?", each.file, handed_in(each), each.why)
-            table.add_row(*(Text(visible(cell)) for cell in cells))
+            table.add_row(*(Text(visible(cell)) for cell in cells[: len(headings)]))
         out.print(table)
     accepted, same, older = (len(found.of(outcome)) for outcome in (ACCEPTED, UNCHANGED, OLDER))
     left = len(found.of(UNUSABLE)) + len(found.of(NOBODY))

@@ -24,8 +24,7 @@ from corollary.course.paper import form_owners, print_files
 from corollary.grading.solutions import Solutions
 from corollary.messages import few
 from corollary.notebook.worksheet import Worksheet
-from corollary.problem.bank import open_bank
-from corollary.problem.problem_set import ProblemSet, find_set
+from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
 from corollary.problem.roster import read_roster
 from corollary.records.files import Course, open_course, students
 from corollary.records.lms_file import FilledIn
@@ -77,7 +76,7 @@ def run(
             refuse(f"{option} is for paper; leave it out, or export --to pdf")
     opened = None if course is None else open_course(course)
     found = [
-        set_of(opened, name, bank) if opened else (there := open_bank(bank), find_set(there, name))
+        set_of(opened, name, bank) if opened else (there := bank_of_set(bank, name), find_set(there, name))
         for name in sets
     ]
     problem_sets = [problem_set for _, problem_set in found]

@@ -17,8 +17,8 @@ from corollary.course.roster import RosterChange, roster_change, students_before
 from corollary.grading.solutions import Solutions
 from corollary.messages import spoken
 from corollary.nbgrader.config import check_config
-from corollary.problem.bank import Bank, open_bank
-from corollary.problem.problem_set import ProblemSet, find_set
+from corollary.problem.bank import Bank
+from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
 from corollary.problem.roster import Student, ids_heading, read_roster
 from corollary.records.assigned import open_record, sheets
 from corollary.records.corrections import Correction, corrections
@@ -138,8 +138,9 @@ def _set(name: str, course: Path, bank: Path | None) -> tuple[Bank, ProblemSet]:
     """The set and its bank: the one named, else for a set that was generated before the one it came from."""
     if bank is None and (course / ".corollary" / "key").exists():
         return set_of(open_course(course), name)
-    place = open_bank(bank)
-    return place, find_set(place, name, read_settings(course).usual)
+    settings = read_settings(course)
+    place = bank_of_set(bank, name)
+    return place, find_set(place, name, settings.usual)
 
 
 def _students(

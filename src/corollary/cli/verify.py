@@ -18,7 +18,7 @@ from corollary.problem.count import written
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.front_matter import split
 from corollary.problem.problem import Problem
-from corollary.problem.problem_set import find_set, set_names
+from corollary.problem.problem_set import bank_of_set, find_set, set_names
 from corollary.problem.reader import read_problem
 from corollary.verify.checked import Checked
 from corollary.verify.cluster import on_cluster
@@ -100,8 +100,7 @@ def _bank_of_set(name: str, bank: Path | None) -> Bank | None:
         path = Path(name).resolve()
         if not path.is_file() or "problems" not in split(path)[0].entries:
             return None
-        above = [each.parent for each in path.parents if each.name == "problems"]
-        return Bank(above[0]) if bank is None and above else open_bank(bank)
+        return bank_of_set(bank, name)
     place = open_bank(bank)
     return place if name in set_names(place) else None
 

@@ -84,7 +84,7 @@ def collect(
         for each in reversed(others):
             why = each.why_before(latest)
             if each.content != latest.content and why != LATER:
-                conflicts.append(f"{student}: {writable(each.member.name)} {why}; that one is taken")
+                conflicts.append(f"{student}: {writable(each.member.name)} {why}; the latter is taken")
             arrivals.append(each.arrival(OLDER, why))
         past = Past(earlier, deadlines.of(student))
         arrivals.append(settled(course, name, latest, there.get(student), past, moved, dry_run))

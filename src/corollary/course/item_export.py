@@ -9,9 +9,9 @@ from pathlib import Path
 
 from corollary.grading.assign import NoVariant
 from corollary.grading.solutions import Solutions
-from corollary.problem.bank import Bank, UnknownCode, home, open_bank
+from corollary.problem.bank import Bank, UnknownCode, home
 from corollary.problem.problem import Problem
-from corollary.problem.problem_set import ProblemSet, Scheme, find_set, set_names
+from corollary.problem.problem_set import ProblemSet, Scheme, bank_of_set, find_set, set_names
 from corollary.problem.variant import Variant, chapter
 from corollary.render.answer_table import answer_table
 from corollary.render.exports import CarriedPart, Target
@@ -55,7 +55,7 @@ def export_items(
 
 def _chosen(folder: Path | None, name: str) -> tuple[Bank, str, str, Sequence[tuple[Problem, float]], Scheme]:
     """The bank, a title, a name for files, the problems with their weights, and what verdicts earn."""
-    bank = open_bank(folder)
+    bank = bank_of_set(folder, name)
     try:
         found: ProblemSet = find_set(bank, name)
     except UnknownCode as unknown:

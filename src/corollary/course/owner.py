@@ -65,12 +65,13 @@ class Found:
         if self.content == other.content:
             return f"is the same as {name}"
         if other.known and not self.known:
-            return f"says no time, and {name} does"
+            return f"does not say when it was handed in, and {name} does"
         if self.order[:3] != other.order[:3]:
             return LATER
-        apart = "was handed in at the same moment as" if self.known else "says no time, and neither does"
         by = "file has the later date" if self.order[3] != other.order[3] else "name comes last"
-        return f"{apart} {name}, whose {by}"
+        if self.known:
+            return f"was handed in at the same moment as {name}, whose {by}"
+        return f"does not say when it was handed in, nor does {name}, whose {by}"
 
     def arrival(self, outcome: str, why: str) -> Arrival:
         """What became of it."""

@@ -280,6 +280,14 @@ def bank_of(problem: Problem) -> Bank:
     return _bank_above(problem.path)
 
 
+def bank_around(name: str) -> Bank | None:
+    """The bank that a set's file lies in; None for a set's name, and for a file in no bank. Raises UnknownCode."""
+    above = Path(name).resolve().parents if name.endswith(".md") else ()
+    folders = (each.parent for each in above if each.name == "problems")
+    found = next((folder for folder in folders if (folder / "solutions").is_dir()), None)
+    return None if found is None else open_bank(found)
+
+
 def _bank_above(path: Path) -> Bank:
     above = [parent.parent for parent in path.parents if parent.name == "problems"]
     if not above:

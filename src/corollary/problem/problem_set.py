@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path
 
 from corollary.messages import did_you_mean
-from corollary.problem.bank import Bank, UnknownCode
+from corollary.problem.bank import Bank, UnknownCode, bank_around, open_bank
 from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, TableNode, split
@@ -111,6 +111,12 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
             f"there is no problem set {name}{did_you_mean(name, have)}; the bank has: {', '.join(have) or 'none'}"
         )
     return read_set(bank, path, usual)
+
+
+def bank_of_set(folder: Path | None, name: str) -> Bank:
+    """The bank in which a set is found: the one in the folder, else the one that the set's file lies in, else what `open_bank`
+    opens. Raises UnknownCode."""
+    return (None if folder else bank_around(name)) or open_bank(folder)
 
 
 def set_names(bank: Bank) -> list[str]:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.messages import did_you_mean
-from corollary.problem.bank import VARIABLE, Bank, UnknownCode, chapter_bank, open_bank
+from corollary.problem.bank import VARIABLE, Bank, UnknownCode, bank_around, chapter_bank, open_bank
 from corollary.problem.problem_set import ProblemSet, find_set, set_names
 from corollary.records.files import Course, NotACourse
 from corollary.records.settings import read_settings
@@ -37,8 +37,9 @@ def set_of(course: Course, name: str, folder: Path | None = None) -> tuple[Bank,
     settings = read_settings(course.folder)
     if folder is not None or not _origin(course, set_name).exists():
         named = folder or (Path(settings.bank) if settings.bank else None)
-        bank, file = open_bank(named), None
-        if named is None and not os.environ.get(VARIABLE):
+        around = None if named else bank_around(name)
+        bank, file = around or open_bank(named), None
+        if named is around is None and not os.environ.get(VARIABLE):
             bank = _of_other_sets(course, set_name, bank)
         if not is_file and set_name not in (here := set_names(bank)):
             raise _unknown(course, set_name, bank, here)
