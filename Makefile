@@ -28,7 +28,7 @@ define install
 		| { grep --line-buffered --invert-match -e 'already satisfied' -e '\.metadata' -e '^Looking in' || true; }
 endef
 
-.PHONY: setup demo test test-all lint messages clean
+.PHONY: setup demo test test-all lint messages site clean
 
 setup: $(DEMO)
 
@@ -48,7 +48,7 @@ $(TEST): $(DEMO)
 	@touch $@
 
 $(ALL): $(TEST)
-	$(call install,what drives a browser,--no-build-isolation --editable '.[$(FOR_TEST)$(comma)browser]')
+	$(call install,what drives a browser and builds the site,--no-build-isolation --editable '.[$(FOR_TEST)$(comma)browser$(comma)site]')
 	@touch $@
 
 $(LINT): $(TEST)
@@ -70,9 +70,16 @@ lint: $(LINT)
 	@$(BIN)/ruff format --check src tests solutions benchmarks examples
 	@$(BIN)/pyright --pythonpath $(BIN)/python
 
+# The documentation as a site to read offline, with a gallery of every problem, in site/.
+site: export NO_MKDOCS_2_WARNING = 1
+site: $(ALL)
+	@banks=$$(mktemp -d) && trap "rm -rf $$banks" EXIT \
+	&& $(BIN)/python -m pip --disable-pip-version-check install --quiet --no-deps --no-build-isolation --target "$$banks" ./examples/banks/*/ \
+	&& PYTHONPATH="$$banks" $(BIN)/mkdocs build --quiet && echo "site/index.html"
+
 # The texts that students read, one template for each room.
 messages: $(TEST)
 	@$(BIN)/python .ci/messages.py
 
 clean:
-	rm -rf $(VENV) demo dist .pytest_cache .ruff_cache
+	rm -rf $(VENV) demo dist site .pytest_cache .ruff_cache

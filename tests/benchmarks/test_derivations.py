@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import proofs
+import pytest
 
 
+@pytest.mark.whole
 def test_derivations_of_many_students():
     tally = proofs.measure(1, share=3)
     assert set(tally.counts) == {"as written", "varied", "error planted", "without a law"}

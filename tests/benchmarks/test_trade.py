@@ -53,6 +53,7 @@ def test_references_of_cradles_are_those_of_the_other_program():
     assert tuple(known["5 1.5"]) == references.CRADLE_5_HERTZ.values
 
 
+@pytest.mark.whole
 def test_the_planned_route_agrees_with_the_reference_to_twelve_digits(raced):
     for name, each in raced.items():
         assert min(timing.error for timing in each.timings if timing.method == each.planned) < 1e-12, name

@@ -37,6 +37,7 @@ def test_a_solver_of_scipy_comes_to_the_reference(family):
     assert np.max(np.abs(found.places - problem.truth.places)) < 1e-5 * problem.long
 
 
+@pytest.mark.whole
 def test_a_trial_of_the_whole_study(tmp_path, capsys):
     main = runpy.run_path(str(COMMAND))["main"]
     assert main(["--quick", "--family", "spheres", "--family", "wall", "--output", str(tmp_path)]) == 0

@@ -20,25 +20,28 @@ NARROW = [
     {"LC_ALL": "C"},
     {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},  # nothing but ASCII, in arguments too
 ]
-# Every command that answers without a course.
+# Every command that answers without a course; those that take seconds each time are tried with the whole.
 COMMANDS = [
     ["list"],
-    ["show", "X12.7", "--solution"],
     ["show", "P12.14", "--format", "md"],
     ["key", "X12.7"],
     ["read", "8,6 Ns", "--unit", "kg m/s"],
     ["read", "1,234 N", "--unit", "N"],
     ["read", "3 µm", "--unit", "m"],
-    ["scene", "cradle"],
-    ["verify", "X12.5"],
     ["--help"],
     ["show", "ΔE=½mv²"],  # not known, and named in the sentence
+    ["schema"],
+]
+SLOW_COMMANDS = [
+    ["show", "X12.7", "--solution"],
+    ["scene", "cradle"],
+    ["verify", "X12.5"],
     ["grade", "größe.md", "--course", "/nowhere/Übung"],
     ["doctor"],
-    ["schema"],
     ["audit", str(Path(__file__).with_name("one_record.yaml"))],
     ["certify", "X12.7"],
 ]
+ALL_COMMANDS = [*COMMANDS, *(pytest.param(words, marks=pytest.mark.whole) for words in SLOW_COMMANDS)]
 
 
 def run(words: list[str], folder: Path, **settings: str) -> tuple[int, bytes, bytes]:
@@ -47,7 +50,7 @@ def run(words: list[str], folder: Path, **settings: str) -> tuple[int, bytes, by
     return done.returncode, done.stdout, done.stderr
 
 
-@pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+@pytest.mark.parametrize("words", ALL_COMMANDS, ids=" ".join)
 def test_every_command_in_every_encoding(words: list[str], tmp_path: Path):
     usual = run(words, tmp_path, PYTHONIOENCODING="utf-8")
     for settings in NARROW:

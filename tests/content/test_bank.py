@@ -3,22 +3,38 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterator
 
 import pytest
 
 from corollary.problem.bank import Bank, chapter_bank, load
 from corollary.problem.problem import Problem
+from corollary.sandbox.runner import Runner
+from corollary.verify.programs import unstarted
 from corollary.verify.verify import verify
 
 BANK: Bank = chapter_bank()
 PROBLEMS = load(BANK)
 
 
+@pytest.fixture(scope="module")
+def runner() -> Iterator[Runner]:
+    with unstarted() as one:
+        yield one
+
+
 @pytest.mark.parametrize("problem", PROBLEMS, ids=[problem.code for problem in PROBLEMS])
-def test_verifies(problem: Problem) -> None:
-    checked = verify(BANK, problem, count=40)
+def test_verifies(problem: Problem, runner: Runner) -> None:
+    checked = verify(BANK, problem, 8, runner)
     assert not checked.complaints
     assert checked.redrawn <= 0.8
+
+
+@pytest.mark.whole
+@pytest.mark.parametrize("problem", PROBLEMS, ids=[problem.code for problem in PROBLEMS])
+def test_verifies_over_many_variants(problem: Problem, runner: Runner) -> None:
+    checked = verify(BANK, problem, 100, runner)
+    assert not checked.complaints
 
 
 def test_every_file_of_the_solutions_is_used() -> None:

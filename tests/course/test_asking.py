@@ -40,6 +40,7 @@ def test_without_anybody_to_ask_nothing_moves(corrected: Path, graded: Path) -> 
     assert grade(graded, "--yes", name=corrected).points["ada"] == 2.5
 
 
+@pytest.mark.whole
 def test_what_is_handed_in_anew_is_marked_while_others_wait_for_consent(
     corrected: Path, graded: Path
 ) -> None:
@@ -60,6 +61,7 @@ def lines(course: Path) -> int:
     return len((course / ".corollary/history/one.jsonl").read_text().splitlines())
 
 
+@pytest.mark.whole
 def test_a_regrade_that_nobody_agrees_to_writes_nothing_of_anybody(corrected: Path, graded: Path) -> None:
     before = lines(graded)
     done = grade(graded, "--regrade", name=corrected)
@@ -81,6 +83,7 @@ def test_what_happened_is_said_and_nothing_else(corrected: Path, graded: Path) -
     assert (dry["graded"], dry["held"], dry["written"]) == (0, ["ada"], False)
 
 
+@pytest.mark.whole
 def test_more_time_is_agreed_to_by_whoever_gave_it(graded: Path, tmp_path: Path) -> None:
     """`extend` is consent: `grade` moves that student's marks up without asking, and asks when the time is taken back."""
     (graded / "submitted/ada/one/timestamp.txt").write_text("2099-03-03 12:00:00 UTC")
@@ -103,6 +106,7 @@ def test_more_time_is_agreed_to_by_whoever_gave_it(graded: Path, tmp_path: Path)
     assert (done.status, done.points["ada"]) == (1, 5.0), done.errors
 
 
+@pytest.mark.whole
 def test_a_broken_file_is_listed_and_costs_the_status_only_when_it_is_asked_to(graded: Path) -> None:
     (graded / "submitted/cyd/one/one.ipynb").write_text("{")
     done = grade(graded)

@@ -98,6 +98,7 @@ def test_a_part_that_is_gone_keeps_its_marks_and_one_that_is_new_is_for_newcomer
     assert rows[3].endswith("1,0,1,,2,3")
 
 
+@pytest.mark.whole
 def test_a_problem_that_is_gone_keeps_its_marks(ball: ChangingBank) -> None:
     ball.write(Text(), Text(code="X1.2", parts=("d",)))
     made = ball.generate("ada", "ben", "cyd")
@@ -112,6 +113,7 @@ def test_a_problem_that_is_gone_keeps_its_marks(ball: ChangingBank) -> None:
     }
 
 
+@pytest.mark.whole
 def test_a_part_that_was_never_marked_is_counted_for_nobody(ball: ChangingBank) -> None:
     made = ball.generate("ada", "ben", "cyd")
     ball.hand_in(made, "cyd", X1_1_c="1e9")
@@ -120,6 +122,7 @@ def test_a_part_that_was_never_marked_is_counted_for_nobody(ball: ChangingBank) 
     assert (record.points, record.out_of) == (2.0, 2.0)
 
 
+@pytest.mark.whole
 def test_numbers_that_break_a_condition_of_today_are_marked_as_before(ball: ChangingBank) -> None:
     ball.write(replace(Text(), conditions=("m > 0", "m > 100 kg")))
     from corollary.records.files import open_course
@@ -150,6 +153,7 @@ def test_who_is_shown_a_sheet_is_shown_the_one_that_was_handed_out(ball: Changin
     assert Student("ada") in students(open_course(ball.course))
 
 
+@pytest.mark.whole
 def test_points_that_a_part_is_out_of_do_not_move_unseen(ball: ChangingBank) -> None:
     """Nobody's points change, and 0 of 3 would be 0 of 6: asked about like any other mark."""
     made = ball.generate("ada", "ben")
@@ -170,6 +174,7 @@ def test_points_that_a_part_is_out_of_do_not_move_unseen(ball: ChangingBank) -> 
     assert (agreed.records["ben"].points, agreed.records["ben"].out_of) == (0.0, 6.0)
 
 
+@pytest.mark.whole
 def test_who_has_an_older_sheet_and_has_not_handed_in_has_the_points_of_that_sheet(
     ball: ChangingBank,
 ) -> None:
@@ -188,6 +193,7 @@ def test_who_has_an_older_sheet_and_has_not_handed_in_has_the_points_of_that_she
     }
 
 
+@pytest.mark.whole
 def test_nbgraders_autograde_in_a_corrected_course_gives_the_same_marks(ball: ChangingBank) -> None:
     """A part is gone, one is new, one is renamed, and all are worth more: who has which sheet is known to nbgrader, too."""
     ball.write(Text(parts=("a", "d", "b"), givens=RANGE, points=2))

@@ -1,0 +1,115 @@
+"""The site: built without a warning, every link leads somewhere, every problem has its page, and nothing is asked of another machine."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+from corollary.problem.bank import chapter_bank
+
+TOP = Path(__file__).parents[2]
+FETCHES = {
+    ("link", "href"),
+    ("script", "src"),
+    ("img", "src"),
+    ("iframe", "src"),
+    ("source", "src"),
+    ("object", "data"),
+}
+
+pytestmark = pytest.mark.whole
+
+
+class Addresses(HTMLParser):
+    """What a page leads to, what it fetches, and the places in it that can be led to."""
+
+    def __init__(self, text: str):
+        super().__init__()
+        self.leads: list[str] = []
+        self.fetched: list[str] = []
+        self.places: set[str] = set()
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            if name == "id" and value:
+                self.places.add(value)
+            if (tag, name) in FETCHES and value and ("rel", "canonical") not in attrs:
+                self.fetched.append(value)
+            if (tag, name) == ("a", "href") and value:
+                self.leads.append(value)
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Built with the banks of examples/banks installed beside, as `make site` does."""
+    folder, banks = tmp_path_factory.mktemp("site"), tmp_path_factory.mktemp("banks")
+    found = [str(path) for path in sorted((TOP / "examples" / "banks").glob("*/"))]
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--target"]
+    copies = [shutil.copytree(each, banks / "sources" / Path(each).name) for each in found]
+    subprocess.run([*pip, banks, *copies], check=True)
+    subprocess.run(
+        [Path(sys.executable).with_name("mkdocs"), "build", "--quiet", "--site-dir", folder],
+        cwd=TOP,
+        env=os.environ | {"PYTHONPATH": str(banks)},
+        check=True,
+    )
+    return folder
+
+
+@pytest.fixture(scope="module")
+def pages(site: Path) -> dict[Path, Addresses]:
+    return {path: Addresses(path.read_text(encoding="utf-8")) for path in site.rglob("*.html")}
+
+
+def test_every_problem_has_its_page(site: Path):
+    gallery = (site / "gallery.html").read_text(encoding="utf-8")
+    for problem in chapter_bank():
+        assert f"gallery/{problem.code}.html" in gallery
+        page = (site / "gallery" / f"{problem.code}.html").read_text(encoding="utf-8")
+        assert problem.title in page
+        assert "Worked solution" in page
+    assert len(list((site / "gallery").glob("*.html"))) == 40 + 69
+
+
+def test_every_link_leads_somewhere(site: Path, pages: dict[Path, Addresses]):
+    lost: list[str] = []
+    for path, page in pages.items():
+        if path.name == "404.html":
+            continue
+        for address in page.leads + page.fetched:
+            parts = urlsplit(address)
+            if parts.scheme or parts.netloc:
+                continue
+            target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
+            if target.is_dir():
+                target /= "index.html"
+            there = target.is_file() and (
+                not parts.fragment or target.suffix != ".html" or parts.fragment in pages[target].places
+            )
+            if not there and parts.fragment != "__top":
+                lost.append(f"{path.relative_to(site)}: {address}")
+    assert lost == []
+
+
+def test_nothing_is_asked_of_another_machine(site: Path, pages: dict[Path, Addresses]):
+    for path, page in pages.items():
+        for address in page.fetched:
+            assert urlsplit(address).scheme in ("", "data"), (path.name, address)
+    for style in site.rglob("*.css"):
+        addresses = re.findall(r"url\(['\"]?([^)'\"]+)", style.read_text(encoding="utf-8"))
+        assert all(urlsplit(each).scheme in ("", "data") for each in addresses), style.name
+
+
+def test_the_reference_has_the_laws(site: Path):
+    text = (site / "reference.html").read_text(encoding="utf-8")
+    for name in ("load_bank", "change_of_momentum", "restitution", "ensemble"):
+        assert name in text, name
