@@ -102,7 +102,8 @@ def _gallery() -> Iterator[tuple[str, str]]:
         for topic, problems in groupby(
             sorted(bank, key=lambda each: topics.index(each.topic)), key=lambda each: each.topic
         ):
-            text.append(f'\n### {topic.replace('_', ' ').capitalize()}\n\n<div class="grid cards" markdown>\n\n')
+            heading = topic.replace("_", " ").capitalize()
+            text.append(f'\n### {heading}\n\n<div class="grid cards" markdown>\n\n')
             for problem in problems:
                 address = f"gallery/{problem.code}.html"
                 yield address, _page(problem, solutions)
