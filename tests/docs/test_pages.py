@@ -30,7 +30,12 @@ def test_files_that_are_named_are_there(page: Path) -> None:
     for name in re.findall(r"`([\w./-]+/[\w./-]*|[\w/-]+\.py)`", page.read_text(encoding="utf-8")):
         if page.name in {"architecture.md", "contributing.md"} and not any(each in name for each in NEW):
             places = [TOP / name, PACKAGE / name, *PACKAGE.glob(f"*/{name}"), *PACKAGE.glob(f"*/*/{name}")]
-            assert any(place.exists() for place in places) or name in {"locale/", "demo/", "site/", "judging.py"}, name
+            assert any(place.exists() for place in places) or name in {
+                "locale/",
+                "demo/",
+                "site/",
+                "judging.py",
+            }, name
 
 
 def test_make_targets_that_are_named_are_there() -> None:
