@@ -54,6 +54,8 @@ def items(*each):
         (Items((items(8.6),), (1, 1)), 8.6, 2),
         (Exact(Fraction(10) ** 400), math.inf, 0),
         (Exact(-(Fraction(10) ** 400)), -math.inf, 0),
+        (Exact(Fraction(2 * 10**8)), 2e8, 2),
+        (Exact(Fraction(3 * 10**9)), 3e9, 0),
         (Real(-0.0), 0.0, 0),
     ],
 )
@@ -263,3 +265,15 @@ def test_pairs_in_texts_of_a_list_are_opened():
     assert isinstance(found, Numbers), found
     assert found.values == (1, 2, 3, 4)
     assert isinstance(read(items("1 Ns; 2 Ns", "3 Ns", "4 Ns"), four), Unclear)
+
+
+def test_headings_and_blanks_say_what_is_asked_for():
+    number = answer_type("value")
+    assert number.heading(question_of(PROBLEM, VALUE)) == "A number, in kg m/s."
+    assert (
+        number.heading(question_of(PROBLEM, replace(VALUE, unit=unit("1"))))
+        == "A plain number, without a unit."
+    )
+    blank = answer_type("proof").blank(question_of(PROBLEM, PROOF))
+    assert blank.splitlines()[1:] == ['    "",   # one equation a line, each as text: "a + b = c"', "]"]
+    assert blank.startswith(question_of(PROBLEM, PROOF).name + " = [")

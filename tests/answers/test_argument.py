@@ -71,3 +71,10 @@ def test_a_known_mistake_is_told_by_what_it_says_and_not_by_its_words():
     assert equal_to(step, wrong, (step,), GROUNDS) == 1
     (other,) = read("K = p*v/3")
     assert equal_to(other, wrong, (other,), GROUNDS) == -1
+
+
+def test_a_letter_made_of_all_that_is_known_is_a_definition():
+    """Of a line that uses every letter, pi among them, the one that stands alone and is new is the student's own."""
+    steps = steps_of([(1, "Q = pi*m*v")], ("m", "v"))
+    assert isinstance(steps, tuple)
+    assert (steps[0].defines, steps[0].undefined) == ("Q", "")

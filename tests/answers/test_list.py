@@ -10,11 +10,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from corollary.answers.answer import Blank, Numbers, Unclear
+from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
+from corollary.answers.evaluation import as_exact
 from corollary.answers.expected import Expected, Quantity
+from corollary.answers.in_any_order import judge_in_any_order
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.verdict import Right, Wrong
+from corollary.formula.syntax import author_formula
 from corollary.formula.value import Items, Nothing, Real, Text
 from corollary.problem.reader import read_problem
 from corollary.units.unit import unit
@@ -92,3 +95,19 @@ def test_the_order_says_nothing(values):
         for order in permutations(truth)
     }
     assert verdicts == {Right()}
+
+
+FORMULAS = tuple(map(author_formula, ("v*t", "g*t^2", "h", "2*h")))
+GIVEN = {name: as_exact(value) for name, value in {"v": 2.0, "t": 3.0, "g": 10.0, "h": 1.5}.items()}
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2, 3), (3, 2, 1, 0), (2, 0, 3, 1)])
+def test_four_formulas_are_right_in_any_order(order):
+    question = replace(QUESTION, components=tuple("ABCD"), unit=unit("m"))
+    wanted = Quantity(
+        (6.0, 90.0, 1.5, 3.0), 90.3, 0.01, (0.0,) * 4, lambda: GIVEN, FORMULAS, dict, list, list, list,
+    )  # fmt: skip
+    typed = Formulas(tuple(FORMULAS[place] for place in order), "")
+    assert isinstance(judge_in_any_order(typed, wanted, question), Right)
+    off = Formulas((*typed.trees[:3], author_formula("3*h")), "")
+    assert isinstance(judge_in_any_order(off, wanted, question), Wrong)

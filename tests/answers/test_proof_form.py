@@ -51,6 +51,9 @@ def test_one_form(mine: str, law: str) -> None:
         ("F/(u + v) = m", "F/(v - u) = m"),
         ("F/(u + v) = m", "F/(v + u)^2 = m"),
         ("F*t = m*v + m*v", "F*t = m*v + m*u"),
+        ("F = 0", "F*t = m*v"),
+        ("F*(u - v)^(1/2) = m", "F*(v - u)^(1/2) = m"),
+        ("F*(u - v)^(1/2) = m", "F*(v - u)^(1/2) = -m"),
     ],
 )
 def test_another_form(mine: str, law: str) -> None:

@@ -12,6 +12,7 @@ from corollary.derive.solve import solve
 from corollary.formula.ball import certified
 from corollary.formula.from_sympy import tree
 from corollary.formula.rational_pi import RationalPi
+from corollary.formula.text import text
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
@@ -84,3 +85,11 @@ def test_by_hand_is_by_hand():
     assert kick(0.43, 20, 20, 0.1)["c"] == pytest.approx([86.0])
     assert bullet(0.1, 2.0, 0.5, 0.1, 9.8)["a"] == pytest.approx([20.79], abs=0.005)
     assert wall(0.2, 8, radians(30), 0.01)["c"] == pytest.approx([0, 160.0])
+
+
+def test_differences_are_written_as_they_are_by_hand():
+    a, b, c = sympy.symbols("a b c")
+    assert text(tree(a - b)) == "a - b"
+    assert text(tree(a + b)) == "a + b"
+    assert text(tree(b - a)) in ("b - a", "-a + b")
+    assert text(tree(a - b / c)) == "a - b/c"

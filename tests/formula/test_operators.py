@@ -18,6 +18,7 @@ SIZES = {"r": 3, "F": 3, "u": 2}
         ("norm(u)", 0, "sqrt(u[0]*u[0] + u[1]*u[1])"),
         ("dot(r, F)", 0, "r[0]*F[0] + r[1]*F[1] + r[2]*F[2]"),
         ("cross(r, F)", 0, "r[1]*F[2] - r[2]*F[1]"),
+        ("cross(r, F)", 1, "r[2]*F[0] - r[0]*F[2]"),
         ("cross(r, F)", 2, "r[0]*F[1] - r[1]*F[0]"),
     ],
 )
@@ -56,3 +57,8 @@ def test_what_stands_above_and_below_a_line_is_derived_where_it_is_no_letter_of_
 def test_as_often_above_as_below(formula):
     with pytest.raises(ValueError, match="as often above the line as below it"):
         read_operators(author_formula(formula, operators=True), LETTERS, frozenset())
+
+
+def test_only_what_binds_less_than_the_sign_stands_in_brackets():
+    assert latex(author_formula("dot(r, F)", operators=True)) == r"r \cdot F"
+    assert latex(author_formula("cross(r, F + u)", operators=True)) == r"r \times \left(F + u\right)"

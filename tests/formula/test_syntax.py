@@ -362,3 +362,11 @@ def test_a_formula_may_have_as_many_signs_as_the_refusal_says():
     assert signs.index(told) == (most + 1) // 2  # count additions are 2 count + 1 signs
     assert isinstance(parse("-x" + "+x" * ((most - 2) // 2), ["x"]), Expr)
     assert isinstance(parse("-x" + "+x" * (most // 2), ["x"]), ParseError)
+
+
+def test_brackets_may_lie_in_each_other_as_deep_as_the_refusal_says():
+    nested = [parse("(" * depth + "x" + ")" * depth, ["x"]) for depth in range(1, 80)]
+    told = next(each for each in nested if isinstance(each, ParseError))
+    most = int(re.search(r"nested more than (\d+) deep", told.why)[1])
+    assert nested.index(told) + 1 in (most - 1, most, most + 1)  # the letter within is one more
+    assert all(isinstance(each, ParseError) for each in nested[most + 1 :])

@@ -10,6 +10,7 @@ from corollary.grading.from_json import from_json
 from corollary.grading.grade import Grade, Marked
 from corollary.grading.judge import judge
 from corollary.grading.points import grade
+from corollary.messages import language
 from corollary.problem.roster import Student
 
 
@@ -47,3 +48,19 @@ def test_earlier_marks_stand_behind_those_of_today(stone):
     assert [each.part.id for each in both.parts] == ["d", "i"]
     assert both.points == 2.0
     assert [each.points for each in marked().joined((before,)).grades] == [1.0]
+
+
+def advised(key, answers: dict[str, object], code: str = "T1") -> str:
+    made = key(code)
+    found = grade(made, judge(made, {part: from_json(answer) for part, answer in answers.items()}))
+    return " ".join(found[part].feedback for part in answers)
+
+
+def test_a_law_without_a_source_is_named_and_a_given_by_its_meaning(key):
+    said = advised(key, {"i": "3.333 N"})
+    assert "Weight" in said
+    assert "the mass of the stone" in said
+    with language("de"):
+        other = advised(key, {"i": "3.333 N"})
+    assert "mass of the stone" in other
+    assert "the mass of the stone" not in other

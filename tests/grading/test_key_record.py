@@ -31,3 +31,8 @@ def test_a_quantity_has_its_value_unit_formula_and_exact_number():
     kick = parts("X12.5")["a"]
     assert (kick["value"], kick["unit"], kick["expression"], kick["exact"]) == (8.6, "kg*m/s", "m*v", "43/5")
     assert kick["certified"]
+
+
+def test_a_choice_has_its_letter_and_a_part_without_a_value_says_why(solution):
+    record = key_record(solution("T1"), chapter(solution("T1").problem))
+    assert record["parts"]["d"] == {"choice": "b"}

@@ -110,3 +110,14 @@ def test_what_a_person_compares_with_stands_there():
         assert words in parts[name].answer
         assert parts[name].truth is None
         assert parts[name].accepted is None
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_how_far_an_answer_may_be_off_is_rounded_to_the_inside_at_the_same_place(code: str):
+    _key, parts = of(code)
+    for each in parts.values():
+        if each.truth is not None and (found := each.accepted) is not None:
+            allowed = Fraction(each.truth.tolerance * each.truth.scale / each.part.unit.si)
+            step = Fraction(10) ** found.place
+            assert allowed - step * (1 + Fraction(1, 10**6)) < found.reach <= allowed
+            assert found.reach % step == 0

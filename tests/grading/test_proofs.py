@@ -228,3 +228,13 @@ def test_words_and_bullets_around_equations(verdict, lines):
 @pytest.mark.parametrize("lines", [("F = v0^9999",), ("F = " + "1+" * 500_000 + "1",), (NEWTON,) * 200])
 def test_what_is_too_long_is_turned_away(verdict, lines):
     assert isinstance(verdict("X12.13", *lines), Unread)
+
+
+def test_who_reads_what_was_left_open_is_told_what_to_look_for(verdict):
+    found = verdict("X12.13", MASS, RATE, "F/2 = (m/(2*L))*(v0^2+g*y)", TARGET)
+    assert isinstance(found, Unmarked)
+    *laws, way = found.rubric
+    assert len(laws) == 3
+    assert all(law.startswith("states or uses rightly: ") for law in laws)
+    assert way.startswith("arrives at F = ")
+    assert way.endswith("without a gap")

@@ -8,6 +8,7 @@ import pytest
 from corollary.derive.statements import Fault
 from corollary.grading.programs.convergence import Called
 from corollary.grading.programs.curves import DrawnCurve, Graph, covers
+from corollary.grading.programs.floor_figure import judge_bounce_plot
 from corollary.grading.programs.orbit_figure import judge_orbit_plot
 from corollary.grading.programs.row_figure import judge_velocity_plot
 from corollary.sandbox.result import Axes, DrawnLine
@@ -105,3 +106,11 @@ def test_a_steep_contact_runs_until_the_balls_have_parted():
     assert said((t, a), (t, b), called=called) == ""
     cut = a > 0.5 * v0
     assert "parted" in said((t[cut], a[cut]), (t[cut], b[cut]), called=called)
+
+
+def test_what_is_missing_is_called_by_what_it_shows():
+    """Without labels it is the labels of the force that are asked for first, then those of the momentum."""
+    given = {"m": 0.1, "k": 1e6, "R": 0.02, "y0": 0.021, "v0": -2.8, "g": 9.8}
+    none = judge_bounce_plot(given, [])
+    assert isinstance(none, Fault)
+    assert none.sentence.startswith("No axes were found that show the net force against time.")
