@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from corollary.answers.verdict import Follows, Right
+from corollary.answers.verdict import Follows, Right, Unmarked
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
@@ -39,6 +39,18 @@ def test_an_honest_answer_is_right(key, question: dict[str, Any]):
 @pytest.mark.parametrize("question", list(groups("wrong")))
 def test_a_wrong_answer_is_not(key, question: dict[str, Any]):
     assert not [each for each in verdicts(key, question) if isinstance(each[1], Right | Follows)]
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "answer"),
+    [
+        ("X12.10", "b", "20.58 J (heat)"),
+        ("X12.6", "a", "100 kN gegen die Fahrtrichtung"),
+        ("T12.3", "c", "3465 N (as far as we can tell)"),
+    ],
+)
+def test_words_that_may_be_a_sign_are_read_by_a_person(key, code: str, part: str, answer: str):
+    assert isinstance(judge(key(code), {part: from_json(answer)})[part][0][0], Unmarked)
 
 
 def test_there_are_many_of_both():

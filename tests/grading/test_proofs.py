@@ -218,6 +218,8 @@ def test_a_letter_that_nothing_defines_is_for_a_person(verdict):
             TARGET,
             "q.e.d.",
         ),
+        (NEWTON, MASS, RATE, TARGET + ", q.e.d."),
+        (NEWTON, MASS, RATE, TARGET + " ∎"),
         ("F = R*v0 + mu*g since F - mu*g = R*v0", MASS + " # even", RATE + ", see [12.3]", TARGET),
     ],
 )

@@ -32,6 +32,7 @@ BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
 MARKS = (r"\s*[;|]\s*", r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*", r",", r"(?<=[0-9])\s+(?=[+\-]?[0-9])")
 LED = re.compile(r"\s*[=≈~]\s*|\s*(?:[Δ∆]\s*)?[^\W\d][^\s=≈~()\[\],;:+*/-]{0,7}\s*[=≈~]\s*(?=[(\[<{⟨])")
 LEFT = re.compile(r"\s*[(\[<{]([^()\[\]<>{}=≈]*)[)\]>}]\s*[=≈]\s*(?=[(\[<{⟨])")
+OF = r"(?:for|in|along|of|für|entlang|langs|i)\s+(?:the |ball |block |body )*"
 COMPONENT = r"(?:[- ](?:component|direction|axis|part|coordinate))?"
 NAMED = re.compile(r"\s*(?P<name>[^\W\d][^\s=:]{0,11})\s*[=:≈]")
 POLAR = re.compile(r"\s+at(?: an angle of)?\s+|\s*∠\s*", re.IGNORECASE)
@@ -109,7 +110,13 @@ def _labelled(piece: str, names: Sequence[str]) -> str:
     )
     if before:
         return f"{before['name']} = {piece[before.end() :]}"
-    behind = re.search(rf"\s*\(\s*{name}\s*\)\s*$", piece, re.IGNORECASE)
+    long = "|".join(re.escape(each) for each in names if len(each) > 2) or "(?!)"
+    ways = (
+        rf"\s*\(\s*(?:{OF})?{name}\s*\)\s*$",
+        rf"\s+{OF}{name}\s*$",
+        rf"(?<=[^\W\d])\s+(?P<name>{long})\s*$",
+    )
+    behind = next(filter(None, (re.search(way, piece, re.IGNORECASE) for way in ways)), None)
     return f"{behind['name']} = {piece[: behind.start()]}" if behind else piece
 
 

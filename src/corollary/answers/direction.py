@@ -6,9 +6,10 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from corollary.answers.answer import Answer, Formulas, Numbers, Unclear
+from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
 from corollary.answers.question import Question
+from corollary.answers.remark import remark_in
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
@@ -27,22 +28,28 @@ AXES = re.compile(
 )
 # x points to the right and y up, as in every figure of the chapter.
 USUAL = frozenset({"right", "up", "upward", "upwards"})
-ALONG_X: str = "left leftward leftwards links gauche right rightward rightwards rechts droite"
-ALONG_Y: str = "up upward upwards oben haut down downward downwards unten bas"
+ALONG_X: str = "left leftward leftwards links gauche venstre right rightward rightwards rechts droite høyre"
+ALONG_Y: str = (
+    "up upward upwards oben aufwärts haut opp oppover down downward downwards unten abwärts bas ned nedover"
+)
 AXIS_OF: dict[str, str] = {
     word: axis for axis, words in (("x", ALONG_X), ("y", ALONG_Y)) for word in words.split()
 }
 # To the right, up and forwards are positive in every figure of the chapter; where they are not, a person decides.
 POSITIVE: str = (
-    "right rightward rightwards rechts droite up upward upwards oben haut forward forwards positive"
+    "right rightward rightwards rechts droite høyre up upward upwards oben aufwärts haut opp oppover "
+    "forward forwards vorn vorne vorwärts framover fremover positive"
 )
-NEGATIVE: str = "left leftward leftwards links gauche down downward downwards unten bas backward backwards back negative opposite"
+NEGATIVE: str = (
+    "left leftward leftwards links gauche venstre down downward downwards unten abwärts bas ned nedover "
+    "backward backwards back hinten rückwärts bakover negative opposite"
+)
 SIGNS: dict[str, int] = {
     word: sign for sign, words in ((1, POSITIVE), (-1, NEGATIVE)) for word in words.split()
 }
 ALONG = re.compile(
     r"[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?(?:(?:and )?(?:is )?(?:pointing|directed|moving|moves|going|goes|acting|acts|pushing|straight) )?"
-    rf"(?:(?:(?:in|along|to|towards|nach|vers) )?(?:the |la |le )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?: (?P<axis>[xyz]))?"
+    rf"(?:(?:(?:in|along|to|towards|nach|vers|mot|til) )?(?:the |la |le )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?: (?P<axis>[xyz]))?"
     r"|(?:in|along) (?:the )?(?P<sign>[+−–-])(?P<of>[xyz]))(?:[ -](?:axis|direction))?\)?\.?\s*$",
     re.IGNORECASE,
 )
@@ -100,9 +107,31 @@ def with_direction(
         return _signed(read(Text(gain.text)), gain.sign, gain.word)
     found = direction_of(value.text, directed(question), component)
     if found is None:
-        return read(value)
+        answer = read(value)
+        return _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
     answer = read(Text(found.text))
     return _either(answer, found.words) if found.sign is None else _signed(answer, found.sign, found.words)
+
+
+def _remarked(
+    text: str, unread: Answer, question: Question, read: Callable[[Value], Answer], component: str
+) -> Answer:
+    """What cannot be read with the words behind it, without them: as it is where they say nothing of it, else for a person."""
+    remark = remark_in(text)
+    if remark is None:
+        return unread
+    answer = with_direction(Text(remark.text), question, read, component)
+    if _is_unread(answer) or isinstance(answer, Blank):
+        return unread
+    if remark.harmless or not isinstance(answer, Numbers):
+        return answer
+    if answer.in_words:  # `85.3 J lost by the block and gained by the bullet`
+        return unread
+    return _either(answer, remark.words) if answer.values[0] > 0 else answer
+
+
+def _is_unread(answer: Answer) -> bool:
+    return isinstance(answer, Unclear) and not answer.readings
 
 
 def axis_named(text: str) -> str:

@@ -9,9 +9,9 @@ from corollary.answers.question import Question
 
 LOSSES = (
     "losses loss lose loses lost losing decreases decreased decrease drops dropped drop reduced reduction dissipated "
-    "verlust verloren less"
+    "verlust verliert verlieren verloren abnahme tap taper tapt mister mistet less"
 )
-GAINS = "gains gained gain increases increased increase gewinn more"
+GAINS = "gains gained gain increases increased increase gewinn zunahme økning more"
 WORDS = "|".join(f"{LOSSES} {GAINS}".split())
 WHAT = r"(?:in |of )?(?:the |its |their )?(?:total |kinetic |mechanical |internal )*(?:energy|momentum|speed|velocity|K)"
 BEFORE = re.compile(
@@ -25,13 +25,13 @@ VERB = re.compile(
 )
 OF_ENERGY = re.compile(rf"\s+(?:of|in)\s+{WHAT}\s*$", re.IGNORECASE)
 BEHIND = re.compile(
-    rf"(?<=[A-Za-z0-9²)%])[\s,;(]+(?:(?:{WHAT}|is|are|was|were|has|have|been|got|a)\s+)*"
+    rf"(?<=[A-Za-z0-9²)%])[\s,;(]+(?:(?:{WHAT}|is|are|was|were|has|have|been|got|a|geht|gehen|ging|gingen|går|gikk|er)\s+)*"
     rf"(?P<word>{WORDS})(?:\s+(?:{WHAT}|(?:to|as|into) (?:heat|friction|sound)))?\)?\.?\s*$",
     re.IGNORECASE,
 )
 # The loss itself is asked for: then what is lost is positive.
 ASKED_AS_LOSS = re.compile(
-    r"\b(?:lost|loss|losses|loses|dissipated|given (?:away|off)|verlust|verloren)\b", re.IGNORECASE
+    r"\b(?:lost|loss|losses|loses|dissipated|given (?:away|off)|verlust|verloren|tap|tapt)\b", re.IGNORECASE
 )
 
 

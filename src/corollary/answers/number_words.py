@@ -31,7 +31,7 @@ RATIOS = {
     "half": "1/2", "halved": "1/2", "third": "1/3",
     "quarter": "1/4", "fourth": "1/4",
     "tenth": "1/10", "fifth": "1/5", "equal": "1",
-    "doppelt": "2", "zweimal": "2", "dreimal": "3", "halb": "1/2", "hälfte": "1/2", "le double": "2", "la moitié": "1/2",
+    "doppelt": "2", "doppelte": "2", "zweimal": "2", "dreimal": "3", "halb": "1/2", "hälfte": "1/2", "le double": "2", "la moitié": "1/2",
     "dobbelt": "2", "dubbelt": "2", "halvparten": "1/2", "hälften": "1/2",
 }  # fmt: skip
 DIGITS = r"[0-9]+(?:[.,][0-9]+)?"
@@ -41,15 +41,20 @@ RATIO = re.compile(
     re.IGNORECASE,
 )
 FACTOR = re.compile(
-    rf"\s*{ABOUT}(?:(?:factor|ratio)\s*(?:of|is|=|:)?|[x*])\s*({DIGITS}(?:/{DIGITS})?)\s*", re.IGNORECASE
+    rf"\s*{ABOUT}(?:(?:fa[ck]tor|ratio)\s*(?:of|is|=|:)?|[x*])\s*({DIGITS}(?:/{DIGITS})?)\s*", re.IGNORECASE
 )
 LARGE = r"(?:as\s+)?(?:much|large|big|great|high|fast|strong|heavy|long|many|larger|bigger|greater|higher|faster|more)"
-BESIDE = rf"(?:\s+{LARGE}(?:\s+(?:as|than|for)\b[^0-9]{{0,60}})?|\s+(?:of|that of)\b[^0-9]{{0,60}}|\s+(?:the|that|its|so)\b[^0-9]{{0,60}})?"
+BESIDE = rf"(?:\s+{LARGE}(?:\s+(?:as|than|for)\b[^0-9]{{0,60}})?|\s+(?:of|that of)\b[^0-9]{{0,60}}|\s+(?:the|that|its|so|så)\b[^0-9]{{0,60}})?"
 TIMES = re.compile(
     rf"\s*{ABOUT}({DIGITS}(?:/{DIGITS})?)\s*(?:x|\*|times|-?fold|mal|fois|ganger)(?:{BESIDE})\s*",
     re.IGNORECASE,
 )
-NUMBER_TIMES = re.compile(rf"\s*{ABOUT}({'|'.join(NUMBERS)})\s+(?:times|fold){BESIDE}\s*", re.IGNORECASE)
+NUMBER_TIMES = re.compile(
+    rf"\s*{ABOUT}({'|'.join(NUMBERS)})(?:\s+times|[\s-]?fold){BESIDE}\s*", re.IGNORECASE
+)
+FACTOR_IN_WORDS = re.compile(
+    rf"\s*{ABOUT}(?:factor|faktor)\s*(?:of|von|på)?\s*({'|'.join(NUMBERS)})\s*", re.IGNORECASE
+)
 WORD = re.compile(rf"\s*{ABOUT}({'|'.join(sorted(RATIOS, key=len, reverse=True))}){BESIDE}\s*", re.IGNORECASE)
 REST = re.compile(
     r"(?:\b(?:is|stays|remains|comes to|comes)\s+)?\b(?:at rest|to rest|stationary)\b", re.IGNORECASE
@@ -80,7 +85,7 @@ def in_digits(normalized: str, *, pure: bool) -> str:
             return found[1]
         if found := FRACTION.fullmatch(text):
             return f"{NUMBERS[found[1].lower()]}/{BELOW[found[2].lower()]}"
-        if found := NUMBER_TIMES.fullmatch(text):
+        if found := NUMBER_TIMES.fullmatch(text) or FACTOR_IN_WORDS.fullmatch(text):
             return str(NUMBERS[found[1].lower()])
         if found := WORD.fullmatch(text):
             return RATIOS[re.sub(r"\s+", " ", found[1].lower())]

@@ -33,6 +33,9 @@ _ = catalogue(__name__)
 PLACEHOLDERS = {"", "...", "…", "?", "None"}
 # A text with an operator that does not begin with digits was meant as a formula; then the formula's trouble is told.
 FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
+INVERSE = re.compile(
+    r"\\?(?P<of>sin|cos|tan|cot)\s*(?:\^\s*(?:-\s*1|[({]\s*-\s*1\s*[)}])|\*\*\s*\(-1\)|⁻¹)(?=\s*(?:\\left\s*)?[({\[])"
+)
 AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
 
 
@@ -82,6 +85,8 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
     if text.strip() in PLACEHOLDERS:
         return Blank()
     unit = question.unit
+    if unit.text in ("rad", "deg"):  # where an angle is asked for, `cos^-1(…)` is one
+        text = INVERSE.sub(r"arc\g<of>", text)
     found = read_quantity(text, unit)
     if isinstance(found, Reading) and found.fit != "wrong dimension":
         return from_reading(found, unit)

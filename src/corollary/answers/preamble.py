@@ -15,8 +15,14 @@ TALK = (
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
 NAME = r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d][^\s=≈~+*/^();,:]{0,15}|\|[^\W\d][^\s|=]{0,8}\|"
+COUNTED = re.compile(
+    r"(?:(?:an? |in |on )(?:average|mean|total|maximum|sum)(?: (?:of|is))?"
+    r"|im (?:Mittel|Durchschnitt)|i (?:snitt|gjennomsnitt)|insgesamt|totalt)\s+(?=[-+]?[0-9.,])",
+    re.IGNORECASE,
+)
 LEADING = (
     LABEL,
+    COUNTED,
     re.compile(r"I (?:get|got|find|found|have) ", re.IGNORECASE),
     re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(])\s*", re.IGNORECASE),
     re.compile(rf"(?:{NAME})\s*(?:[=≈](?!=)|[:~](?=\s*[-+0-9.,√(]))\s*"),

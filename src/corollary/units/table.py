@@ -116,6 +116,10 @@ yr      | s                  | 31557600          |               | year jahr
 ha      | m^2                | 10000             |               | hectare
 au      | m                  | 149597870700      |               |
 ly      | m                  | 9460730472580800  |               |
+inch inches | m              | 0.0254            |               |
+ft feet | m                  | 0.3048            |               | foot
+mi      | m                  | 1609.344          |               | mile
+lb lbs  | kg                 | 0.45359237        |               | pound
 sr      |                    | 1                 |               | steradian
 arcmin  |                    | pi/10800          |               |
 arcsec  |                    | pi/648000         |               |

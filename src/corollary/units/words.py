@@ -6,9 +6,16 @@ import re
 
 from corollary.units.dimension import DIFFERENCE
 
-SPEEDS = {"kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s"}
+SPEEDS = {
+    "kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s", "mph": "mi/h",
+    "km/t": "km/h", "Stundenkilometer": "km/h",  # in Norwegian an hour is a time
+}  # fmt: skip
 SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
 PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")
+COMPOUND = re.compile(  # in German and Norwegian written as one word
+    r"(?<![A-Za-z])((?:kilo)?(?:newton|watt|joule))(?=(?:sekund|meter|stund|timer?)[a-z]{0,2}(?![a-z]))",
+    re.IGNORECASE,
+)
 JOINED = re.compile(
     r"(?<=[A-Za-z])-(?=[A-Za-z])|(?<=[A-Za-z0-9⁰¹²³⁴-⁹)])\.(?=\s?[A-Za-z(])"
 )  # `N-s`, `kg.m/s`
@@ -26,6 +33,7 @@ def in_signs(text: str) -> str:
     if whole := ALL.fullmatch(text):
         text = whole[1] or whole[2] or ""
     text = SPEED.sub(lambda found: SPEEDS[found[0]], text)
+    text = COMPOUND.sub(r"\1 ", text)
     text = JOINED.sub("*", PER.sub(lambda found: "/".ljust(len(found[0])), text))
     for _ in range(3):
         text = GROUP.sub(_opened, text)

@@ -25,7 +25,10 @@ NUMBERED = re.compile(  # the number of an equation behind it
 )
 ARROWS = re.compile(r"=>|⇒|⟹|→|⟶|<=>|⇔|\\Rightarrow|\\implies|\\iff")
 EQUALS = re.compile(r":=|===?|≡|≝|≔")
-REMARK = re.compile(r"(?:\s#|//|\s--\s|\s–\s).*$")
+REMARK = re.compile(
+    r"(?:\s#|//|\s--\s|\s–\s).*$|[\s,;]+\(?(?:q\.?\s?e\.?\s?d|w\.?\s?z\.?\s?b\.?\s?w)\b[.)\s]*$|\s*[□∎■]\s*$",
+    re.IGNORECASE,
+)
 BETWEEN = re.compile(
     r"\s*;\s*|,?\s+(?:and|so|so that|hence|thus|therefore|where|with|then|using|because|since|as|if|for|by|from|"
     r"und|also|daher|mit|wobei|weil|da|"

@@ -1,0 +1,58 @@
+"""What stands in words behind a quantity and is none of it: `86 N on average`, `20.8 m/s (speed of the bullet)`."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+WORDS = r"[^0-9=<>≤≥]"
+LEADS = (
+    "on in at when while just right before after including incl excluding without with because since due for from by which that and so as "
+    "above over below im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"
+)
+REMARK = re.compile(
+    rf"(?<=[^\W_]|[²³)°%½])(?:\s*\((?P<bracketed>(?!or\b){WORDS}{{3,80}})\)|\s*[,;]\s*(?P<apart>(?!or\b)[A-Za-z]{WORDS}{{2,80}})"
+    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt))\.?\s*$",
+    re.IGNORECASE,
+)
+# Words that change neither the number nor its sign. Whatever else is said, a person reads.
+NEUTRAL: str = (
+    "a an the this that it its he she his her my of on in at by with from for to as is was are and we i.e so e.g "
+    "average mean magnitude total altogether size value force speed velocity momentum impulse energy kinetic weight gravity mass "
+    "height time including incl included without excluding just right shortly immediately before after during while when where "
+    "collision impact hit hits hitting reaching reaches ground floor landing lands contact kick jump "
+    "bullet ball block car book wall body object person sphere rocket chain atom "
+    "twice double half much large same answer part result approximately rounded si unit units "
+    "above over axis x horizontal counterclockwise counter-clockwise anticlockwise measured relative "
+    "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
+    "kugel klotz "
+    "i snitt gjennomsnitt totalt med uten vekt før etter støtet rett ballen kula kloss"
+)
+HARMLESS = frozenset(NEUTRAL.split())
+DENIED = re.compile(r"\b(?:not|no|never|none|nicht|kein|keine|ikke|or|oder|eller)\b|n['’]t\b", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class WordsBehind:
+    """A text without the words behind it, the words, and whether they can change nothing."""
+
+    text: str
+    words: str
+    harmless: bool
+
+
+def remark_in(text: str) -> WordsBehind | None:
+    """The remark behind a quantity in a text of bounded length, if there is one."""
+    found = REMARK.search(text)
+    if found is None:
+        return None
+    words = (found["bracketed"] or found["apart"] or found["led"]).strip(" .")
+    return None if DENIED.search(words) else WordsBehind(text[: found.start()], words, _are_harmless(words))
+
+
+def _are_harmless(words: str) -> bool:
+    """A capital alone is a body's name, and may be another one's."""
+    each = [word.strip(".()'’") for word in re.split(r"[\s,;:/]+", words)]
+    return all(
+        not word or (word.lower() in HARMLESS and word != "A") or re.fullmatch("[a-h]", word) for word in each
+    )
