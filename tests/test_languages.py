@@ -17,10 +17,10 @@ from corollary.answers.quantity import Reading, read_quantity
 from corollary.answers.verdict import word
 from corollary.formula.numerals import decimal_text
 from corollary.grading.advice import advice
-from corollary.grading.feedback import sentence
 from corollary.grading.from_json import from_json
 from corollary.grading.judge import judge
 from corollary.grading.solutions import Solutions
+from corollary.grading.verdict_text import sentence
 from corollary.messages import WITH_COMMA, in_convention, language, languages
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import worksheet

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Wrong
-from corollary.grading.feedback import sentence
+from corollary.grading.verdict_text import sentence
 
 
 def test_a_mistake_is_told_alone_or_with_what_was_carried_along():

@@ -9,11 +9,11 @@ import pytest
 
 from corollary.answers.verdict import Mistaken, Right, Unread, Wrong
 from corollary.formula.value import Items, Nothing, Real
-from corollary.grading.feedback import sentence
 from corollary.grading.program_run import ProgramRun
 from corollary.grading.programs.floor import ARGUMENTS, reference
 from corollary.grading.programs.judge import asks, judge_code
 from corollary.grading.solutions import Solutions
+from corollary.grading.verdict_text import sentence
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
 from corollary.sandbox.result import CallResult

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from corollary.answers.question import Question
 from corollary.answers.verdict import Verdict
 from corollary.formula.ast import Expr, Relation
-from corollary.formula.ball import RationalPi
+
+if TYPE_CHECKING:  # numbers are judged in a browser, too, where there is no ball arithmetic
+    from corollary.formula.ball import RationalPi
 
 Values = tuple[float, ...]
-Point = Mapping[str, RationalPi]
+Point = Mapping[str, "RationalPi"]
 """A value for every letter, in SI."""
 
 

@@ -267,6 +267,8 @@ command(
         help="Without either: so many sheets with distinct numbers; of questions, so many of each problem.",
     ),
     flag("--apart", "moodle, qti: each part a question of its own, with numbers of its own."),
+    several("--except", "left_out", "site: leave out the problems of this set", SETS),
+    path("--pyodide", text="site: the unpacked npm package pyodide; it is fetched when left out."),
     SOLUTION,
     *PRINTED_AND_MARKED,
     path("--ids", text="feedback-zip: what Moodle or Canvas knows the students by, as for release."),

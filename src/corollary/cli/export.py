@@ -55,8 +55,18 @@ def run(
     formula_sheet: bool = False,
     large_print: bool = False,
     apart: bool = False,
+    left_out: Sequence[str] = (),
+    pyodide: Path | None = None,
 ) -> int:
     chosen, sets = target(to), list(dict.fromkeys(sets))
+    if chosen.site:
+        if course is not None or roster is not None or forms is not None:
+            refuse(f"{to} is for everybody; say how many variants of each problem with --variants")
+        from corollary.cli.export_site import run as export_site  # here, since it brings the scenes
+
+        return export_site(sets, bank, left_out, pyodide, variants, as_json)
+    if left_out or pyodide:
+        refuse(f"--except and --pyodide are for a site; leave them out for {to}")
     if chosen.items is not None:
         if given := _of_marks(columns, decimals, out_of, blank, headings, template):
             refuse(f"{given} is for marks, and {to} holds none; leave it out")

@@ -37,14 +37,14 @@ def run(
 ) -> int:
     opened = open_bank(bank)
     try:
-        found = practice(opened, wanted, _left_out(opened, left_out))
+        found = practice(opened, wanted, not_to_be_practised(opened, left_out))
     except LookupError as error:
         refuse(str(error))
     serve(_server(found, port), "ctrl-C ends it, and your browser keeps what you did", no_browser)
     return HOLDS
 
 
-def _left_out(bank: Bank, names: tuple[str, ...]) -> set[str]:
+def not_to_be_practised(bank: Bank, names: tuple[str, ...]) -> set[str]:
     """The problems of the sets named, and of those that are not due yet: who practises on these has the answers."""
     now = datetime.now(UTC)
     sets = [find_set(bank, name) for name in names]

@@ -8,9 +8,10 @@ from typing import assert_never
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
 from corollary.grading.advice import advice
-from corollary.grading.feedback import revealed, sentence
+from corollary.grading.feedback import revealed
 from corollary.grading.grade import Grade, PartGrade
 from corollary.grading.key import Key
+from corollary.grading.verdict_text import sentence
 from corollary.problem.problem_set import Scheme
 
 USUAL = Scheme()

@@ -21,8 +21,9 @@ class NotCarried(ValueError):
 
 
 @cache
-def modules(types: tuple[str, ...]) -> Mapping[str, str]:
-    """The text of everything that `check` needs for these answer types, by module, in the order of the imports.
+def modules(types: tuple[str, ...], besides: tuple[str, ...] = ()) -> Mapping[str, str]:
+    """The text of everything that `check` needs for these answer types, by module, in the order of the imports; and what the
+    modules `besides` need.
 
     Packages on the way are carried with their first sentence only. Raises NotCarried for a module that needs more than
     Python's standard library.
@@ -31,6 +32,8 @@ def modules(types: tuple[str, ...]) -> Mapping[str, str]:
     _follow(CHECK, "check", found)
     for name in types:
         _follow(f"{folder(name)}.reading", f"the answer type {name}", found)
+    for name in besides:
+        _follow(name, name, found)
     return found
 
 

@@ -30,7 +30,7 @@ FOR_EXERCISES = (
     "ipynb",
     "pdf",
 )  # known without loading them: help must not take a second
-OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip", "moodle", "qti")
+OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip", "moodle", "qti", "site")
 
 
 class UnknownTarget(LookupError):
@@ -74,7 +74,8 @@ class Target:
     sheets of a set at once, as files by name; `marks` a table of marks, for everybody on the roster, which has every column of a
     set when `every_column`; `feedback` an archive of what goes back to students, from files by their names in it; `paper` is the
     print run of sheets that are marked by hand, with their marking schemes; `items` an LMS's
-    questions, from a name for the file, the variants of each problem one after the other, and whether each part is one question.
+    questions, from a name for the file, the variants of each problem one after the other, and whether each part is one question; `site` is a folder
+    of pages about a bank, which have no sheets.
     """
 
     ending: str
@@ -86,6 +87,7 @@ class Target:
     feedback: Callable[[Mapping[str, bytes]], bytes] | None = None
     paper: type[PrintRun] | None = None
     items: Callable[[str, Sequence[LmsItem], bool], ItemFiles] | None = None
+    site: bool = False
 
 
 def target(name: str) -> Target:

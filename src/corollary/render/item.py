@@ -15,10 +15,10 @@ from corollary.answers.judge_numbers import may_be_guessed
 from corollary.answers.tolerance import same_signs
 from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
 from corollary.grading.expected import expected_of
-from corollary.grading.feedback import sentence
 from corollary.grading.key import Key
 from corollary.grading.points import share
 from corollary.grading.solutions import Solutions
+from corollary.grading.verdict_text import sentence
 from corollary.notebook.worksheet import Exercise, Prompt, exercise
 from corollary.problem.part import Option
 from corollary.problem.problem_set import Scheme

@@ -27,12 +27,14 @@ def page(
     lang: str = "en",
     script: str | tuple[str, ...] = (),
     sends: bool = False,
+    loads: bool = False,
     **facts: object,
 ) -> str:
     """The page a template of `templates/` makes of the facts; what is no Markup among them is escaped.
 
     `script` names a file of `templates/`, or several. Nothing else runs, and nothing is fetched: the page's own policy forbids both,
-    but that a page which `sends` may answer the server that it came from.
+    but that a page which `sends` may answer the server that it came from, and one that `loads` may run the files beside it and
+    Python in WebAssembly.
     """
     body = environment().get_template(template).render(**facts)
     style = _style("<math" in body)
@@ -44,7 +46,7 @@ def page(
             title=title,
             lang=lang,
             body=Markup(body),
-            policy=_policy(style, program) + ("; connect-src 'self'" if sends else ""),
+            policy=_policy(style, program, loads) + ("; connect-src 'self'" if sends else ""),
             style=Markup(style),
             script=Markup(program),
         )
@@ -61,9 +63,11 @@ def _style(formulas: bool) -> str:
 
 
 @lru_cache(maxsize=4)
-def _policy(style: str, script: str) -> str:
+def _policy(style: str, script: str, loads: bool) -> str:
     """What the browser may do: apply this style, run this script, show pictures that stand in the page."""
     allowed = _fingerprint(script) if script else "'none'"
+    if loads:
+        allowed += " 'self' file: 'wasm-unsafe-eval'"
     return (
         f"default-src 'none'; style-src {_fingerprint(style)}; style-src-attr 'unsafe-inline'; script-src {allowed}; "
         "img-src data:; font-src data:; base-uri 'none'; form-action 'none'"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
 from corollary.answers.registry import answer_type
+from corollary.answers.verdict import Unmarked, Verdict
 from corollary.grading.grade import PartGrade
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Exercise, Prompt
@@ -35,8 +36,11 @@ class Field:
         return self.prompt.part.id
 
 
-def practice_page(practice: Practice) -> str:
-    """The frame: every problem by topic, and what the script says, in the reader's language."""
+def practice_page(practice: Practice, verdicts: Mapping[str, str] | None = None) -> str:
+    """The frame: every problem by topic, and what the script says, in the reader's language.
+
+    With the pieces of `verdicts` by their words it is a page of its own, answered from files beside it; else by a server.
+    """
     titled = [in_language(each) for each in practice.problems]
     topics = [
         (topic.replace("_", " "), list(problems))
@@ -48,10 +52,12 @@ def practice_page(practice: Practice) -> str:
         "practise.html",
         title=_("Practise"),
         lang=spoken(),
-        script=("animation.js", "practise.js"),
-        sends=True,
+        script=("animation.js", "ask_server.js" if verdicts is None else "ask_files.js", "practise.js"),
+        sends=verdicts is None,
+        loads=verdicts is not None,
         topics=topics,
         words=_words(),
+        verdicts=verdicts or {},
     )
 
 
@@ -78,6 +84,13 @@ def verdict_piece(grade: PartGrade) -> str:
         phrase=_("Compare it with the worked solution below") if by_person else seen.phrase,
         feedback="" if by_person else grade.feedback,
     )
+
+
+def verdict_look(verdict: Verdict | None) -> str:
+    """What stands above the sentence on an answer; of none, that it is compared with the worked solution."""
+    seen = look(verdict or Unmarked(""))
+    phrase = seen.phrase if verdict else _("Compare it with the worked solution below")
+    return _piece("practise_verdict.html", look=seen, phrase=phrase, feedback="")
 
 
 def field(prompt: Prompt) -> Field:
@@ -124,6 +137,7 @@ def _words() -> dict[str, str]:
     """What the page's script says."""
     return {
         "ended": _("The program behind this page has ended; start `corollary practise` again."),
+        "missing": _("The file {file} is missing beside this page; copy the whole folder."),
         "empty": _("Write an answer first."),
         "checking": _("Looking at it …"),
         "noHint": _("There is no hint for this part."),

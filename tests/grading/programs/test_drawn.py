@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from corollary.answers.verdict import Mistaken, Right, Unmarked, Unread, Verdict, Wrong
-from corollary.grading.feedback import sentence
 from corollary.grading.judge import judge
 from corollary.grading.key import Key, make_key
 from corollary.grading.run_programs import ran
 from corollary.grading.solutions import Solutions
+from corollary.grading.verdict_text import sentence
 from corollary.problem.bank import chapter_bank, find
 from corollary.problem.variant import chapter
 from corollary.sandbox.runner import Runner

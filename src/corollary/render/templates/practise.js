@@ -30,14 +30,6 @@ function overview() {
 }
 function say(place, text) { place.textContent = text; }
 
-async function ask(what) {
-  let answer;
-  try {
-    answer = await fetch("give", {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(what)});
-  } catch { throw new Error(words.ended); }
-  if (!answer.ok) throw new Error(await answer.text());
-  return answer.json();
-}
 function trouble(place, error) {
   place.replaceChildren();
   const note = document.createElement("p");

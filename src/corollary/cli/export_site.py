@@ -1,0 +1,75 @@
+"""`corollary export --to site`: the page to practise on as a folder of files that works offline."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from corollary.atomic import write_whole
+from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.practise import not_to_be_practised
+from corollary.cli.progress import bar
+from corollary.practice.practice import practice
+from corollary.problem.bank import Bank, open_bank
+from corollary.problem.problem_set import find_set, set_names
+from corollary.render.practice_site import exercise_file, page_file, reading_files
+from corollary.render.pyodide import NoPyodide, fetched
+from corollary.user_cache import folder
+
+USUAL_TURNS = 5
+
+
+def run(
+    named: Sequence[str],
+    bank: Path | None,
+    left_out: Sequence[str],
+    pyodide: Path | None,
+    turns: int | None,
+    as_json: bool,
+) -> int:
+    """The last of what is named is the folder; before it sets, problems or topics, all of the bank when none is."""
+    *wanted, place = named
+    output, opened = Path(place), open_bank(bank)
+    if place in (*set_names(opened), *(each.code for each in opened)):
+        refuse(
+            f"{place} is in the bank; name the folder for the site last: corollary export {place} --to site DIR"
+        )
+    try:
+        found = practice(opened, _words(opened, wanted), not_to_be_practised(opened, tuple(left_out)))
+        python = pyodide or fetched(folder() or output)
+        files = dict(reading_files(python))
+    except (LookupError, NoPyodide) as error:
+        refuse(str(error))
+    refused = list[str]()
+    with bar("exercises", len(found.problems)) as done:
+        for problem in found.problems:
+            text = exercise_file(found, problem, turns or USUAL_TURNS)
+            if text is None:
+                refused.append(problem.code)
+            else:
+                files[f"exercises/{problem.code}.js"] = text
+            done(problem.code)
+    found.problems = tuple(each for each in found.problems if each.code not in refused)
+    files["index.html"] = page_file(found)
+    for name, content in files.items():
+        write_whole(output / name, content)
+    size = sum(map(len, files.values()))
+    if refused:
+        say(f"left out, since they have no answers: {', '.join(refused)}")
+    if as_json:
+        codes = [each.code for each in found.problems]
+        answer(
+            {"to": "site", "files": [str(output / name) for name in files], "problems": codes, "bytes": size}
+        )
+    else:
+        print(f"{len(found.problems)} exercises, {size / 1e6:.1f} MB: open {output / 'index.html'}")
+    return HOLDS
+
+
+def _words(bank: Bank, wanted: Sequence[str]) -> list[str]:
+    """The problems of the sets named, and what else is."""
+    sets = set(set_names(bank))
+    words = list[str]()
+    for each in wanted:
+        words += [problem.code for problem in find_set(bank, each).problems] if each in sets else [each]
+    return words

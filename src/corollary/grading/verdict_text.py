@@ -1,0 +1,49 @@
+"""What the student reads of each verdict, where it stands alone: in a notebook, on a page, in a browser without a key."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
+
+
+def sentence(verdict: Verdict) -> str:
+    """The verdict in the student's words, as Markdown."""
+    match verdict:
+        case Right(note):
+            return note or _("Right.")
+        case Follows(earlier, True):
+            return _(
+                "This is your answer in {parts} again, and that answer is not right: it earns nothing a second time.",
+                parts=_parts(earlier),
+            )
+        case Follows(earlier):
+            return _(
+                "This follows correctly from your answer in {parts}, though that answer is not right.",
+                parts=_parts(earlier),
+            )
+        case Mistaken(mistake, earlier):
+            if not earlier:
+                return mistake
+            return _(
+                "{mistake} (Your answer in {parts} was carried along and costs nothing here.)",
+                mistake=mistake,
+                parts=_parts(earlier),
+            )
+        case Slip(slip):
+            return _("Nearly. {slip}", slip=slip)
+        case Wrong(why):
+            return _("Not right. {why}", why=why).strip()
+        case Unread(why):
+            return why
+        case Unmarked(why):
+            return why
+        case _:
+            assert_never(verdict)
+
+
+def _parts(earlier: tuple[str, ...]) -> str:
+    return _(" and ").join(f"({part})" for part in earlier)

@@ -1,0 +1,33 @@
+"""What a browser runs to read and judge: it takes the modules that it is given, and answers two questions as JSON."""
+
+import base64
+import json
+import sys
+import types
+from collections.abc import Callable
+from importlib import import_module
+
+
+def begin(carried: str) -> Callable[[str, str, str], str]:
+    given = json.loads(carried)
+    loader = types.ModuleType("corollary_carried")
+    exec(given["loader"], loader.__dict__)
+    sys.meta_path.insert(0, loader.__dict__["Carried"](given["modules"]))
+    table, messages, prepared, verdicts, texts = (
+        import_module(f"corollary.{name}")
+        for name in ("units.table", "messages", "answers.prepared", "answers.verdict", "grading.verdict_text")
+    )
+    for row in given["units"]:
+        table.register(*row)
+    for domain, text in given["catalogues"].items():
+        messages.carry(domain, given["language"], base64.b64decode(text))
+    messages.speak(given["language"])
+
+    def answered(ask: str, asked: str, answer: str) -> str:
+        if ask == "read":
+            found = prepared.preview(json.loads(asked), json.loads(answer))
+            return json.dumps({"ok": found.ok, "text": found.text})
+        verdict = prepared.judge(json.loads(asked), json.loads(answer))
+        return json.dumps({"word": verdicts.word(verdict), "text": texts.sentence(verdict)})
+
+    return answered
