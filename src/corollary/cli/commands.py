@@ -253,6 +253,8 @@ command(
     GENERATED_BANK,
     JSON,
     path("--output", "-o", text="Write the page here too."),
+    flag("--statistics", "Also difficulty, discrimination, and what the numbers drawn did, with intervals."),
+    path("--csv", text="Write these statistics here as a table."),
 )
 command(
     "export",

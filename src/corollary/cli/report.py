@@ -4,20 +4,42 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, say
+from corollary.cli.progress import bar
 from corollary.course.up_to_date import up_to_date
-from corollary.records.files import open_course
+from corollary.problem.bank import Bank
+from corollary.problem.problem_set import ProblemSet
+from corollary.records.files import Course, open_course
 from corollary.records.origin import set_of
-from corollary.records.report_model import report_record
+from corollary.records.report_model import Report, report_record
 from corollary.records.settings import read_settings
 
+if TYPE_CHECKING:
+    from corollary.records.set_statistics import SetStatistics
 
-def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path | None) -> int:
+
+def run(
+    name: str,
+    course: Path,
+    bank: Path | None,
+    as_json: bool,
+    output: Path | None,
+    statistics: bool,
+    csv: Path | None,
+) -> int:
     opened = open_course(course)
-    _, problem_set = set_of(opened, name, bank)
+    place, problem_set = set_of(opened, name, bank)
     found = up_to_date(opened, problem_set)
+    told = _statistics(opened, problem_set, place, found) if statistics or csv is not None else None
+    if told is not None and csv is not None:
+        from corollary.records.set_statistics import statistics_rows
+        from corollary.render.spreadsheet import table_text
+
+        csv.write_text(table_text(statistics_rows(told)), encoding="utf-8")
+        say(f"written to {csv}")
     if output is not None:
         from corollary.render.report_page import report_page  # brings the templates
 
@@ -28,9 +50,32 @@ def run(name: str, course: Path, bank: Path | None, as_json: bool, output: Path 
         )
         say(f"written to {output}")
     if as_json:
-        answer(report_record(found))
+        from_all = {} if told is None else {"statistics": _record(told)}
+        answer({**report_record(found), **from_all})
     elif output is None:
         from corollary.render.report_table import terminal
 
         console().print(terminal(found))
+        if told is not None:
+            from corollary.render.statistics_table import statistics_table
+
+            console().print(statistics_table(told))
     return HOLDS
+
+
+def _record(told: SetStatistics) -> dict[str, object]:
+    from corollary.records.set_statistics import statistics_record
+
+    return statistics_record(told)
+
+
+def _statistics(course: Course, problem_set: ProblemSet, bank: Bank, report: Report) -> SetStatistics:
+    """Brings numpy, and the derivations of the whole set."""
+    from corollary.course.drawn_numbers import drawn_numbers
+    from corollary.grading.solutions import Solutions
+    from corollary.records.set_statistics import set_statistics
+
+    marked = {row.student for row in report.rows}
+    with bar("numbers drawn", len(marked)) as done:
+        features = drawn_numbers(course, problem_set, Solutions(bank), marked, done)
+    return set_statistics(report, features)
