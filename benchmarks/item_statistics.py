@@ -96,14 +96,14 @@ def _course(
         each.difficulty.low <= truth <= each.difficulty.high
         for each, truth in zip(found, shares, strict=True)
     ]
-    told = [
+    apart_held = [
         each.discrimination.low <= truth <= each.discrimination.high
         for each, truth in zip(found, apart, strict=True)
         if each.discrimination is not None
     ]
     return (
         float(np.mean(easy)),
-        float(np.mean(told)),
+        float(np.mean(apart_held)),
         *_effect(answers[0], variant, effect),
         _chi(right, variant),
     )

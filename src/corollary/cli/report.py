@@ -33,12 +33,12 @@ def run(
     opened = open_course(course)
     place, problem_set = set_of(opened, name, bank)
     found = up_to_date(opened, problem_set)
-    told = _statistics(opened, problem_set, place, found) if statistics or csv is not None else None
-    if told is not None and csv is not None:
+    estimates = _statistics(opened, problem_set, place, found) if statistics or csv is not None else None
+    if estimates is not None and csv is not None:
         from corollary.records.set_statistics import statistics_rows
         from corollary.render.spreadsheet import table_text
 
-        csv.write_text(table_text(statistics_rows(told)), encoding="utf-8")
+        csv.write_text(table_text(statistics_rows(estimates)), encoding="utf-8")
         say(f"written to {csv}")
     if output is not None:
         from corollary.render.report_page import report_page  # brings the templates
@@ -50,23 +50,23 @@ def run(
         )
         say(f"written to {output}")
     if as_json:
-        from_all = {} if told is None else {"statistics": _record(told)}
+        from_all = {} if estimates is None else {"statistics": _record(estimates)}
         answer({**report_record(found), **from_all})
     elif output is None:
         from corollary.render.report_table import terminal
 
         console().print(terminal(found))
-        if told is not None:
+        if estimates is not None:
             from corollary.render.statistics_table import statistics_table
 
-            console().print(statistics_table(told))
+            console().print(statistics_table(estimates))
     return HOLDS
 
 
-def _record(told: SetStatistics) -> dict[str, object]:
+def _record(estimates: SetStatistics) -> dict[str, object]:
     from corollary.records.set_statistics import statistics_record
 
-    return statistics_record(told)
+    return statistics_record(estimates)
 
 
 def _statistics(course: Course, problem_set: ProblemSet, bank: Bank, report: Report) -> SetStatistics:

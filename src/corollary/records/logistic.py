@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Numbers = NDArray[np.float64]
 
-MOST_STEPS, LONGEST_STEP, CLOSE = 60, 2.0, 1e-8
+MOST_STEPS, LONGEST_STEP, SETTLED = 60, 2.0, 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ def logistic_fit(columns: Numbers, right: Numbers) -> LogisticFit:
         step = inverse @ (columns.T @ (right - chance + leverage * (0.5 - chance)))
         longest = float(np.abs(step).max())
         found = found + step * min(1.0, LONGEST_STEP / longest if longest else 1.0)
-        if longest < CLOSE:
+        if longest < SETTLED:
             return LogisticFit(found, np.sqrt(np.diag(inverse)))
     raise NoFit(f"the fit has not settled in {MOST_STEPS} steps")
 
