@@ -45,7 +45,7 @@ SLOPE = (
 )
 
 
-@pytest.mark.parametrize("section", ["Intervals, lists and words", "Forces on a body"])
+@pytest.mark.parametrize("section", ["Intervals, lists and words", "Tables and matrices", "Forces on a body"])
 def test_the_pair_verifies(tmp_path, section):
     found = re.search(rf"\n### {section}\n.*?```markdown\n(.*?)```\n.*?```python\n(.*?)```", PAGE, re.DOTALL)
     assert found is not None

@@ -38,6 +38,14 @@ class Formulas:
 
 
 @dataclass(frozen=True, slots=True)
+class Entries:
+    """The entries of a table, row by row, each read on its own."""
+
+    entries: tuple[Numbers | Formulas | Blank | Unclear, ...]
+    as_read: str
+
+
+@dataclass(frozen=True, slots=True)
 class Letter:
     """The option chosen."""
 
@@ -126,4 +134,4 @@ class Unclear:
     near: tuple[Letter, ...] = ()
 
 
-Answer = Numbers | Formulas | Letter | NamedForces | Chain | Prose | Blank | Unclear
+Answer = Numbers | Formulas | Entries | Letter | NamedForces | Chain | Prose | Blank | Unclear

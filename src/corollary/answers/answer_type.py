@@ -19,7 +19,7 @@ class AnswerType(ABC):
     `word` is what people call such an answer. `found_in` tells where it stands in a notebook: the value of a variable, a
     function, the figures that a cell draws, or the text of a cell. `stated_by` is the author's word that answers such a
     part. `accepts` and `needs` are the attributes of a part's heading beside unit and points: `components`, `options`,
-    `function`. `lists_components`: the components are the members of a list (in a proof they are further symbols).
+    `function`, `rows`. `lists_components`: the components are the members of a list (in a proof they are further symbols).
     `in_symbols`: the answer must be a formula, numbers will not do.
     `in_lines`: it is written in lines, as many as it takes.
     `shows_letters`: options stand below the question with their letters; else its heading names them.

@@ -39,7 +39,8 @@ class Quantity:
     `tolerance` is relative to `scale`: the length of the answer, or what the problem names where that is zero. A component
     smaller than `uncertain` (absolute) has no sign of its own, for rounding moves it that far. `formulas` are in givens alone
     (None: the values come from a simulation), to be compared on `domain`; `givens` are the student's numbers. `routes` are the
-    values by each way from the givens, `follow_through` those and the ones by earlier answers.
+    values by each way from the givens, `follow_through` those and the ones by earlier answers. `scales` are what
+    the tolerance of each entry of a table is relative to.
     """
 
     values: Values
@@ -52,6 +53,7 @@ class Quantity:
     wrong_formulas: Callable[[], Iterable[tuple[tuple[Expr, ...], str]]]
     routes: Callable[[], Iterable[FollowThrough]]
     follow_through: Callable[[], Iterable[FollowThrough]]
+    scales: Values = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import cast
 
-from corollary.answers.answer import Answer, Chain, Equation, Formulas, Unclear
+from corollary.answers.answer import Answer, Chain, Entries, Equation, Formulas, Unclear
 from corollary.formula.ast import Expr, Name, Relation, substitute
 
 
@@ -18,6 +18,9 @@ def in_letters(answer: Answer, meant: Mapping[str, str]) -> Answer:
         case Unclear(readings=readings):
             found = tuple(_formulas(each, meant) if isinstance(each, Formulas) else each for each in readings)
             return replace(answer, readings=found)
+        case Entries(entries):
+            renamed = tuple(in_letters(each, meant) for each in entries)
+            return replace(answer, entries=cast("tuple[Formulas, ...]", renamed))
         case Chain(steps):
             # A letter of the student's own may be what a given is called now: it is another one.
             own = {step.defines for step in steps if step.defines in set(meant.values()) - meant.keys()}

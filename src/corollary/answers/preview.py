@@ -9,6 +9,7 @@ from corollary.answers.answer import (
     Answer,
     Blank,
     Chain,
+    Entries,
     Formulas,
     Letter,
     NamedForces,
@@ -55,6 +56,8 @@ def preview_of(answer: Answer) -> Preview:
             return Preview(True, read)
         case Formulas(_trees, as_read) | Letter(_trees, as_read) | NamedForces(_trees, as_read):
             return Preview(True, _("read as {answer}", answer=in_convention(as_read)))
+        case Entries(entries, as_read):
+            return _of_entries(entries, _("read as {answer}", answer=in_convention(as_read)))
         case Chain(steps):
             read = _.plural(
                 "read as {count} equation: {equations}",
@@ -77,3 +80,15 @@ def preview_of(answer: Answer) -> Preview:
             return Preview(True, _("will be read by a person"))
         case _:
             assert_never(answer)
+
+
+def _of_entries(entries: tuple[Answer, ...], read: str) -> Preview:
+    """A table can be marked as it stands when each of its entries can."""
+    found = [preview_of(each) for each in entries if not isinstance(each, Blank)]
+    if (bad := next((each for each in found if not each.ok), None)) is not None:
+        return Preview(False, f"{read}; {bad.text}")
+    empty = len(entries) - len(found)
+    if empty:
+        left = _.plural("{count} entry is empty", "{count} entries are empty", empty)
+        return Preview(False, f"{read}; {left}")
+    return Preview(True, read)

@@ -24,7 +24,8 @@ class Question:
 
     `components` name the members of a list, in order; `options` are the letters of a choice, `option_texts` what
     stands beside them; `signature` is that of a
-    function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by.
+    function, `force(t, dt)`; `symbols` are the givens of the problem; `slope` is the angle that directions along a slope turn by;
+    `rows` and `columns` are the labels of a table, `column_units` the units of its columns, where they are not all `unit`.
     """
 
     part: str
@@ -38,6 +39,9 @@ class Question:
     signature: str = ""
     symbols: tuple[Symbol, ...] = ()
     slope: str = ""
+    rows: tuple[str, ...] = ()
+    columns: tuple[str, ...] = ()
+    column_units: tuple[Unit, ...] = ()
 
     @property
     def function(self) -> str:
@@ -72,6 +76,9 @@ class Question:
             "option_texts": self.option_texts,
             "signature": self.signature,
             "slope": self.slope,
+            "rows": self.rows,
+            "columns": self.columns,
+            "column_units": [each.text for each in self.column_units],
             "symbols": [(symbol.name, symbol.unit.text, symbol.meaning) for symbol in self.symbols],
         }
 
@@ -91,4 +98,7 @@ class Question:
             data["signature"],
             tuple(Symbol(name, unit(its_unit), meaning) for name, its_unit, meaning in symbols),
             data["slope"],
+            tuple(data["rows"]),
+            tuple(data["columns"]),
+            tuple(map(unit, data["column_units"])),
         )

@@ -29,6 +29,9 @@ def question_of(problem: Problem, part: Part) -> Question:
         part.signature,
         _symbols(problem.givens) if not problem.renamed else _symbols_asked(problem),
         part.slope,
+        part.rows,
+        part.columns,
+        part.column_units,
     )
 
 
@@ -74,11 +77,17 @@ def _misfits(part: Part) -> Iterator[str]:
     types = [answer_type(name) for name in part.answer_types]
     accepted = frozenset[str]().union(*(each.accepts for each in types))
     needed = frozenset[str]().union(*(each.needs for each in types))
-    if part.components and "components" not in accepted:
+    if part.rows and "rows" not in accepted:
+        yield f"part {part.id}: only .table parts have rows and columns"
+    elif part.components and "components" not in accepted and not part.rows:
         having = [f".{name}" for name in known() if "components" in answer_type(name).accepts]
         yield f"part {part.id}: only {', '.join(having[:-1])} and {having[-1]} parts have components"
     if not part.components and "components" in needed:
         yield f'part {part.id} is a {part.answer_type}; name its components: components="x y"'
+    if "rows" in needed and not part.rows:
+        yield f'part {part.id} is a .table; name its rows and columns: rows="before, after" columns="v, E", or say how many: rows=2 columns=2'
+    if part.rows and any(unit.offset for unit in part.units):
+        yield f"part {part.id}: the temperatures of a table are asked in K"
     if part.slope and "slope" not in accepted:
         yield f"part {part.id}: only .forces parts have a slope"
     if ("function" in needed) != bool(part.signature) or (

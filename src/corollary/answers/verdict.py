@@ -1,4 +1,7 @@
-"""What is said of one answer: a closed family of seven verdicts."""
+"""What is said of one answer: a closed family of seven verdicts.
+
+Of a table, `entries` are the verdicts on its entries, each worth the same.
+"""
 
 from __future__ import annotations
 
@@ -22,6 +25,7 @@ class Follows:
 
     earlier: tuple[str, ...]
     nothing: bool = False
+    entries: tuple[Verdict, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +38,7 @@ class Mistaken:
     mistake: str
     earlier: tuple[str, ...] = ()
     nothing: bool = False
+    entries: tuple[Verdict, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +60,7 @@ class Wrong:
     """Read and understood, and not right; `why` is what can be said without giving the value away."""
 
     why: str = ""
+    entries: tuple[Verdict, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

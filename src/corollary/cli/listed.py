@@ -71,5 +71,7 @@ def _part(part: Part) -> dict[str, Any]:
         "unit": canonical(part.unit),
         "points": part.points,
         "components": list(part.components),
+        **({"rows": list(part.rows), "columns": list(part.columns)} if part.rows else {}),
+        **({"units": [canonical(each) for each in part.units]} if part.column_units else {}),
         "person": waits_for_a_person(part),
     }

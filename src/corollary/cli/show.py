@@ -84,6 +84,8 @@ def _part(prompt: Prompt) -> dict[str, Any]:
         "unit": canonical(part.unit),
         "points": prompt.out_of,
         "components": list(part.components),
+        **({"rows": list(part.rows), "columns": list(part.columns)} if part.rows else {}),
+        **({"units": [canonical(each) for each in part.units]} if part.column_units else {}),
         "options": {option.letter: option.text for option in prompt.options},
     }
 

@@ -58,14 +58,20 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
 def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
     part = problem.part(name)
     wanted = _stated_by(part)
-    if isinstance(entry, Neglected) and wanted != ["step"]:
+    if isinstance(entry, Neglected) and (wanted != ["step"] or part.rows):
         yield f"part {name} is .{part.answer_type}; only of a number can be said what is neglected in it"
     elif not isinstance(entry, Printed | Neglected) and words_of_kind(entry) not in wanted:
         yield f"part {name} is .{' .'.join(part.answer_types)}; answer it with {' and '.join(f'{word}(…)' for word in wanted)}"
     elif isinstance(entry, Step | Optimum | Simulated | Example) and len(entry.unknowns) != (
         len(part.components) or 1
     ):
-        numbers = f"components {', '.join(part.components)}" if part.components else "one number"
+        numbers = (
+            f"{len(part.components)} entries, row by row"
+            if part.rows
+            else f"components {', '.join(part.components)}"
+            if part.components
+            else "one number"
+        )
         yield f"part {name} asks for {numbers}, but {', '.join(map(str, entry.unknowns))} is found"
 
 

@@ -236,7 +236,10 @@ class Solver:
             routes=(),
             mistakes=mistakes,
             rejected=(),
-            dimensions=(self.problem.part(entry.statement.part).unit.dimension,) * len(entry.unknowns),
+            dimensions=tuple(
+                unit.dimension
+                for unit in self.problem.part(entry.statement.part).units_for(len(entry.unknowns))
+            ),
             scale=None,
             note=None,
         )
@@ -271,13 +274,16 @@ class Solver:
     def dimensions(self, entry: Step | Optimum, trees: tuple[Expr, ...]) -> tuple[Dimension, ...]:
         """The dimension of each component; raises ValueError when it is not what the part asks for."""
         part = next((part for part in self.problem.parts if part.id == entry.statement.part), None)
-        result = self.known.dimensions_of(trees, part.unit.dimension if part else None)
-        for dimension in result:
-            if part and dimension != part.unit.dimension:
+        if part is None:
+            return self.known.dimensions_of(trees, None)
+        units = part.units_for(len(trees))
+        for formula, unit in zip(trees, units, strict=True):
+            (dimension,) = self.known.dimensions_of((formula,), unit.dimension)
+            if dimension != unit.dimension:
                 raise ValueError(
-                    f"the answer is not in {show(part.unit) or 'plain numbers'}, it is {called(dimension)}"
+                    f"the answer is not in {show(unit) or 'plain numbers'}, it is {called(dimension)}"
                 )
-        return result
+        return tuple(unit.dimension for unit in units)
 
     def neglected(self, entry: Neglected[Step, Supposed]) -> SolvedNeglected:
         try:

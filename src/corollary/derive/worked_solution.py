@@ -198,7 +198,11 @@ def _result(
     find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
 ) -> list[str]:
     lines: list[str] = []
-    units = [part.unit if part else si_unit(dimension) for dimension in find.dimensions]
+    units = (
+        part.units_for(len(find.dimensions))
+        if part
+        else [si_unit(dimension) for dimension in find.dimensions]
+    )
     for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
         answer = quantity(value, unit)
         match find.local:

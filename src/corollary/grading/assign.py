@@ -98,7 +98,7 @@ def collisions(key: Key) -> Iterable[tuple[str, str]]:
             values = exchanged(solution, known, each.place, each.mistake.rule, each.at)
         except Undefined:
             continue
-        if within(values, truth.values, truth.tolerance + APART, truth.scale):
+        if truth.is_met_by(values, APART):
             yield each.part, each.mistake.text
 
 

@@ -80,6 +80,7 @@ def _quantity(key: Key, truth: Truth, earlier: Mapping[str, Values]) -> Quantity
         partial(wrong_formulas, key, truth.place),
         partial(_follow_through, key, truth, {}),
         partial(_follow_through, key, truth, earlier),
+        truth.scales,
     )
 
 

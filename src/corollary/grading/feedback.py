@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from corollary.answers.expected import Values
 from corollary.answers.options import option_named
 from corollary.formula.numerals import decimal_text
 from corollary.grading.free_body import as_people_say, free_body
@@ -28,6 +29,8 @@ def revealed(key: Key, part: Part, answered: str = "") -> str:
     truth = key.truths.get(part.id)
     if truth is None:
         return ""
+    if part.rows:
+        return _of_table(truth.values, part)
     asked = part.unit
     if asked.dimension == ONE and ("°" in answered or re.search(r"\bdeg", answered)):
         asked = unit("deg")
@@ -36,3 +39,14 @@ def revealed(key: Key, part: Part, answered: str = "") -> str:
     sign = show(asked)
     body = values[0] if len(values) == 1 else f"({', '.join(values)})"
     return _("The answer is {answer}.", answer=in_convention(f"{body} {sign}" if sign else body))
+
+
+def _of_table(values: Values, part: Part) -> str:
+    """The answer as it would be written, row by row."""
+    units, width = part.units, len(part.columns)
+    entries = [
+        f"{decimal_text(unit.from_si(value), 4)} {show(unit)}".strip()
+        for value, unit in zip(values, units, strict=True)
+    ]
+    rows = (", ".join(entries[place : place + width]) for place in range(0, len(entries), width))
+    return _("The answer is {answer}.", answer=in_convention("; ".join(f"({row})" for row in rows)))

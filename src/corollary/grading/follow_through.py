@@ -9,7 +9,6 @@ from itertools import combinations
 
 from corollary.answers.evaluation import BITS, as_exact, balls, numbers
 from corollary.answers.expected import Values
-from corollary.answers.tolerance import within
 from corollary.derive.solution import ClosedForms, Rule, Solution
 from corollary.formula.ast import Name
 from corollary.formula.ball import Undefined, precision_of
@@ -49,7 +48,7 @@ def from_student(key: Key, answers: Mapping[str, Values]) -> FromStudent:
         truth = key.truths.get(part)
         if truth is None or len(values) != len(truth.values):
             continue
-        if within(values, truth.values, truth.tolerance, truth.scale):
+        if truth.is_met_by(values):
             right[part] = values
         elif not degenerate(values, truth):
             wrong[part] = values

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Prose, Unclear
+from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Prose, Unclear
 from corollary.answers.expected import Expected, Values
 from corollary.answers.judge_formulas import values_of
 from corollary.answers.letters import in_letters
@@ -135,6 +135,9 @@ def values_in(answer: Answer, expected: Expected) -> Values | None:
             return values
         case Formulas(trees):
             return values_of(trees, expected.quantity.givens())
+        case Entries(entries):
+            found = [values_in(each, expected) for each in entries]
+            return tuple(each[0] for each in found if each) if all(found) else None
         case _:
             return None
 

@@ -8,11 +8,13 @@ from dataclasses import dataclass
 
 from corollary.answers.evaluation import BITS, as_exact, finite_double, number
 from corollary.answers.expected import Values
+from corollary.answers.tolerance import within
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown
 from corollary.formula.ast import Relation, names
 from corollary.formula.ball import Ball, RationalPi, Undefined, certified, evaluate, holds, precision_of
 from corollary.grading.replay import compute, simulated
-from corollary.grading.rounding import LEAST, MOST, noise_of
+from corollary.grading.rounding import LEAST, MOST, Noise, noise_of
+from corollary.problem.part import Part
 from corollary.problem.variant import Variant
 
 MARGIN = 1.25  # beyond the largest of a few dozen random roundings there are rarer ones
@@ -28,6 +30,8 @@ class Truth:
     `scale` is what the tolerance is relative to: the length of the answer, or what the problem names where that is zero.
     `noise` is how far rounding the answers of whole steps moves it, relative as the tolerance: what decides whether the numbers
     may be drawn. `uncertain` is how far rounding moves each component (absolute): a smaller component has no sign of its own.
+    `scales` are those of each entry of a table, which are numbers of their own: then `scale` is the largest of them (0 where one is),
+    and `tolerance` and `noise` those of the entry that may be off most.
     """
 
     place: int
@@ -38,6 +42,17 @@ class Truth:
     tolerance: float
     noise: float
     uncertain: Values
+    scales: Values = ()
+
+    def is_met_by(self, values: Values, more: float = 0.0) -> bool:
+        """Whether values are within the tolerance, and so much `more`; of a table, whether every entry is."""
+        tolerance = self.tolerance + more
+        if not self.scales:
+            return within(values, self.values, tolerance, self.scale)
+        return len(values) == len(self.values) and all(
+            within((value,), (target,), tolerance, scale)
+            for value, target, scale in zip(values, self.values, self.scales, strict=True)
+        )
 
     @property
     def value(self) -> float | tuple[float, ...]:
@@ -92,7 +107,9 @@ def make_key(solution: Solution, variant: Variant) -> Key:
     known = givens | named(solution, values)
     parts = {part.id: part for part in variant.problem.parts}
     for place, find in enumerate(solution.unknowns):
-        if find.part:
+        if find.part in parts and parts[find.part].rows:
+            truths[find.part] = table_truth(place, stated[place], noise[place], parts[find.part], find, known)
+        elif find.part:
             proven = stated[place].certified
             # Of 20 °C one per cent is 0.2 K. A sheet from before a correction need not have every part of today's solution.
             zero = float(parts[find.part].unit.offset) if find.part in parts else 0.0
@@ -111,6 +128,40 @@ def make_key(solution: Solution, variant: Variant) -> Key:
         if part in parts
     }
     return Key(solution, variant, tuple(values), truths, choices)
+
+
+def table_truth(
+    place: int, stated: Answered, noise: Noise, part: Part, find: Unknown, known: Mapping[str, RationalPi]
+) -> Truth:
+    """Each entry compared with itself; one that is zero with the largest in the same unit, or with what the problem names."""
+    named = 0.0 if find.scale is None else scale_of(find, (0.0,), known)
+    sizes = [
+        abs(value)
+        or max(abs(x) for x, its_unit in zip(stated.values, part.units, strict=True) if its_unit == unit)
+        or named
+        for value, unit in zip(stated.values, part.units, strict=True)
+    ]
+    uncertain = tuple(MARGIN * each + TINY * size for each, size in zip(noise.components, sizes, strict=True))
+    if not all(sizes):
+        return Truth(place, stated.values, stated.certified, 0.0, 0.0, LEAST, 0.0, uncertain, tuple(sizes))
+
+    def most(several: Sequence[float]) -> float:
+        return max(each / size for each, size in zip(several, sizes, strict=True))
+
+    error = most(stated.errors)
+    tolerance = min(MOST, max(LEAST, MARGIN * most(noise.components) + error))
+    by_steps = MARGIN * most(noise.components_by_steps)
+    return Truth(
+        place,
+        stated.values,
+        stated.certified,
+        error,
+        max(sizes),
+        tolerance,
+        by_steps,
+        uncertain,
+        tuple(sizes),
+    )
 
 
 def answer(solution: Solution, find: Unknown, variant: Variant, before: Sequence[Answered]) -> Answered:

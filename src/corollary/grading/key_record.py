@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, TypeVar
 
 from corollary.answers.evaluation import BITS
@@ -73,6 +74,8 @@ def _quantity(find: Unknown, variant: Variant, stated: Answered) -> dict[str, An
         return {}
     numbers = stated.values
     entry: dict[str, Any] = {"value": _one(numbers, finite, part), "unit": si_name(part)}
+    if part.column_units:
+        entry["units"] = [si_name(replace(part, unit=each)) for each in part.units]
     if find.in_givens is None:
         # Absolute, in SI: the largest of the components.
         proven = {"bound": True} if stated.bound else {}

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from corollary.answers.expected import Values
-from corollary.answers.tolerance import within
 from corollary.answers.verdict import Follows, Mistaken, Slip
 from corollary.derive.solution import ClosedForms
 from corollary.derive.worked_solution import model_answer
@@ -72,8 +71,8 @@ class PartScheme:
     @property
     def accepted(self) -> AcceptedRange | None:
         """What the tolerance allows a quantity; of one with components `low` and `high` are those of the first. None for other
-        parts, and where there is no tolerance."""
-        if self.truth is None:
+        parts, for a table, and where there is no tolerance."""
+        if self.truth is None or self.truth.scales:
             return None
         reach = INSIDE * self.truth.tolerance * self.truth.scale / self.part.unit.si
         if not reach or not math.isfinite(reach):
@@ -124,7 +123,7 @@ def _mistakes(key: Key, part: Part, truth: Truth, scheme: Scheme, out_of: float)
     """Each value that a misconception gives, once, unless it cannot be told from the truth."""
     seen: list[Values] = []
     for values, sentence in wrong_values(key, truth, BY_THE_RULES):
-        if any(within(values, other, truth.tolerance, truth.scale) for other in (truth.values, *seen)):
+        if any(replace(truth, values=other).is_met_by(values) for other in (truth.values, *seen)):
             continue
         seen.append(values)
         verdict = Mistaken(sentence, nothing=not any(values))

@@ -18,8 +18,12 @@ USUAL = Scheme()
 
 
 def share(verdict: Verdict, scheme: Scheme, answer_type: str = "value") -> float:
-    """What part of the points a verdict on an answer of this type earns."""
+    """What part of the points a verdict on an answer of this type earns; of a table, the mean of its entries'."""
     match verdict:
+        case Follows(entries=entries) | Mistaken(entries=entries) | Wrong(entries=entries) if (
+            entries and not _for_nothing(verdict)
+        ):
+            return sum(share(each, scheme, answer_type) for each in entries) / len(entries)
         case Right():
             return 1.0
         case Follows():
@@ -32,6 +36,10 @@ def share(verdict: Verdict, scheme: Scheme, answer_type: str = "value") -> float
             return 0.0
         case _:
             assert_never(verdict)
+
+
+def _for_nothing(verdict: Follows | Mistaken | Wrong) -> bool:
+    return not isinstance(verdict, Wrong) and verdict.nothing
 
 
 def _by_choosing(name: str) -> bool:

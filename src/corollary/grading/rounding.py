@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isfinite
+from operator import add
 from typing import TYPE_CHECKING
 
 from corollary.answers.expected import Values
@@ -29,12 +30,13 @@ LEAST, MOST = (
 class Noise:
     """How far honest rounding moves a find: the distance, and each component on its own (absolute, SI).
 
-    `by_steps` is the distance where only the answers of whole steps are rounded.
+    `by_steps` and `components_by_steps` are the same where only the answers of whole steps are rounded.
     """
 
     distance: float
     components: list[float]
     by_steps: float = 0.0
+    components_by_steps: list[float] = field(default_factory=list[float])
 
 
 def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Sequence[Values]) -> list[Noise]:
@@ -50,7 +52,8 @@ def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Seque
     for numbers in values:
         own = slice(place, place + len(numbers))
         reach = _reach(by_steps, apart[0], own), _reach(by_operations, apart[1], own)
-        noise.append(Noise(max(reach), list(map(max, by_steps[own], by_operations[own])), reach[0]))
+        components = list(map(max, by_steps[own], by_operations[own]))
+        noise.append(Noise(max(reach), components, reach[0], by_steps[own]))
         place += len(numbers)
     if (other := GRAVITY.get(givens["g"].ratio) if "g" in givens else None) is not None:
         with suppress(Undefined):
@@ -60,9 +63,9 @@ def noise_of(solution: Solution, givens: Mapping[str, RationalPi], values: Seque
                 if isfinite(off):
                     each.distance += off
                     each.by_steps += off
-                    each.components = [
-                        a + abs(x - y) for a, x, y in zip(each.components, numbers, truth, strict=True)
-                    ]
+                    own = [abs(x - y) for x, y in zip(numbers, truth, strict=True)]
+                    each.components = list(map(add, each.components, own))
+                    each.components_by_steps = list(map(add, each.components_by_steps, own))
     return noise
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from corollary.units.unit import Unit
+from corollary.units.unit import Unit, canonical
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,9 @@ class Part:
     """`answer_types` names its answer type, or `code` and `plot` together; `components` names what a list answer holds, in order;
     `asked_as` is the id it was handed out with, where it has been given another since; `letters` has for each letter of the options
     it was handed out with the one of today, where these were changed since (empty: it has none); `lettered` is what its heading says in place of the id;
-    `slope` is the angle of the slope, a formula of the givens, that the directions of forces are told by.
+    `slope` is the angle of the slope, a formula of the givens, that the directions of forces are told by;
+    `rows` and `columns` are the labels of a table, whose entries are the components, row by row, and `column_units` the units of
+    its columns, where they are not all the same.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -44,6 +46,25 @@ class Part:
     letters: tuple[tuple[str, str], ...] = ()
     lettered: str = ""
     slope: str = ""
+    rows: tuple[str, ...] = ()
+    columns: tuple[str, ...] = ()
+    column_units: tuple[Unit, ...] = ()
+
+    @property
+    def units(self) -> tuple[Unit, ...]:
+        """The unit of each component; one unit where there are none."""
+        if self.column_units:
+            return self.column_units * len(self.rows)
+        return (self.unit,) * max(1, len(self.components))
+
+    def units_for(self, count: int) -> tuple[Unit, ...]:
+        """The units of so many numbers: of the components, or of one that is about all of them."""
+        return self.units if len(self.units) == count else (self.unit,) * count
+
+    @property
+    def units_text(self) -> str:
+        """The unit as the heading names it; of a table whose columns have units of their own, all of them."""
+        return ", ".join(map(canonical, self.column_units)) or canonical(self.unit)
 
     @property
     def label(self) -> str:

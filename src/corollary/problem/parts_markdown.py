@@ -17,7 +17,8 @@ ATTRIBUTE = re.compile(
 OPTION = re.compile(r"-\s+\((?P<letter>[a-zA-Z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
-KNOWN = {"unit", "points", "components", "function", "letter", "slope"}
+KNOWN = {"unit", "points", "components", "function", "letter", "slope", "rows", "columns"}
+MOST_ENTRIES = 40  # of a table
 
 
 def read_parts(
@@ -83,7 +84,12 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         return None
     for name in settings.keys() - KNOWN:
         complain(f"part {ids[0]} has an unknown attribute {name}; known are {', '.join(sorted(KNOWN))}")
-    measured_in = _unit(settings.get("unit", "1"), ids[0], complain)
+    rows, columns = (_labels(settings.get(side, "")) for side in ("rows", "columns"))
+    if bool(rows) != bool(columns) or len(rows) * len(columns) > MOST_ENTRIES:
+        complain(f"part {ids[0]}: a table has rows= and columns=, and at most {MOST_ENTRIES} entries in all")
+    if len({*rows}) != len(rows) or len({*columns}) != len(columns):
+        complain(f"part {ids[0]}: two rows, or two columns, have one label")
+    units = _units(settings.get("unit", "1"), columns, ids[0], complain)
     points = _points(settings.get("points", "1"), ids[0], complain)
     options, text = _options(lines)
     if len({option.letter for option in options}) != len(options):
@@ -93,14 +99,17 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         match["title"],
         text,
         tuple(sorted(answer_types)),  # `.plot .code` is `.code .plot`
-        measured_in,
+        units[0] if len(set(units)) == 1 else unit("1"),
         points,
-        tuple(settings.get("components", "").split()),
+        tuple(settings.get("components", "").split()) or entries(rows, columns),
         options,
         settings.get("function", ""),
         line,
         lettered=settings.get("letter", ""),
         slope=settings.get("slope", ""),
+        rows=rows,
+        columns=columns,
+        column_units=units if len(set(units)) > 1 else (),
     )
 
 
@@ -113,6 +122,31 @@ def _options(lines: list[str]) -> tuple[tuple[Option, ...], str]:
         else:
             rest.append(line)
     return tuple(options), "\n".join(rest).strip()
+
+
+def entries(rows: tuple[str, ...], columns: tuple[str, ...]) -> tuple[str, ...]:
+    """The names of a table's entries, row by row."""
+    return tuple(f"{row}, {column}" for row in rows for column in columns)
+
+
+def _labels(text: str) -> tuple[str, ...]:
+    """The labels of rows or columns, parted by commas or else by spaces; of a number as many, counted from 1."""
+    if text.strip().isdecimal():
+        return tuple(str(place + 1) for place in range(min(int(text), MOST_ENTRIES + 1)))
+    return tuple(label.strip() for label in (text.split(",") if "," in text else text.split()))
+
+
+def _units(text: str, columns: tuple[str, ...], part: str, complain: Complain) -> tuple[Unit, ...]:
+    """The unit of the part; of a table one for all of its columns, or one for each."""
+    if not columns or "," not in text:
+        return (_unit(text, part, complain),)
+    found = tuple(_unit(each.strip() or "1", part, complain) for each in text.split(","))
+    if len(found) != len(columns):
+        complain(
+            f"part {part} has {len(columns)} columns and {len(found)} units; give one for all of them, or one for each, parted by commas"
+        )
+        return found[:1]
+    return found
 
 
 def _unit(text: str, part: str, complain: Complain) -> Unit:

@@ -17,7 +17,7 @@ from corollary.messages import spoken
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, split
 from corollary.problem.part import Part
-from corollary.problem.parts_markdown import read_parts
+from corollary.problem.parts_markdown import entries, read_parts
 from corollary.problem.problem import Problem
 from corollary.problem.statement import holes
 
@@ -83,6 +83,9 @@ def in_language(problem: Problem) -> Problem:
         replace(
             part,
             title=chosen(theirs.title, part.title),
+            rows=(rows := tuple(found.texts.get(label, label) for label in part.rows)),
+            columns=(columns := tuple(found.texts.get(label, label) for label in part.columns)),
+            components=entries(rows, columns) or part.components,
             text=chosen(theirs.text, part.text),
             options=tuple(
                 replace(option, text=chosen(texts.get(option.letter, ""), option.text))
@@ -143,6 +146,12 @@ def labels(problem: Problem) -> Iterator[str]:
                 yield label
 
 
+def sides(problem: Problem) -> Iterator[str]:
+    """The labels of tables that are words, and not letters of formulas."""
+    labelled = [label for part in problem.parts for label in (*part.rows, *part.columns)]
+    yield from dict.fromkeys(label for label in labelled if re.search(r"[^\W\d_]{3,}", label))
+
+
 def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
     """What a translation lacks beside its original: parts, options, holes; and whether the original is another by now."""
     path, now = found.path, digest(problem)
@@ -166,7 +175,8 @@ def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
     for gone in found.parts.keys() - {part.id for part in problem.parts}:
         yield Diagnostic(path, found.parts[gone].line, f"the problem has no part {gone}; take it out")
     meanings = (given.meaning for given in problem.givens if not given.source)
-    for each in (*labels(problem), *meanings, *(word for given in problem.givens for word in given.words)):
+    words = (word for given in problem.givens for word in given.words)
+    for each in (*labels(problem), *sides(problem), *meanings, *words):
         pairs.append((found.lines.get(each, 1), f"the text {each!r}", each, found.texts.get(each, "")))
     for line, what, original, theirs in pairs:
         if original and not theirs:

@@ -106,8 +106,9 @@ def _parts(edition: Edition, today: Problem, old: Problem | None) -> Iterator[st
             yield f"part {asked.id} is worth {part.points:g} now, and was worth {asked.points:g}: marks follow it"
         if part.answer_types != asked.types:
             yield f"part {asked.id} asks for {' and '.join(part.answer_types)} now, and asked for {' and '.join(asked.types)}: marks follow it"
-        if canonical(part.unit) != asked.unit:
-            yield f"part {asked.id} is asked in {show(part.unit) or 'no unit'} now: a bare number of theirs is read in {asked.unit}"
+        if part.units_text != asked.unit:
+            units = ", ".join(map(show, part.column_units)) or show(part.unit) or "no unit"
+            yield f"part {asked.id} is asked in {units} now: a bare number of theirs is read in {asked.unit}"
         if options.get(asked.id, part.options) != part.options:
             yield f"part {asked.id} has other options now: a letter means the option on their sheet"
     for part in today.parts:

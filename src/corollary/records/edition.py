@@ -72,7 +72,7 @@ def edition_of(problem: Problem, weight: float) -> Edition:
         weight,
         {given.symbol: canonical(given.unit) for given in problem.givens},
         tuple(
-            AskedPart(part.id, part.title, part.answer_types, canonical(part.unit), part.points)
+            AskedPart(part.id, part.title, part.answer_types, part.units_text, part.points)
             for part in problem.parts
         ),
     )

@@ -27,6 +27,7 @@ from corollary.units.unit import Unit
 
 ZERO = 1e-9  # of the scale: what a misconception that gives zero takes for zero, as grading does
 NOT_ASKED = {
+    "table": "the answer is a table, of which every entry earns its share, and is numbers in units of their own",
     "expression": "the answer is a formula, and only STACK compares formulas in Moodle; there is no STACK here to try it in",
     "example": "the answer is an example of the student's own, which has to be tried in the laws",
     "proof": "the answer is a derivation, line by line",

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from corollary.answers.registry import answer_type
+from corollary.answers.table.entry import heads as table_heads
 from corollary.answers.verdict import Unmarked, Verdict
 from corollary.grading.grade import PartGrade
 from corollary.messages import catalogue, spoken
@@ -24,12 +25,14 @@ _ = catalogue(__name__)
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """How a part is answered on the page: `labels` name its text fields (one without a label, or one for each component)."""
+    """How a part is answered on the page: `labels` name its text fields (one without a label, or one for each component);
+    `columns` are the heads of a table, whose entries they are."""
 
     prompt: Prompt
     kind: str
     labels: tuple[str, ...] = ()
     text: str = ""
+    columns: tuple[str, ...] = ()
 
     @property
     def part(self) -> str:
@@ -105,6 +108,8 @@ def field(prompt: Prompt) -> Field:
         return Field(prompt, "options")
     if its_type.in_lines:
         return Field(prompt, "lines")
+    if part.rows:
+        return Field(prompt, "texts", tuple(map(str, part.components)), columns=table_heads(prompt.question))
     if part.components and its_type.lists_components:
         return Field(prompt, "texts", tuple(part.components))
     return Field(prompt, "texts", ("",))

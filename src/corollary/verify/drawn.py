@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from corollary.answers.expected import Values
 from corollary.answers.options import option_named
@@ -135,11 +135,21 @@ def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
 
 def written_out(values: Values, part: Part) -> str:
     """Numbers in the part's unit as people read them."""
+    if part.rows:
+        pairs = zip(values, part.units, strict=True)
+        return "; ".join(written_out((value,), replace(part, rows=(), unit=unit)) for value, unit in pairs)
     unit = show(part.unit)
     return bare(values, part) + (f"\N{NO-BREAK SPACE}{unit}" if unit else "")
 
 
 def bare(values: Values, part: Part) -> str:
     """The same without the unit."""
+    if part.rows:
+        pairs, width = list(zip(values, part.units, strict=True)), len(part.columns)
+        rows = (pairs[place : place + width] for place in range(0, len(pairs), width))
+        return "; ".join(
+            ", ".join(bare((value,), replace(part, rows=(), unit=unit)) for value, unit in row)
+            for row in rows
+        )
     numbers = ", ".join(decimal_text(value / part.unit.si, FIGURES).replace("-", "−") for value in values)
     return f"({numbers})" if len(values) > 1 else numbers

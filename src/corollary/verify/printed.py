@@ -17,6 +17,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
+from corollary.units.unit import Unit
 from corollary.verify.checked import Tally
 from corollary.verify.figures import ABOUT, as_printed
 
@@ -58,22 +59,24 @@ def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
             )
         return
     readings = [
-        read_quantity(each.strip().removeprefix(ABOUT).strip(), part.unit) for each in entry.text.split(";")
+        read_quantity(each.strip().removeprefix(ABOUT).strip(), unit)
+        for each, unit in zip(entry.text.split(";"), part.units, strict=False)
     ]
     if all(isinstance(each, ParseError) for each in readings):
         yield from _formula(key, part, entry)
         return
-    for value, printed, read in zip(key.truths[part.id].values, entry.text.split(";"), readings, strict=True):
+    several = zip(key.truths[part.id].values, entry.text.split(";"), readings, part.units, strict=True)
+    for value, printed, read, unit in several:
         if isinstance(read, ParseError):
             yield f"the printed value {printed!r} cannot be read: {read.why}"
-        elif derived := _off(value, printed.strip(), read, part):
+        elif derived := _off(value, printed.strip(), read, unit):
             yield f"{entry.where} prints {printed.strip()} for part {part.id}; {derived}"
 
 
-def _off(value: float, printed: str, read: Reading, part: Part) -> str:
+def _off(value: float, printed: str, read: Reading, unit: Unit) -> str:
     """What the derivation gives for a printed quantity, where that is something else."""
     derived = f"the derivation gives {value:.6g} in SI"
-    match as_printed(value, printed, read, part.unit):
+    match as_printed(value, printed, read, unit):
         case "agrees":
             return ""
         case "order":

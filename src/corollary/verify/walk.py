@@ -144,7 +144,8 @@ def own_answer(key: Key, part: str) -> Value:
     if answer_type(question.answer_type).in_symbols and in_givens is not None:
         texts = tuple(Text(text(tree)) for tree in in_givens)
         return texts[0] if len(texts) == 1 else Items(texts, (len(texts),))
-    return machine_numbers(tuple(map(question.unit.from_si, truth.values)))
+    pairs = zip(truth.values, question.units, strict=True)
+    return machine_numbers(tuple(unit.from_si(value) for value, unit in pairs))
 
 
 def machine_numbers(values: tuple[float, ...]) -> Value:

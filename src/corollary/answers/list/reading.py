@@ -17,6 +17,7 @@ from corollary.units.unit import show
 
 _ = catalogue(__name__)
 
+LONGEST = 400
 MOST = 12  # numbers of one list
 AND = re.compile(r"\s+(?:and|or|und|oder|og|eller)\s+", re.IGNORECASE)
 
@@ -40,6 +41,8 @@ class ListType(AnswerType):
     def read(self, value: Value, question: Question) -> Answer:
         if isinstance(value, Items) and all(isinstance(item, Nothing) for item in value.items):
             return Blank()
+        if isinstance(value, Text) and len(value.text) <= LONGEST and AND.search(value.text):
+            value = Text(re.sub(r"\s*,\s+", "; ", AND.sub("; ", value.text)))
         found = vector(value, _unnamed(question, len(question.components)))
         if isinstance(found, Unclear) and not found.readings:
             for count in _counts(value):
@@ -70,7 +73,7 @@ def _counts(value: Value) -> range:
         case Items(items):
             return range(len(items), len(items) + 1) if len(items) <= MOST else range(0)
         case Text(text):
-            marks = len(re.findall(r"[,;\n|]", text)) + len(AND.findall(text))
+            marks = len(re.findall(r"[,;\n|]", text))
             return range(1, min(MOST, marks + 1) + 1)
         case _:
             return range(1, 2)

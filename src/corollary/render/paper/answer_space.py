@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from corollary.answers.answer_type import AnswerType
+from corollary.answers.table.entry import numbered, units_of
 from corollary.formula.latex import letter
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Prompt
@@ -51,6 +52,9 @@ def _working(prompt: Prompt) -> str:
 
 def _fields(prompt: Prompt, each: AnswerType) -> Iterator[str]:
     unit = literal(show(prompt.part.unit))
+    if prompt.part.rows:
+        yield _entries(prompt)
+        return
     # An interval, or a list in any order, is written as one.
     if not prompt.part.components or not each.lists_components:
         width = FORMULA if each.in_symbols or prompt.part.components else NUMBER
@@ -60,3 +64,20 @@ def _fields(prompt: Prompt, each: AnswerType) -> Iterator[str]:
     for name in prompt.part.components:
         symbol = f"{typst_formula(letter(name))}{words_of(' =')}"
         yield f"field([{symbol}], {unit}, {COMPONENT})"
+
+
+def _entries(prompt: Prompt) -> str:
+    """An empty table, each column with its unit; without labels where rows and columns have but numbers."""
+    part, question = prompt.part, prompt.question
+    if numbered(question):
+        note = words_of(show(part.unit))
+        cells = ["entry"] * len(part.components)
+        return f"stack(dir: ltr, spacing: 0.5em, entries({len(part.columns)}, {', '.join(cells)}), [{note}])"
+    heads = [
+        f"[{typst_line(name)}" + (f" [{words_of(show(unit))}]]" if show(unit) else "]")
+        for name, unit in zip(part.columns, units_of(question), strict=True)
+    ]
+    cells = ["[]", *heads]
+    for row in part.rows:
+        cells += [f"[{typst_line(row)}]", *["entry"] * len(part.columns)]
+    return f"entries({len(part.columns) + 1}, {', '.join(cells)})"

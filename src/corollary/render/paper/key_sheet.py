@@ -126,6 +126,9 @@ def _quantity(each: PartScheme, key: Key) -> Iterator[str]:
 
 def _values(values: tuple[float, ...], each: PartScheme) -> str:
     """Values in the part's unit, an angle in degrees too."""
+    if each.part.rows:
+        pairs = zip(values, each.part.units, strict=True)
+        return in_convention("; ".join(_measure(unit.from_si(value), FIGURES, unit) for value, unit in pairs))
     asked = each.part.unit
     units = (asked, *([unit("deg")] if asked == unit("rad") else []))
     found = (", ".join(_measure(each.from_si(value), FIGURES, each) for value in values) for each in units)
@@ -135,6 +138,8 @@ def _values(values: tuple[float, ...], each: PartScheme) -> str:
 def _accepted(each: PartScheme) -> str:
     """Between which values an answer is right; of a vector how far it may end from the right one."""
     found, asked = each.accepted, each.part.unit
+    if each.part.rows and each.truth is not None:
+        return _("each at most {percent} off", percent=_percent(each.truth.tolerance))
     if found is None:
         return _("exactly")
     if each.part.components:

@@ -28,6 +28,12 @@ def apart(solution: Solution) -> Iterator[Obligation]:
         if find.in_givens is None or wrong is None:
             why = "it rests on a simulation"
             yield Obligation("mistake apart", claim, line, redrawn=True, open=why)
+        elif solution.problem.part(each.part).rows:
+            pairs = zip(wrong, find.in_givens, strict=True)
+            need = tuple(
+                far for mine, tree in pairs for far in _far((mine,), (tree,), (tree,)) if mine != tree
+            )
+            yield Obligation("mistake apart", claim, line, (need,), redrawn=True)
         else:
             needs = [_far(wrong, find.in_givens, find.in_givens)]
             needs += [_far(wrong, find.in_givens, (find.scale,))] if find.scale is not None else []

@@ -1,0 +1,180 @@
+"""How a table or a matrix is asked for and read: a list of rows, a dictionary, an array, or one text such as `1, 2; 3, 4`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import final
+
+from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Unclear
+from corollary.answers.answer_type import AnswerType
+from corollary.answers.components import pieces_of
+from corollary.answers.numbers import PLACEHOLDERS, scalar, turned_away
+from corollary.answers.question import Question
+from corollary.answers.table.entry import entry_question, heads, numbered
+from corollary.formula.value import Items, Named, Nothing, Refused, Text, Value
+from corollary.messages import catalogue
+
+_ = catalogue(__name__)
+
+LONGEST = 2000
+INNER = re.compile(r"[\[(]([^\[\]()]*)[\])]")
+ROWS = re.compile(r"\\\\|;|\n")
+CELLS = re.compile(r"\s*[|&]\s*|\t+")
+Row = Sequence[Value]
+
+
+@final
+class TableType(AnswerType):
+    name, word = "table", "table"
+    accepts = needs = frozenset({"rows"})
+    lists_components = False
+
+    def instructions(self, question: Question) -> str:
+        if numbered(question):
+            rows, columns = len(question.rows), len(question.columns)
+            return _("Answer with a matrix: {rows} rows, {columns} columns.", rows=rows, columns=columns)
+        return _(
+            "Answer with a table. Its rows: {rows}. Its columns: {columns}.",
+            rows=", ".join(question.rows),
+            columns=", ".join(heads(question)),
+        )
+
+    def blank(self, question: Question) -> str:
+        nones = ", ".join("None" for _column in question.columns)
+        columns = ", ".join(heads(question))
+        remark = _("a list for each row: numbers, or texts with a unit")
+        lines = [f"{question.name} = [   # {remark}" + ("" if numbered(question) else f"; {columns}")]
+        for row in question.rows:
+            lines.append(f"    [{nones}]," + ("" if numbered(question) else f"   # {row}"))
+        return "\n".join([*lines, "]"])
+
+    def read(self, value: Value, question: Question) -> Answer:
+        match value:
+            case Nothing():
+                return Blank()
+            case Text(text) if text.strip() in PLACEHOLDERS:
+                return Blank()
+            case Refused():
+                return turned_away(value)
+            case _:
+                rows = _rows(value, question)
+        if isinstance(rows, Unclear):
+            return rows
+        found = [
+            scalar(item, entry_question(question, place))
+            for place, item in enumerate(item for row in rows for item in row)
+        ]
+        if all(isinstance(each, Blank) for each in found):
+            return Blank()
+        return Entries(tuple(found), _as_read(found, question))
+
+
+def _as_read(found: Sequence[Numbers | Formulas | Blank | Unclear], question: Question) -> str:
+    width, lines = len(question.columns), list[str]()
+    for place, label in enumerate(question.rows):
+        row = ", ".join(each.as_read or "—" for each in found[place * width : (place + 1) * width])
+        lines.append(f"({row})" if numbered(question) else f"{label}: ({row})")
+    return "; ".join(lines)
+
+
+def _rows(value: Value, question: Question) -> list[Row] | Unclear:
+    """The entries as they stand, row by row."""
+    height, width = len(question.rows), len(question.columns)
+    match value:
+        case Text(text) if len(text) <= LONGEST:
+            rows: list[Row] = [[Text(row)] for row in _lines(text)]
+        case Named(names, items):
+            return _by_name(names, items, question)
+        case Items(items) if len(items) == height * width and not any(map(_several, items)):
+            rows = [items[place * width : (place + 1) * width] for place in range(height)]
+        case Items(items):
+            rows = [_row(item, question) for item in items]
+        case _:
+            rows = [[value]]
+    rows = [_opened(row, width) for row in rows]
+    if len(rows) != height or any(len(row) != width for row in rows):
+        return _another_shape(rows, question)
+    return rows
+
+
+def _several(item: Value) -> bool:
+    return isinstance(item, Items | Named)
+
+
+def _row(item: Value, question: Question) -> Row:
+    match item:
+        case Items(inside):
+            return inside
+        case Named(names, inside) if (places := _places(names, question.columns)) is not None:
+            return [inside[places.index(place)] for place in range(len(inside))]
+        case _:
+            return [item]
+
+
+def _opened(row: Row, width: int) -> Row:
+    """A row that is one text, opened where that gives as many entries as there are columns."""
+    if len(row) != 1 or not isinstance(text := row[0], Text):
+        return row
+    cells = [cell for cell in CELLS.split(text.text.strip(" |")) if cell]
+    if len(cells) > 1:
+        return [Text(cell) for cell in cells]
+    pieces = pieces_of(text.text, width) if width > 1 else row
+    return [Text(piece) for piece in pieces if isinstance(piece, str)] if isinstance(pieces, list) else row
+
+
+def _lines(text: str) -> list[str]:
+    """One text for each row: `[[1, 2], [3, 4]]`, `1, 2; 3, 4`, or a row a line."""
+    inner = INNER.findall(text)
+    if len(inner) > 1 and not INNER.sub("", text).strip(" \n\t,;[]()"):
+        return inner
+    bare = text.strip()
+    if bare[:1] in ("[", "(") and bare[-1:] in ("]", ")") and len(inner) <= 1:
+        bare = bare[1:-1]
+    return [line.strip().rstrip(",") for line in ROWS.split(bare) if line.strip()]
+
+
+def _by_name(names: tuple[str, ...], items: tuple[Value, ...], question: Question) -> list[Row] | Unclear:
+    """A dictionary by rows, each a list; or by columns, as a data frame gives them."""
+    if (places := _places(names, question.rows)) is not None:
+        ordered = [items[places.index(place)] for place in range(len(items))]
+        return _rows(Items(tuple(ordered), (len(ordered),)), question)
+    if (places := _places(names, question.columns)) is not None:
+        columns = [items[places.index(place)] for place in range(len(items))]
+        turned = replace(question, rows=question.columns, columns=question.rows)
+        found = _rows(Items(tuple(columns), (len(columns),)), turned)
+        return found if isinstance(found, Unclear) else [list(row) for row in zip(*found, strict=True)]
+    return Unclear(
+        _(
+            "the rows are {rows}, the columns {columns}; your names are {given}",
+            rows=", ".join(question.rows),
+            columns=", ".join(question.columns),
+            given=", ".join(names)[:80],
+        ),
+        _("a dictionary"),
+    )
+
+
+def _places(names: Sequence[str], labels: Sequence[str]) -> list[int] | None:
+    """Where each name stands among the labels; None unless they are the same."""
+    known = [label.strip().casefold() for label in labels]
+    typed = [name.strip().casefold() for name in names]
+    return [known.index(name) for name in typed] if sorted(typed) == sorted(known) else None
+
+
+def _another_shape(rows: list[Row], question: Question) -> Unclear:
+    widths = sorted({len(row) for row in rows})
+    return Unclear(
+        _(
+            "a table of {rows} rows with {columns} entries each is asked for, as a list of lists; these are {given} rows with {widths}",
+            rows=len(question.rows),
+            columns=len(question.columns),
+            given=len(rows),
+            widths=", ".join(map(str, widths)) or "0",
+        ),
+        _("a table"),
+    )
+
+
+TYPE = TableType()
