@@ -9,6 +9,9 @@ from types import ModuleType
 
 import pytest
 
+from corollary.grading.assign import admitted
+from corollary.problem.sampling import sample
+
 
 def by_path(path: Path) -> ModuleType:
     """A module that belongs to no package."""
@@ -45,6 +48,14 @@ def test_numbers_are_drawn_of_which_no_rounding_takes_the_answer_away(solution, 
     assert record["mistakes"]["accepted_percent"] == 0
     assert record["mistakes"]["named_percent"] == 100
     assert record["redrawn_percent"] < 5
+
+
+@pytest.mark.parametrize(("code", "share"), [("X12.13", 0.2), ("P12.15", 0.1)])
+def test_few_draws_are_refused_for_rounding(solution, code, share):
+    """The chain's loss beside its work, the atom's distance beside its rest: nearly equal terms on a third of the draws, once."""
+    found = solution(code)
+    draws = list(sample(found.problem, 50, salt="refused"))
+    assert sum(admitted(found, draw)[0] is None for draw in draws) <= share * len(draws)
 
 
 def test_answers_that_are_just_anything_are_mostly_wrong(solution):
