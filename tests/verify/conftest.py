@@ -22,7 +22,7 @@ given:
 require:
   - m > 0
 ---
-A cart.
+A cart. It is of {{m}}, and has {{v}} after {{t}}.
 
 ## Momentum {#a .value unit="kg*m/s"}
 How large?

@@ -195,6 +195,7 @@ def test_what_an_author_may_want_to_know(verified, good, problem):
         "cart.md:8: the given s is used in no answer; leave it out, unless it is there to be left aside",
         "cart.py:9: part a foresees no mistake; say at least two",
         "cart.py:12: this mistake gives the same value as 'You multiplied.'; students are told that",
+        "cart.md:8: the given s (2\N{NO-BREAK SPACE}m) is not in the text",
     ]
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from corollary.answers.equality import Different, Equal, compare, hint
+from corollary.answers.equality import Different, Equal, Undecided, compare, hint
 from corollary.audit.exercise import PublishedExercise, exact, quantity
 from corollary.audit.identity import identical
 from corollary.audit.outcome import AuditedAnswer
@@ -70,9 +70,7 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
             why=f"{letter} has no formula to compare with: the laws give a root of a cubic or the like",
         )
     displayed = {id(root): text(tree) for root in candidates if (tree := root.formula(letter)) is not None}
-    domain = {
-        name: tuple(sorted((float(low), float(high)))) for name, (low, high) in _si(box, exercise).items()
-    }
+    domain = {name: (min(bounds), max(bounds)) for name, bounds in _si(box, exercise).items()}
     matching, undecided, way = None, "", "points"
     difference: Different | None = None
     others_proven: list[bool] = []
@@ -85,10 +83,13 @@ def function_outcome(exercise: PublishedExercise, nothing: AuditedAnswer, formul
             matching, way = root, "algebra" if same else "points"
             break
         others_proven.append(same is False)
-        if isinstance(seen, Different):
-            difference = seen
-        else:
-            undecided = seen.why
+        match seen:
+            case Different():
+                difference = seen
+            case Undecided(why):
+                undecided = why
+            case Equal():
+                pass
     others = tuple(dict.fromkeys(displayed[id(root)] for root in candidates if root is not matching))
     if matching is not None:
         rivals = _rivals(exercise, matching, candidates, points, letter)

@@ -16,7 +16,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Checked
 from corollary.verify.programs import unstarted
-from corollary.verify.side_by_side import Todo, VerifyEach
+from corollary.verify.side_by_side import Todo, VerifyEach, longest_first
 from corollary.verify.unchanged import origin
 from corollary.verify.verify import verify
 
@@ -65,13 +65,14 @@ def _state(bank: Bank, problem: Problem, count: int) -> str:
 def _in_order(client: Any, todo: Todo, count: int) -> Iterator[Checked]:
     from distributed import CancelledError, KilledWorker
 
-    futures = [
-        client.submit(verify_there, bank, problem, count, _state(bank, problem, count), spoken(), pure=False)
-        for bank, problem in todo
-    ]
-    for future, (_, problem) in zip(futures, todo, strict=True):
+    def begun(bank: Bank, problem: Problem) -> Any:
+        state = _state(bank, problem, count)
+        return client.submit(verify_there, bank, problem, count, state, spoken(), pure=False)
+
+    futures = {place: begun(*todo[place]) for place in longest_first(todo)}
+    for place, (_, problem) in enumerate(todo):
         try:
-            yield future.result()
+            yield futures[place].result()
         except KilledWorker:
             raise NoCluster(
                 f"the workers that verified {problem.code} died, one after another; verify it here, without --executor"

@@ -38,10 +38,16 @@ def verify_each(todo: Todo, count: int, jobs: int | None = None) -> Generator[It
             most, mp_context=way_to_start(), initializer=_begin, initargs=(todo, count)
         )
         try:
-            yield _in_order([pool.submit(_there, place) for place in range(len(todo))], here)
+            begun = {place: pool.submit(_there, place) for place in longest_first(todo)}
+            yield _in_order([begun[place] for place in range(len(todo))], here)
         finally:
             pool.shutdown(cancel_futures=True)
             remove_abandoned()  # a process of a pool ends without a word: the folder of its runner is left
+
+
+def longest_first(todo: Todo) -> list[int]:
+    """The places of the problems, those with most parts first: a long one begun last would leave the other cores idle."""
+    return sorted(range(len(todo)), key=lambda place: -len(todo[place][1].parts))
 
 
 def _in_order(begun: Sequence[Future[Checked]], here: Callable[[int], Checked]) -> Iterator[Checked]:

@@ -21,6 +21,7 @@ from corollary.verify.laws import check_cases, check_dimensions, check_laws
 from corollary.verify.obligations.check import check_obligations
 from corollary.verify.printed import check_printed
 from corollary.verify.programs import check_programs
+from corollary.verify.question_text import check_question
 from corollary.verify.remarks import remark
 from corollary.verify.samples import check_claims, check_samples
 from corollary.verify.translations import check_translations
@@ -77,6 +78,7 @@ class Verification:
                         check_obligations(bank, solution, tally, self.count)
                     case "variants":
                         self.walked = walk(bank, solution, tally, self.count)
+                        check_question(solution, own, tally)
                     case "scenes":
                         for key in self.walked.first:
                             check_scenes(bank, key, tally)
