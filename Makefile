@@ -5,7 +5,7 @@ SHELL := bash
 
 VENV ?= .venv
 EXTRAS ?= # further extras of pyproject.toml for the tests, such as fast
-JOBS ?= 2
+JOBS ?= 3 # one more than two cores: tests also wait, for processes that they start
 BIN := $(VENV)/bin
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && { echo $$p; break; }; done)

@@ -31,6 +31,7 @@ def test_many_processes_find_what_one_does(one_by_one: list[Checked]) -> None:
     assert found(2) == one_by_one
 
 
+@pytest.mark.whole
 def test_a_process_that_is_killed_loses_no_problem(
     monkeypatch: pytest.MonkeyPatch, one_by_one: list[Checked]
 ) -> None:

@@ -69,6 +69,7 @@ def unchecked(found) -> list[str]:
     return [note for note in found.notes if "nothing but dimensions" in note]
 
 
+@pytest.mark.whole
 def test_a_wrong_sign_of_drag_contradicts_the_energy_balance(checked):
     assert checked("m*dv/dt = m*g - b*v", BALANCE).complaints == ()
     (complaint,) = checked("m*dv/dt = m*g + b*v", BALANCE).complaints
@@ -85,6 +86,7 @@ def test_what_nothing_checks_is_named(checked):
     assert "Way (line 11)" in note
 
 
+@pytest.mark.whole
 def test_what_the_balance_checks_is_not_named(checked):
     (note,) = unchecked(checked("m*dv/dt = m*g - b*v", BALANCE))
     assert "checks the signs of Asked (line 9); confirm" in note  # the balance has the square of v1

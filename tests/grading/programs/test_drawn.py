@@ -270,6 +270,7 @@ x, y = np.array(places).T
 ORBIT = "plt.plot(x, y); plt.xlabel('x [m]'); plt.ylabel('y [m]'); plt.axis('equal'); plt.show()"
 
 
+@pytest.mark.whole
 def test_the_trajectory_of_an_atom(drawn):
     for change, draw in (
         ("", ORBIT),
