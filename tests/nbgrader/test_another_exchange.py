@@ -22,7 +22,7 @@ pytestmark = pytest.mark.whole
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 BIN = Path(sys.executable).parent
 # A service that has one folder for what is released and one for each student's work, and is named by the traits of
-# ExchangeFactory, as ngshare_exchange.configureExchange does.
+# ExchangeFactory, as ngshare_exchange.configureExchange does. As ngshare's, it knows by the page's timestamp.txt what was handed in.
 SERVICE = """
 import shutil
 from pathlib import Path
@@ -53,6 +53,7 @@ class ReleaseFeedback(abc.ExchangeReleaseFeedback):
 
     def copy_files(self):
         for page in Path(self.src_path).glob("*/*/*.html"):
+            assert page.with_name("timestamp.txt").read_text() == "2026-08-05 10:00:00.000000 UTC"
             place = Path(self.dest_path, page.parts[-3])
             place.mkdir(parents=True, exist_ok=True)
             shutil.copy(page, place)

@@ -227,6 +227,7 @@ def test_stock_commands_work_on_what_we_wrote(course: Course, week: ProblemSet):
     place = course.place("feedback", "ada", "week_1")
     ours = (place / "week_1.html").read_text()
     assert "Feedback for Ada Lovelace" in ours
+    assert (place / "timestamp.txt").read_text() == ON_TIME, "ngshare asks for it"
     write_whole(place / "week_1.html", "feedback on older marks")
     for step in ("feedback", "autograded"):
         write_whole(course.place(step, "ada", "week_1") / "week_1.feedback.html", "a page of version 0.1")

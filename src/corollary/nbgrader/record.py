@@ -129,6 +129,8 @@ def record_several(
             ):
                 if content:
                     files[course.place("autograded", student, name) / file] = content
+            if stamp:  # ngshare's release_feedback tells by it which hand-in a page is of
+                files[course.place("feedback", student, name) / "timestamp.txt"] = stamp
     if followed and (entries := seen(book)) is not None:
         has_seen(book, entries + followed)
     book.db.commit()
