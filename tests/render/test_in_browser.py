@@ -123,6 +123,15 @@ def test_dark_pages_are_dark_and_their_drawings_light(pages, chromium):
     page.context.close()
 
 
+def test_what_is_said_of_a_student_has_the_width_of_a_phone(pages, chromium):
+    page = opened(chromium, pages["report"], PHONE, "light")
+    page.locator(".students summary").first.click()
+    lists = page.locator(".students details[open] ul")
+    assert lists.first.evaluate("each => each.clientWidth") > 0.8 * PHONE
+    assert page.evaluate(STICKING_OUT) <= 0
+    page.context.close()
+
+
 @pytest.fixture
 def thousand(tmp_path, chromium):
     """The report of a thousand students, opened under its own policy."""
