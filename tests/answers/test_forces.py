@@ -16,7 +16,7 @@ from corollary.answers.expected import Expected, FreeBody
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.verdict import Mistaken, Right, Wrong
-from corollary.answers.ways import DEGREES
+from corollary.answers.ways import DEGREES, of_a_slope, spellings
 from corollary.formula.ball import RationalPi
 from corollary.formula.value import Items, Named, Nothing, Real, Text
 from corollary.messages import language
@@ -153,3 +153,7 @@ def test_opposite_ways_are_half_a_turn_apart_and_the_slope_s_own_stand_upright_o
         == (0, 90)
     )
     assert all(0 <= degrees < 360 for degrees in DEGREES.values())
+    assert set(spellings(with_slope=True)) == set(DEGREES)
+    assert [way for way in DEGREES if of_a_slope(way)] == [
+        way for way in DEGREES if way.endswith(" the slope")
+    ]

@@ -10,6 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from flint import arb
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -233,3 +234,5 @@ def test_no_values_are_further_apart_than_the_slope_says_and_some_are_nearly_as_
         abs(row.double(right) - row.double(left)) / (right - left) for left, right in pairwise(places)
     )
     assert row.slope - 1 < steepest <= row.slope * (1 + 1e-12)
+    ends = [row.ball(arb(place) / 8) for place in (-1, 0, 1, 3)]
+    assert all(abs(right - left) <= row.slope * arb("0.2501") for left, right in pairwise(ends))
