@@ -6,11 +6,13 @@ from dataclasses import FrozenInstanceError
 
 import pytest
 
+from corollary.answers.answer import Blank
 from corollary.answers.gain import Gain
 
 
-def test_a_gain_stays_as_it_was_read():
-    read = Gain("3 J", -1, "lost")
+@pytest.mark.parametrize(("read", "name"), [(Gain("3 J", -1, "lost"), "sign"), (Blank("—"), "as_read")])
+def test_what_was_read_stays_as_it_is(read, name):
+    before = getattr(read, name)
     with pytest.raises(FrozenInstanceError):
-        read.sign = 1
-    assert read.sign == -1
+        setattr(read, name, "changed")
+    assert getattr(read, name) == before
