@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from corollary.answers.answer import Formulas, Numbers, Unclear
+from corollary.answers.options import option_named
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
 from corollary.formula.text import text
@@ -74,3 +75,4 @@ def test_a_formula_keeps_its_sign_where_the_words_agree():
 def test_a_choice_asks_for_one_letter():
     letter = replace(VALUE, answer_types=("choice",), options=(Option("a", "one"), Option("b", "two")))
     assert answer_type("choice").heading(question_of(PROBLEM, letter)) == "One letter."
+    assert option_named(letter, "b") == "(B)"

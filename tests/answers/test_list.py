@@ -113,3 +113,12 @@ def test_four_formulas_are_right_in_any_order(order):
     assert isinstance(judge_in_any_order(typed, wanted, question), Right)
     off = Formulas((*typed.trees[:3], author_formula("3*h")), "")
     assert isinstance(judge_in_any_order(off, wanted, question), Wrong)
+
+
+def test_numbers_that_nothing_parts_are_not_counted():
+    """Where three are asked for, `2 5 s` may be two or a slip for 25: nothing is held against the student."""
+    three = question_of(PROBLEM, replace(PART, components=("up", "across", "down")))
+    assert isinstance(answer_type("list").read(Text("2 5 s"), three), Unclear)
+    two = answer_type("list").read(Text("2 and 5 s"), three)
+    assert isinstance(two, Numbers)
+    assert two.values == (2.0, 5.0)

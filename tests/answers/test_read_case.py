@@ -29,6 +29,7 @@ def read(text: str, **others: object) -> dict[str, object]:
             {"m": 1, "s": -1},
             "compatible",
         ),
+        ("85.3 lost", "J", "85.3 lost", -85.3, "1", {}, "wrong dimension"),
         ("loss: 2 N m", "N m", "2 N m loss", -2.0, "N*m", {"kg": 1, "m": 2, "s": -2}, "compatible"),
         (
             "-3 m/s, x to the left",

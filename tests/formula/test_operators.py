@@ -34,6 +34,20 @@ def test_each_has_its_sign(formula, tex):
     assert tex in latex(author_formula(formula, operators=True))
 
 
+@pytest.mark.parametrize(
+    ("formula", "tex"),
+    [
+        ("cross(r, F)", r"r \times F"),
+        ("cross(r - u, F)", r"\left(r - u\right) \times F"),
+        ("int(F, t, 0, T)", r"\int_{0}^{T} F \,\mathrm{d}t"),
+        ("int(F + r, t, 0, T)", r"\int_{0}^{T} \left(F + r\right) \,\mathrm{d}t"),
+    ],
+)
+def test_a_sum_stands_in_brackets_and_a_letter_does_not(formula, tex):
+    letters = {"r", "u", "F", "t", "T"}
+    assert latex(read_operators(author_formula(formula, operators=True), letters, frozenset())) == tex
+
+
 LETTERS = {"m", "v", "x", "t", "dq"}
 
 
