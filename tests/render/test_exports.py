@@ -280,6 +280,7 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         "feedback-zip",
         "moodle",
         "qti",
+        "site",
         "broken",
         "gone",
         "roll",
