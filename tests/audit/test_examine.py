@@ -346,3 +346,10 @@ def test_a_rounding_is_no_other_convention(audited):
 - {id: x, given: {t: 3.018 s}, convention: g = 9.80 m/s^2, laws: [h = g*t^2/2], asked: h, published: 44.7 m}
 """))  # fmt: skip
     assert outcome.finding == "last figure"
+
+
+def test_sides_that_differ_little_are_shown_to_differ(audited):
+    (found,) = audited(
+        "- {id: a, given: {m: 2 kg, a: 3.0001 m/s^2}, laws: [F = m*a], asked: F, published: 6.00032 N}"
+    )
+    assert (found.finding, found.sides) == ("wrong", ("6.00032 N", "6.00020 N"))

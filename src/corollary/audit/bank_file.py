@@ -7,11 +7,13 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+from corollary.audit.drawn_record import drawn_records
 from corollary.audit.readers.moodle import moodle_records
 from corollary.audit.readers.prairielearn import prairielearn_records
 from corollary.audit.readers.qti import qti_records
 from corollary.audit.readers.rexams import rexams_records
 from corollary.audit.readers.safe_xml import xml_of
+from corollary.audit.readers.server_draw import ServerRuns
 from corollary.audit.readers.webwork import webwork_records
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
 from corollary.audit.record_file import records_in
@@ -38,8 +40,15 @@ READERS: Mapping[str, Callable[[Path], tuple[ExerciseRecord, ...]]] = {
 """By the ending of a file's name, what reads a bank of that kind."""
 
 
-def records_of(path: Path, laws: Mapping[str, ExerciseRecord]) -> tuple[ExerciseRecord, ...]:
-    """The records of a file; `laws` are those of exercises by their id. Raises Malformed."""
+def records_of(
+    path: Path, laws: Mapping[str, ExerciseRecord], servers: ServerRuns | None = None
+) -> tuple[ExerciseRecord, ...]:
+    """The records of a file, or of the folder of a PrairieLearn question; `laws` are those of exercises by their id.
+
+    With `servers` the programs of such questions are run, too. Raises Malformed; with `servers` WeakIsolation and CannotStart.
+    """
+    if (path / "question.html").is_file():
+        path /= "question.html"
     ending = path.suffix.lower()
     if ending in RECORDS:
         return tuple(
@@ -48,7 +57,12 @@ def records_of(path: Path, laws: Mapping[str, ExerciseRecord]) -> tuple[Exercise
     if ending not in READERS:
         known = ", ".join(sorted({*RECORDS, *READERS}))
         raise Malformed([Diagnostic(path, 1, f"is of no kind that is read here ({known})")])
-    return tuple(joined(each, laws.get(each.id), bare=True) for each in READERS[ending](path))
+    read = tuple(joined(each, laws.get(each.id), bare=True) for each in READERS[ending](path))
+    if servers is None or ending != ".html":
+        return read
+    return tuple(
+        each for one in read for each in drawn_records(one, laws.get(path.resolve().parent.name), servers)
+    )
 
 
 def laws_by_id(path: Path | None) -> dict[str, ExerciseRecord]:

@@ -14,7 +14,7 @@ from corollary.formula.syntax import author_formula
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import Dimension, Unit, si_unit
 
-FIGURES = 4  # of the sides
+FIGURES = (4, 6, 9, 12)  # of the sides: as many as it takes to see that they differ
 ROUNDING = 1e-9  # relative: sides so near are the same
 
 
@@ -61,8 +61,17 @@ def most_broken(
         rank = (len(names(relation) - known), -share)
         if share > ROUNDING and (best is None or rank < best):
             best, unit = rank, _unit(relation, dimensions)
-            found = BrokenLaw(law, (quantity(left, unit, FIGURES), quantity(right, unit, FIGURES)))
+            found = BrokenLaw(law, _written(left, right, unit))
     return found
+
+
+def _written(left: float, right: float, unit: Unit | None) -> tuple[str, str]:
+    written = "", ""
+    for figures in FIGURES:
+        written = quantity(left, unit, figures), quantity(right, unit, figures)
+        if written[0] != written[1]:
+            break
+    return written
 
 
 def _unit(relation: Relation, dimensions: Mapping[str, Dimension]) -> Unit | None:

@@ -9,6 +9,7 @@ from typing import Any
 from corollary.audit.audit import audit_each
 from corollary.audit.bank_file import laws_by_id, records_of
 from corollary.audit.outcome import FAULTS, FINDINGS, AuditedAnswer
+from corollary.audit.readers.server_draw import ServerRuns
 from corollary.cli.console import console
 from corollary.cli.ending import FAILS, HOLDS, answer, counted, refuse
 from corollary.cli.progress import bar
@@ -22,9 +23,23 @@ COLOURS = {
 }  # the rest is red
 
 
-def run(files: list[str], laws: Path | None, bank: Path | None, report: Path | None, as_json: bool) -> int:
+def run(
+    files: list[str],
+    laws: Path | None,
+    bank: Path | None,
+    report: Path | None,
+    running: bool,
+    seeds: int,
+    require: int,
+    as_json: bool,
+) -> int:
     stated = laws_by_id(laws)
-    records = [record for name in files for record in records_of(Path(name), stated)]
+    with ServerRuns(seeds, require) as servers:
+        records = [
+            record
+            for name in files
+            for record in records_of(Path(name), stated, servers if running else None)
+        ]
     if not records:
         refuse(f"{', '.join(files)}: there are no records in it; `docs/audit.md` shows how they are written")
     found: list[AuditedAnswer] = []

@@ -100,13 +100,14 @@ VERIFYING_CLUSTER = click.Option(
 SOLUTION = flag("--solution", "Add the worked solution.")
 
 
+ISOLATION = click.Option(
+    ["--require-isolation", "require"],
+    type=click.IntRange(0, 3),
+    help="Refuse to run foreign code below this isolation level; 1 when left out.",
+)
 # What a notebook is run with, and where.
 RUNNING = (
-    click.Option(
-        ["--require-isolation", "require"],
-        type=click.IntRange(0, 3),
-        help="Refuse to run notebooks below this isolation level; 1 when left out.",
-    ),
+    ISOLATION,
     click.Option(
         ["--jobs"],
         type=AT_LEAST_1,
@@ -211,4 +212,14 @@ AUDITED = (
     path("--laws", text="The laws for exercises of a bank, by their id: a file of records without answers."),
     BANK,
     path("--report", text="Write a page to send to whoever keeps the bank."),
+    click.Option(
+        ["--run", "running"], is_flag=True, help="Also run each server.py of PrairieLearn, in isolation."
+    ),
+    click.Option(
+        ["--seeds"],
+        type=AT_LEAST_1,
+        default=5,
+        help="At how many seeds each server.py is run; 5 when left out.",
+    ),
+    ISOLATION,
 )

@@ -1,4 +1,4 @@
-"""PrairieLearn: what `server.py` draws and assigns, read as a syntax tree and never run, and the inputs of `question.html`."""
+"""PrairieLearn: what `server.py` draws and assigns, read as a syntax tree and not run, and the inputs of `question.html`."""
 
 from __future__ import annotations
 
@@ -38,15 +38,13 @@ def prairielearn_records(path: Path) -> tuple[ExerciseRecord, ...]:
     if path.name != "question.html":
         raise Malformed([Diagnostic(path, 1, "is read when it is the question.html of an exercise's folder")])
     name, source = path.resolve().parent.name, text_of(path)
-    elements = InputElements()
-    elements.feed(source)
-    elements.close()
+    inputs = _inputs_in(source)
     statement = words_of(re.sub(r"\{\{.*?\}\}", "…", source))
     bare = ExerciseRecord(name, path, 1, statement=statement)
     try:
-        if len(elements.found) != 1:
-            raise NotRead(f"it has {len(elements.found)} inputs, and one is read")
-        (element,) = elements.found
+        if len(inputs) != 1:
+            raise NotRead(f"it has {len(inputs)} inputs, and one is read")
+        (element,) = inputs
         if element["tag"] not in INPUTS:
             raise NotRead(f"{element['tag']} is not read")
         unit = element.get("suffix", "").replace("$", "").strip()
@@ -61,6 +59,18 @@ def prairielearn_records(path: Path) -> tuple[ExerciseRecord, ...]:
         return (ExerciseRecord(name, path, 1, drawn, published=(formula,), statement=statement),)
     except NotRead as error:
         return (ExerciseRecord(name, path, 1, statement=bare.statement, unread=str(error)),)
+
+
+def inputs_of(path: Path) -> list[dict[str, str]]:
+    """The attributes of each input of a `question.html`, its tag among them. Raises Malformed."""
+    return _inputs_in(text_of(path))
+
+
+def _inputs_in(source: str) -> list[dict[str, str]]:
+    elements = InputElements()
+    elements.feed(source)
+    elements.close()
+    return elements.found
 
 
 def _program(path: Path) -> tuple[StraightLine, dict[str, str]]:

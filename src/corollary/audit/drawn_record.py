@@ -1,0 +1,189 @@
+"""An exercise at the numbers that its program draws: a record for each seed, with the program's own answer as the published one."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from decimal import Decimal
+from fractions import Fraction
+
+from corollary.audit.readers.prairielearn import inputs_of
+from corollary.audit.readers.server_draw import ServerDraw, ServerRuns
+from corollary.audit.readers.straight_line import NotRead
+from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
+from corollary.formula.ast import names
+from corollary.formula.numerals import decimal_text
+from corollary.formula.syntax import author_formula
+from corollary.formula.value import Exact, Nothing, Real, Refused, Text, Value
+from corollary.units.unit import PURE, unit
+
+MOST_FIGURES = 9  # of a number worked out in doubles
+NOISE = 12  # figures from which on a double is what the arithmetic left, not what somebody rounded to
+LARGEST = Fraction(10) ** 300
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
+WRITTEN = re.compile(rf"\s*({NUMBER})\s*")
+WITH_UNIT = re.compile(rf"\s*({NUMBER})\s*([A-Za-z%/^*0-9 ()-]{{0,40}})")
+
+
+def drawn_records(
+    read: ExerciseRecord, stated: ExerciseRecord | None, servers: ServerRuns
+) -> tuple[ExerciseRecord, ...]:
+    """What was read of a question, and behind it one record for each seed; these alone where it could not be read.
+
+    Nothing is run where no laws are stated, or the answer stands in `question.html`. One record says why where no seed
+    gives numbers. Raises Malformed, WeakIsolation and CannotStart.
+    """
+    server = read.path.parent / "server.py"
+    if stated is None or not server.is_file():
+        return (read,)
+    inputs = {each.get("answers-name", ""): each for each in inputs_of(read.path)}
+    if any("correct-answer" in each for each in inputs.values()):
+        return (read,)
+    answers = _answers_names(stated.asked, inputs)
+    draws = servers.draws(server, _letters(stated), list(answers.values()))
+    figures = {name: _figures([each.answers.get(name) for each in draws]) for name in answers.values()}
+    records = [_at(read, stated, draw, answers, inputs, figures) for draw in draws]
+    if all(each.unread for each in records):
+        records = records[:1]
+    return tuple(records) if read.unread else (read, *records)
+
+
+def _letters(stated: ExerciseRecord) -> list[str]:
+    """Letters that a program may draw: those given, and all others of the laws but what is asked."""
+    of_laws = {letter for law in stated.laws for letter in names(author_formula(law.formula))}
+    return sorted({each.symbol for each in stated.given} | of_laws - {each.letter for each in stated.asked})
+
+
+def _answers_names(asked: Sequence[AskedLetter], inputs: Mapping[str, Mapping[str, str]]) -> dict[str, str]:
+    """The name of the answer to each letter asked for: its own, or that of the only input."""
+    if len(asked) == len(inputs) == 1:
+        return {asked[0].letter: next(iter(inputs))}
+    return {each.letter: each.letter for each in asked}
+
+
+def _at(
+    read: ExerciseRecord,
+    stated: ExerciseRecord,
+    draw: ServerDraw,
+    answers: Mapping[str, str],
+    inputs: Mapping[str, Mapping[str, str]],
+    figures: Mapping[str, Mapping[Fraction, int]],
+) -> ExerciseRecord:
+    """The record at one seed."""
+    place = f"{read.id}, seed {draw.seed}"
+    try:
+        if draw.trouble:
+            raise NotRead(draw.trouble)
+        given = _given(stated, draw.params)
+        published = tuple(
+            _published(each, answers[each.letter], draw, inputs.get(answers[each.letter], {}), figures)
+            for each in stated.asked
+        )
+    except NotRead as error:
+        return ExerciseRecord(place, read.path, read.line, statement=read.statement, unread=str(error))
+    return replace(
+        stated,
+        id=place,
+        path=read.path,
+        line=read.line,
+        given=given,
+        published=published,
+        source=read.source or stated.source,
+        statement=read.statement or stated.statement,
+    )
+
+
+def _given(stated: ExerciseRecord, params: Mapping[str, Value]) -> tuple[StatedGiven, ...]:
+    """What is given at one seed, in the units that the laws' file says; a number there takes precedence. Raises NotRead."""
+    units = {each.symbol: each.unit for each in stated.assumed} | {
+        each.symbol: each.unit for each in stated.given
+    }
+    given = {each.symbol: each for each in stated.given if each.fixed}
+    for each in stated.given:
+        if each.symbol not in given and each.symbol not in params:
+            raise NotRead(f"generate sets no params[{each.symbol!r}], which the laws have as given")
+    for letter, value in params.items():
+        if letter not in given:
+            number = _number(value, f"params[{letter!r}]")
+            given[letter] = StatedGiven(letter, units.get(letter, PURE), number, number)
+    return tuple(given.values())
+
+
+def _published(
+    asked: AskedLetter,
+    name: str,
+    draw: ServerDraw,
+    element: Mapping[str, str],
+    figures: Mapping[str, Mapping[Fraction, int]],
+) -> str:
+    """The program's answer as somebody would print it, with the unit behind the input where none is asked for. Raises NotRead."""
+    where = f"correct_answers[{name!r}]"
+    if element.get("tag") == "pl-symbolic-input":
+        raise NotRead(f"{where} is a formula, and numbers are compared where a program is run")
+    if name not in draw.answers:
+        raise NotRead(f"generate sets no {where}, which the laws ask for")
+    value = draw.answers[name]
+    match value:
+        case Text(text) if found := WITH_UNIT.fullmatch(text):
+            number, its_unit = found[1], found[2].strip()
+        case _:
+            exact = _number(value, where)
+            number, its_unit = _in_figures(exact, figures[name][exact]), ""
+    if not its_unit and asked.unit is None:
+        its_unit = _readable(element.get("suffix", "").replace("$", "").strip())
+    return f"{number} {its_unit}".strip()
+
+
+def _readable(suffix: str) -> str:
+    """What stands behind an input, where it is a unit."""
+    try:
+        unit(suffix)
+    except ValueError:
+        return ""
+    return suffix
+
+
+def _number(value: Value | None, where: str) -> Fraction:
+    """The number that a value is. Raises NotRead."""
+    match value:
+        case Real(number) if math.isfinite(number):
+            found = Fraction(repr(number))
+        case Exact(number):
+            found = number
+        case Text(text) if written := WRITTEN.fullmatch(text):
+            found = Fraction(written[1])
+        case Text():
+            raise NotRead(f"{where} is a text, and not that of a number alone")
+        case Refused(why):
+            raise NotRead(f"{where} {why}")
+        case _:
+            raise NotRead(f"{where} is {'nothing' if isinstance(value, Nothing) else 'no finite number'}")
+    if abs(found) > LARGEST:
+        raise NotRead(f"{where} is too large a number")
+    return found
+
+
+def _figures(values: Sequence[Value | None]) -> dict[Fraction, int]:
+    """To how many figures each answer is meant: a program that rounds has as few places, or figures, at every seed."""
+    found: dict[Fraction, tuple[int, int]] = {}
+    for value in values:
+        if isinstance(value, Real | Exact):
+            try:
+                number = _number(value, "")
+            except NotRead:
+                continue
+            decimal = Decimal(f"{float(number):.{NOISE}g}").normalize()
+            exponent = decimal.as_tuple().exponent
+            assert isinstance(exponent, int)
+            found[number] = (decimal.adjusted() + 1 if decimal else 1, max(0, -exponent))
+    places = max((after for _, after in found.values()), default=0)
+    most = max((before + after for before, after in found.values()), default=1)
+    return {number: max(1, min(MOST_FIGURES, most, before + places)) for number, (before, _) in found.items()}
+
+
+def _in_figures(number: Fraction, figures: int) -> str:
+    """The number to so many figures, zeros at its end counting."""
+    text = decimal_text(number, figures)
+    return f"{float(number):.{figures - 1}e}" if text.endswith("0") and "." not in text else text
