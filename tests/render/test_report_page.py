@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import re
 import runpy
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from corollary.records.estimate import Estimate
+from corollary.records.fairness import FeatureEffect
+from corollary.records.set_statistics import set_statistics
 from corollary.render.report_page import intervals, report_page
 
 SAMPLE = runpy.run_path(str(Path(__file__).parents[1] / "sample.py"))
@@ -37,6 +41,19 @@ def test_the_page_holds_the_report_and_needs_nothing_beside_it(of):
     assert "a person reads this" in page.words
     assert "1 student cy" in page.words
     assert text == report_page(found, of)
+
+
+def test_statistics_stand_in_the_page_where_they_are_asked_for(of):
+    found = summary([SAMPLE["marked"](of), SAMPLE["marked"](of, "eve")])
+    effect = FeatureEffect("X12.5", "a", "figures", 40, Estimate(0.5, 0.125, 0.875), 0.011, 0.25, 0.625, 0.75)
+    whole = replace(set_statistics(found, {}), effects=(effect,))
+    words = Page(report_page(found, of, statistics=whole)).words
+    of_one = next(each for each in whole.parts if each.difficulty.value == 1)
+    assert of_one.answers == 2
+    assert "100 % (34 % to 100 %)" in words  # Wilson's interval of 2 of 2
+    assert "0.50 (0.12 to 0.88) 0.011 0.25 62 %" in words
+    assert "1 effect looked for, 0 found at 5 % of all together" in words
+    assert "Statistics" not in Page(report_page(found, of)).words
 
 
 def test_what_waits_for_a_person_comes_first(of):

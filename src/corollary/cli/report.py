@@ -46,7 +46,8 @@ def run(
         way = Path(os.path.relpath(opened.folder, output.resolve().parent)).as_posix()
         formgrader = read_settings(opened.folder).formgrader
         output.write_text(
-            report_page(found, problem_set, formgrader=formgrader, course=way), encoding="utf-8"
+            report_page(found, problem_set, formgrader=formgrader, course=way, statistics=estimates),
+            encoding="utf-8",
         )
         say(f"written to {output}")
     if as_json:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 from urllib.parse import quote
 
 from corollary.problem.problem_set import ProblemSet
@@ -14,7 +14,11 @@ from corollary.records.record import HandedIn, Row
 from corollary.records.report_model import PartTally, Report
 from corollary.render.page import page
 from corollary.render.report_table import columns
+from corollary.render.statistics_text import EFFECTS, between, in_all, percent_between
 from corollary.render.wording import BY_HAND, LOOKS
+
+if TYPE_CHECKING:
+    from corollary.records.set_statistics import SetStatistics
 
 FORMGRADER: Final = "http://localhost:8888/formgrader"
 """Where formgrader is unless somebody says otherwise."""
@@ -73,11 +77,18 @@ class Segment:
     width: float
 
 
-def report_page(report: Report, problem_set: ProblemSet, *, formgrader: str = "", course: str = "..") -> str:
+def report_page(
+    report: Report,
+    problem_set: ProblemSet,
+    *,
+    formgrader: str = "",
+    course: str = "..",
+    statistics: SetStatistics | None = None,
+) -> str:
     """The report as one page of HTML that needs nothing beside it.
 
     `formgrader` is the address of nbgrader's page (empty: where Jupyter has it by itself), `course` the way from the report's
-    folder to the course.
+    folder to the course; `statistics` are what the marks tell of the parts, where that was asked for.
     """
     titles = {
         (problem.code, part.id): part.title for problem in problem_set.problems for part in problem.parts
@@ -98,6 +109,11 @@ def report_page(report: Report, problem_set: ProblemSet, *, formgrader: str = ""
         rubrics={(one.problem, one.part): one.rubric for one in report.waiting if one.rubric},
         students=_lines(report),
         places=Places(problem_set.name, (formgrader or FORMGRADER).rstrip("/"), course),
+        statistics=statistics,
+        effects_title=EFFECTS,
+        effects_in_all=in_all(statistics.effects) if statistics else "",
+        between=between,
+        percent_between=percent_between,
     )
 
 

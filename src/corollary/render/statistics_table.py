@@ -9,9 +9,8 @@ from rich.table import Table
 from rich.text import Text
 
 from corollary.messages import visible
-from corollary.records.estimate import Estimate
-from corollary.records.fairness import FeatureEffect
 from corollary.records.set_statistics import SetStatistics
+from corollary.render.statistics_text import EFFECTS, between, in_all, percent_between
 
 MOST = 15
 
@@ -24,23 +23,23 @@ def statistics_table(found: SetStatistics) -> RenderableType:
 def _pieces(found: SetStatistics) -> Iterator[RenderableType]:
     table = _empty("Parts, with 95 % intervals", "part", "answers", "all points", "tells students apart")
     for part in found.parts:
-        apart = "–" if part.discrimination is None else _between(part.discrimination)
+        apart = "–" if part.discrimination is None else between(part.discrimination)
         table.add_row(
-            f"{part.problem} {part.part}", str(part.answers), _between(part.difficulty, percent=True), apart
+            f"{part.problem} {part.part}", str(part.answers), percent_between(part.difficulty), apart
         )
     yield table
     if found.misconceptions:
         table = _empty("Misconceptions and slips by share", "part", "what", "share", "students")
         for one in found.misconceptions[:MOST]:
             whose = ", ".join(one.students[:4]) + (" …" if len(one.students) > 4 else "")
-            cells = (f"{one.problem} {one.part}", one.text, _between(one.share, percent=True), whose)
+            cells = (f"{one.problem} {one.part}", one.text, percent_between(one.share), whose)
             table.add_row(*(Text(visible(cell)) for cell in cells))
         yield table
     if not found.effects:
-        yield Text("\nToo few answers to tell whether the numbers drawn made a difference.")
+        yield Text(f"\n{in_all(found.effects)}")
         return
     table = _empty(
-        "Numbers drawn: effect on the odds, in logits for a standard deviation",
+        EFFECTS,
         "part",
         "feature",
         "effect",
@@ -52,28 +51,13 @@ def _pieces(found: SetStatistics) -> Iterator[RenderableType]:
         table.add_row(
             f"{each.problem} {each.part}",
             each.feature,
-            _between(each.effect),
+            between(each.effect),
             f"{each.p:.2g}",
             f"{each.adjusted:.2g}",
             f"{each.power:.0%}",
         )
     yield table
-    yield Text(_sum(found.effects))
-
-
-def _sum(effects: tuple[FeatureEffect, ...]) -> str:
-    sure = sum(each.adjusted < 0.05 for each in effects)
-    blind = sum(each.power < 0.8 for each in effects)
-    return (
-        f"{len(effects)} effects looked for, {sure} found at 5 % of all together; of {blind} half a logit would be missed"
-        f" more than once in five times"
-    )
-
-
-def _between(each: Estimate, *, percent: bool = False) -> str:
-    if percent:
-        return f"{each.value:.0%} ({each.low:.0%} to {each.high:.0%})"
-    return f"{each.value:.2f} ({each.low:.2f} to {each.high:.2f})"
+    yield Text(in_all(found.effects))
 
 
 def _empty(title: str, *columns: str) -> Table:
