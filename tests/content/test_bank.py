@@ -15,6 +15,7 @@ from corollary.verify.verify import verify
 
 BANK: Bank = chapter_bank()
 PROBLEMS = load(BANK)
+LONG = ("P12.15",)  # a derivation of half a minute
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +24,13 @@ def runner() -> Iterator[Runner]:
         yield one
 
 
-@pytest.mark.parametrize("problem", PROBLEMS, ids=[problem.code for problem in PROBLEMS])
+@pytest.mark.parametrize(
+    "problem",
+    [
+        pytest.param(each, id=each.code, marks=pytest.mark.whole if each.code in LONG else ())
+        for each in PROBLEMS
+    ],
+)
 def test_verifies(problem: Problem, runner: Runner) -> None:
     checked = verify(BANK, problem, 8, runner)
     assert not checked.complaints
