@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 
-from corollary.records.estimate import Estimate
+from corollary.records.estimate import Estimate, share
 from corollary.records.fairness import FeatureEffect, PartFeatures, feature_effects
 from corollary.records.part_statistics import (
     MisconceptionShare,
@@ -15,6 +15,7 @@ from corollary.records.part_statistics import (
     part_statistics,
 )
 from corollary.records.report_model import Report
+from corollary.records.unlisted import SharedRule, shared_rules_record
 
 COLUMNS = (
     "statistic",
@@ -35,20 +36,24 @@ COLUMNS = (
 
 @dataclass(frozen=True, slots=True)
 class SetStatistics:
-    """All intervals are of 95 %. Effects are sorted, the surest first."""
+    """All intervals are of 95 %. Effects are sorted, the surest first; `unlisted` are offers to the author, by which nobody is marked."""
 
     parts: tuple[PartStatistics, ...]
     misconceptions: tuple[MisconceptionShare, ...]
     effects: tuple[FeatureEffect, ...]
+    unlisted: tuple[SharedRule, ...] = ()
 
 
-def set_statistics(report: Report, features: PartFeatures) -> SetStatistics:
+def set_statistics(
+    report: Report, features: PartFeatures, unlisted: Sequence[SharedRule] = ()
+) -> SetStatistics:
     """Of the marks in `report`."""
     answers = answers_to_parts(report.rows)
     return SetStatistics(
         tuple(part_statistics(answers)),
         tuple(misconception_shares(report.met, answers)),
         tuple(feature_effects(answers, features)),
+        tuple(unlisted),
     )
 
 
@@ -58,6 +63,7 @@ def statistics_record(found: SetStatistics) -> dict[str, object]:
         "parts": [asdict(each) for each in found.parts],
         "misconceptions": [asdict(each) for each in found.misconceptions],
         "effects": [asdict(each) for each in found.effects],
+        "unlisted": [shared_rules_record(each) for each in found.unlisted],
     }
 
 
@@ -76,6 +82,11 @@ def statistics_rows(found: SetStatistics) -> Iterator[Sequence[str]]:
         place = ("effect", effect.problem, effect.part, effect.feature, str(effect.answers))
         known = (effect.p, effect.adjusted, effect.power, effect.least)
         yield (*place, *_numbers(effect.effect), *(f"{number:.6g}" for number in known), "")
+    for offer in found.unlisted:
+        rules = " or ".join(f"{rule.words}: {rule.formula}" for rule in offer.rules)
+        place = ("unlisted", offer.problem, offer.part, rules, str(offer.wrong))
+        sure = (f"{offer.p:.6g}", f"{offer.adjusted:.6g}", "", "")
+        yield (*place, *_numbers(share(len(offer.students), offer.wrong)), *sure, " ".join(offer.students))
 
 
 def _numbers(estimate: Estimate) -> tuple[str, str, str]:

@@ -10,6 +10,7 @@ from rich.text import Text
 
 from corollary.messages import visible
 from corollary.records.set_statistics import SetStatistics
+from corollary.records.unlisted import SharedRule
 from corollary.render.statistics_text import EFFECTS, between, in_all, percent_between
 
 MOST = 15
@@ -35,6 +36,8 @@ def _pieces(found: SetStatistics) -> Iterator[RenderableType]:
             cells = (f"{one.problem} {one.part}", one.text, percent_between(one.share), whose)
             table.add_row(*(Text(visible(cell)) for cell in cells))
         yield table
+    for offer in found.unlisted:
+        yield _offer(offer)
     if not found.effects:
         yield Text(f"\n{in_all(found.effects)}")
         return
@@ -58,6 +61,19 @@ def _pieces(found: SetStatistics) -> Iterator[RenderableType]:
         )
     yield table
     yield Text(in_all(found.effects))
+
+
+def _offer(offer: SharedRule) -> Text:
+    """What an author may want to list; nobody is marked by it."""
+    held = f"{len(offer.students)} of {offer.wrong} wrong answers that nobody listed"
+    lines = [
+        f"\n{offer.problem} {offer.part}: {held} ({offer.expected:.2g} expected by chance)",
+        *(f"  {rule.words}: {rule.formula}" for rule in offer.rules),
+        f"  students: {', '.join(offer.students)}",
+        f"  listed, {offer.points:g} points would move; a draft for the solution, to be looked at:",
+        f"  {offer.rules[0].draft}",
+    ]
+    return Text("\n".join(visible(line) if line[0] != "\n" else line for line in lines))
 
 
 def _empty(title: str, *columns: str) -> Table:
