@@ -118,7 +118,9 @@ def _remarked(
 ) -> Answer:
     """What cannot be read with the words behind it, without them: as it is where they say nothing of it, else for a person."""
     remark = remark_in(text)
-    if remark is None:
+    if remark is None or AXES.search(
+        text
+    ):  # an axis that the answer does not have turns nothing, and is not passed over
         return unread
     answer = with_direction(Text(remark.text), question, read, component)
     if _is_unread(answer) or isinstance(answer, Blank):

@@ -22,14 +22,19 @@ NEUTRAL: str = (
     "height time including incl included without excluding just right shortly immediately before after during while when where "
     "collision impact hit hits hitting reaching reaches ground floor landing lands contact kick jump "
     "bullet ball block car book wall body object person sphere rocket chain atom "
-    "twice double half much large same answer part result approximately rounded si unit units "
+    "twice double much large same answer part result approximately rounded si unit units "
     "above over axis x horizontal counterclockwise counter-clockwise anticlockwise measured relative "
     "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
     "kugel klotz "
     "i snitt gjennomsnitt totalt med uten vekt før etter støtet rett ballen kula kloss"
 )
 HARMLESS = frozenset(NEUTRAL.split())
-DENIED = re.compile(r"\b(?:not|no|never|none|nicht|kein|keine|ikke|or|oder|eller)\b|n['’]t\b", re.IGNORECASE)
+# What takes the number back, or makes it another one: `one and a half`.
+DENIED = re.compile(
+    r"\b(?:not|no|never|none|nicht|kein|keine|ikke|or|oder|eller|half|quarter|third|dozen|hundred|thousand|million"
+    r"|halb\w*|halv\w*)\b|n['’]t\b",
+    re.IGNORECASE,
+)
 
 
 @dataclass(frozen=True, slots=True)
