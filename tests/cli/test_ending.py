@@ -49,6 +49,7 @@ def test_every_exception_is_defined_where_it_is_looked_for(module: str):
         assert raised in expected()
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("whom", ["the command", "everybody at once, as a terminal does"])
 def test_ctrl_c_while_notebooks_run_ends_with_130_and_nobody_is_left(tmp_path: Path, whom: str) -> None:
     """Two workers, each with a notebook that does not end: stopped, all processes are gone, and nothing was recorded."""

@@ -106,6 +106,7 @@ def test_two_ids_that_are_one_folder(run):
     assert "one folder on many disks" in err
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(
     ("name", "words"), [("momentum_1", ["--bank", "bank"]), ("bank/problems/sets/momentum_1.md", [])]
 )

@@ -12,6 +12,8 @@ pytest.importorskip("nbgrader")
 
 from .conftest import COMMAND, grade
 
+pytestmark = pytest.mark.whole
+
 
 @pytest.fixture
 def corrected(graded: Path, tmp_path: Path) -> Path:

@@ -10,6 +10,8 @@ import pytest
 
 from .conftest import COMMAND, STUDENTS, grade
 
+pytestmark = pytest.mark.whole
+
 # In a mount namespace of its own, where nobody else meets the disk.
 ASIDE = ("unshare", "--map-root-user", "--mount", "sh", "-euc")
 EVERYBODY = dict.fromkeys(STUDENTS, 5.0)

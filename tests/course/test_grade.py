@@ -65,6 +65,7 @@ def test_a_dry_run_makes_no_gradebook(graded: Path) -> None:
     assert not (graded / "gradebook.db").exists()
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize("content", ["garbage", "cut in half"])
 def test_a_damaged_gradebook_is_named(content: str, graded: Path) -> None:
     book = graded / "gradebook.db"

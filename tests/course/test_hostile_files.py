@@ -14,6 +14,8 @@ import pytest
 
 from .conftest import SET, grade
 
+pytestmark = pytest.mark.whole
+
 NOBODY = 65534
 ORDINARY_USER = Path(__file__).parents[1] / "adversary" / "ordinary_user.py"
 

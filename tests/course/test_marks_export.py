@@ -27,6 +27,8 @@ from corollary.records.deadlines import Extension, write_extension
 from .conftest import COMMAND, grade
 from .importers import Canvas, Refused, moodle
 
+pytestmark = pytest.mark.whole
+
 SET = """---
 title: Week 1, impulse
 due: 2026-09-01

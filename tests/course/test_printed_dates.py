@@ -19,6 +19,8 @@ from corollary.records.report_model import report_of
 from .changing_bank import ChangingBank, Text
 from .conftest import grade
 
+pytestmark = pytest.mark.whole
+
 PRINTED = "due Friday 4 December 2099, 23:59 (UTC)"
 STAMP = "2099-12-01 12:00:00 UTC"  # before what the sheets print, and after what the set says in the end
 

@@ -14,6 +14,8 @@ pytest.importorskip("nbgrader")
 
 from .conftest import grade
 
+pytestmark = pytest.mark.whole
+
 EARLY, LATE = "2099-03-01 12:00:00 UTC", "2099-03-03 12:00:00 UTC"
 # Seconds since 1970 on the day after the deadline.
 AFTER_DUE = 4076222400

@@ -13,6 +13,8 @@ import pytest
 
 from .conftest import SET, grade
 
+pytestmark = pytest.mark.whole
+
 
 def ben(course: Path) -> Path:
     return course / "submitted" / "ben" / "one" / "one.ipynb"

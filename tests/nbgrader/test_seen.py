@@ -47,6 +47,7 @@ def give(course: Course, score: float) -> None:
         book.db.commit()
 
 
+@pytest.mark.whole
 def test_who_reads_a_report_does_not_wait_for_nbgrader(marked_course: Course) -> None:
     assert grade(marked_course, "--regrade").status == 0  # as a run of grade leaves it
     assert loaded(marked_course, "report", "words")[1] == ""

@@ -26,6 +26,7 @@ def one_by_one() -> list[Checked]:
     return found(1)
 
 
+@pytest.mark.whole
 def test_many_processes_find_what_one_does(one_by_one: list[Checked]) -> None:
     assert [each.code for each in one_by_one] == list(CODES)
     assert found(2) == one_by_one

@@ -97,7 +97,8 @@ def _as_done(client: Client, sent: Sent, waiting: Iterator[Submission]) -> Itera
         return future
 
     pending: dict[Any, Submission] = {}
-    done = as_completed([submit(each) for each in islice(waiting, AHEAD * worker_count(client))])
+    ahead = AHEAD * max(1, worker_count(client))  # all of them may be being replaced just now
+    done = as_completed([submit(each) for each in islice(waiting, ahead)])
     for future in done:
         submission = pending.pop(future.key)
         for another in islice(waiting, 1):
