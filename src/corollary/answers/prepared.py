@@ -10,11 +10,12 @@ from importlib import import_module
 from typing import Any
 
 from corollary.answers.answer import Answer, Blank, Formulas, Letter, Numbers, Unclear
-from corollary.answers.expected import FollowThrough, Quantity
+from corollary.answers.choice.judging import judge as judge_choice
+from corollary.answers.expected import Expected, FollowThrough, Quantity, RightOption
 from corollary.answers.judge_numbers import judge_numbers
 from corollary.answers.preview import Preview
 from corollary.answers.question import Question
-from corollary.answers.verdict import Mistaken, Right, Unmarked, Unread, Verdict, Wrong
+from corollary.answers.verdict import Unmarked, Unread, Verdict
 from corollary.formula.value import Items, Text, Value
 from corollary.messages import catalogue
 
@@ -41,11 +42,9 @@ def judge(asked: Data, answer: str | Sequence[str]) -> Verdict:
             return Unread(_("This could not be read: {why}", why=why))
         case Numbers() if "values" in asked:
             return judge_numbers(read, _quantity(asked), question)
-        case Letter(letter) if "letter" in asked:
-            overlooked = asked["overlooked"].get(letter)
-            if letter == asked["letter"]:
-                return Right()
-            return Mistaken(overlooked) if overlooked else Wrong(_("Another option is the right one."))
+        case Letter() if "letter" in asked:
+            option = RightOption(asked["letter"], asked["overlooked"])
+            return judge_choice(read, Expected(question, option=option))
         case Formulas():
             return Unmarked(_("A formula cannot be judged here: type its number."))
         case _:

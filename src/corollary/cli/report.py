@@ -72,15 +72,12 @@ def _record(estimates: SetStatistics) -> dict[str, object]:
 
 def _statistics(course: Course, problem_set: ProblemSet, bank: Bank, report: Report) -> SetStatistics:
     """Brings numpy, and the derivations of the whole set."""
-    from corollary.course.drawn_numbers import drawn_numbers
+    from corollary.course.drawn_numbers import drawn_keys, drawn_numbers
     from corollary.course.wrong_answers import unlisted
     from corollary.grading.solutions import Solutions
     from corollary.records.set_statistics import set_statistics
 
     marked = {row.student for row in report.rows}
-    solutions = Solutions(bank)
     with bar("numbers drawn", len(marked)) as done:
-        features = drawn_numbers(course, problem_set, solutions, marked, done)
-    with bar("wrong answers", len(marked)) as done:
-        offers = unlisted(course, problem_set, solutions, done)
-    return set_statistics(report, features, offers)
+        keys = drawn_keys(course, problem_set, Solutions(bank), marked, done)
+    return set_statistics(report, drawn_numbers(keys), unlisted(course, problem_set, keys))

@@ -1,10 +1,11 @@
-"""What is known of the numbers that each student of a course drew."""
+"""The keys of the numbers that each student of a course drew, and what is known of these numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 
 from corollary.formula.ball import Undefined
+from corollary.grading.key import Key
 from corollary.grading.number_features import number_features
 from corollary.grading.solutions import Solutions
 from corollary.problem.problem_set import ProblemSet
@@ -12,24 +13,35 @@ from corollary.records.assigned import read_assigned
 from corollary.records.fairness import PartFeatures
 from corollary.records.files import Course
 
+DrawnKeys = Mapping[tuple[str, str], Key]
+"""By student and problem; none of numbers dealt by a solution of before which have no answer by today's."""
 
-def drawn_numbers(
+
+def drawn_keys(
     course: Course,
     problem_set: ProblemSet,
     solutions: Solutions,
     students: Collection[str],
     done: Callable[[str], None],
-) -> PartFeatures:
-    """By student, problem and part; `done` is told the id of each student. Raises NotACourse, NotSettled and NotDerivable."""
-    features: dict[tuple[str, str, str], dict[str, float]] = {}
+) -> DrawnKeys:
+    """`done` is told the id of each student. Raises NotACourse, NotSettled and NotDerivable."""
+    found: dict[tuple[str, str], Key] = {}
     for student, sheet in read_assigned(course, problem_set).items():
         if student not in students:
             continue
         for variant in sheet.variants:
             try:
-                of_parts = number_features(solutions.key(variant))
-            except Undefined:  # dealt by a solution of before; by today's they have no answer
+                found[student, variant.problem.code] = solutions.key(variant)
+            except Undefined:
                 continue
-            features |= {(student, variant.problem.code, part): found for part, found in of_parts.items()}
         done(student)
-    return features
+    return found
+
+
+def drawn_numbers(keys: DrawnKeys) -> PartFeatures:
+    """What the derivations know of the numbers, by student, problem and part."""
+    return {
+        (student, problem, part): features
+        for (student, problem), key in keys.items()
+        for part, features in number_features(key).items()
+    }

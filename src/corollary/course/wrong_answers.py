@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from corollary.answers.answer import Numbers
 from corollary.answers.verdict import Mistaken
+from corollary.course.drawn_numbers import DrawnKeys
 from corollary.derive.solution import Solution
-from corollary.formula.ball import Undefined
 from corollary.formula.value import Text
 from corollary.grading.expected import expected_of
 from corollary.grading.judge import read, values_in
 from corollary.grading.key import Key
 from corollary.grading.points import share
-from corollary.grading.solutions import Solutions
 from corollary.problem.part import Part
 from corollary.problem.problem_set import ProblemSet
-from corollary.problem.variant import Variant
 from corollary.records.assigned import read_assigned
 from corollary.records.files import Course
 from corollary.records.marks import read_marks
@@ -27,31 +25,22 @@ Marked = Mapping[str, tuple[Row, PartRecord]]
 """What became of each part of one problem."""
 
 
-def unlisted(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, done: Callable[[str], None]
-) -> list[SharedRule]:
-    """Rules that nobody listed and that several students share, part by part; `done` is told the id of each student.
-
-    Raises NotACourse, NotSettled and NotDerivable.
-    """
-    sheets = read_assigned(course, problem_set)
-    records = read_marks(course, problem_set, sheets)
+def unlisted(course: Course, problem_set: ProblemSet, keys: DrawnKeys) -> list[SharedRule]:
+    """Rules that nobody listed and that several students share, part by part. Raises NotACourse and NotSettled."""
+    records = read_marks(course, problem_set, read_assigned(course, problem_set))
     wrong = {
         (row.problem, row.part)
         for record in records.values()
         for row in record.rows
         if row.verdict == WRONG and not row.by_hand
     }
+    codes = {problem for problem, _ in wrong}
     drawn: dict[tuple[str, str], list[tuple[Solution, DrawnLetters]]] = {}
-    for student, record in records.items():
-        for variant in sheets[student].variants:
-            code = variant.problem.code
-            if any(problem == code for problem, _ in wrong):
-                found = _of_problem(student, variant, solutions, _of(record, code), problem_set)
-                for part, (solution, letters) in found.items():
-                    if (code, part) in wrong:
-                        drawn.setdefault((code, part), []).append((solution, letters))
-        done(student)
+    for (student, code), key in keys.items():
+        if code in codes and student in records:
+            for part, letters in _of_problem(student, key, _of(records[student], code), problem_set).items():
+                if (code, part) in wrong:
+                    drawn.setdefault((code, part), []).append((key.solution, letters))
     return [
         shared
         for (problem, part), several in drawn.items()
@@ -67,18 +56,13 @@ def _of(record: Record, code: str) -> Marked:
     return {row.part: (row, part) for row, part in pairs if row.problem == code}
 
 
-def _of_problem(
-    student: str, variant: Variant, solutions: Solutions, marked: Marked, problem_set: ProblemSet
-) -> dict[str, tuple[Solution, DrawnLetters]]:
+def _of_problem(student: str, key: Key, marked: Marked, problem_set: ProblemSet) -> dict[str, DrawnLetters]:
     """By part, those that ask for a number or a vector: values typed earlier count in the place of those of the key."""
-    try:
-        key = solutions.key(variant)
-    except Undefined:  # dealt by a solution of before; by today's it has no answer
-        return {}
+    variant = key.variant
     letters = dict(variant.si)
     for find, values in zip(key.solution.unknowns, key.values, strict=True):
         letters |= zip(find.names, values, strict=True)
-    found: dict[str, tuple[Solution, DrawnLetters]] = {}
+    found: dict[str, DrawnLetters] = {}
     for part in variant.problem.parts:
         truth = key.truths.get(part.id)
         if truth is None or truth.scales or part.unit.offset or part.id not in marked:
@@ -87,10 +71,9 @@ def _of_problem(
         typed = _typed(key, part, record.answer)
         is_wrong = typed is not None and row.verdict == WRONG and not row.by_hand
         points = row.out_of * share(Mistaken(""), problem_set.scheme, part.answer_type)
-        one = DrawnLetters(
+        found[part.id] = DrawnLetters(
             student, dict(letters), typed if is_wrong else None, truth.tolerance, points - row.points
         )
-        found[part.id] = key.solution, one
         if typed is not None:
             letters |= zip(key.find(truth).names, typed, strict=True)
     return found

@@ -23,7 +23,7 @@ from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 from corollary.render.animation import animation
 from corollary.render.markdown import html
-from corollary.render.practice_page import exercise_piece, practice_page, verdict_look
+from corollary.render.practice_page import exercise_piece, more_numbers, practice_page, verdict_look
 from corollary.render.pyodide import scripts
 from corollary.units.table import rows_of_others
 
@@ -63,7 +63,7 @@ def page_file(practice: Practice) -> bytes:
 def exercise_file(practice: Practice, problem: Problem, turns: int) -> bytes | None:
     """A problem with its printed numbers and others; none where it has no answers at all."""
     found = list[dict[str, Any]]()
-    for turn in range(turns if any(each.grid.count > 1 for each in problem.givens) else 1):
+    for turn in range(turns if more_numbers(problem) else 1):
         try:
             found.append(_turn(practice, problem, turn))
         except (NotDerivable, NoVariant, Undefined):
