@@ -31,6 +31,7 @@ endef
 .PHONY: setup demo test test-all lint messages site clean
 
 setup: $(DEMO)
+	@echo "== done: $(BIN)/corollary --help"
 
 $(BIN)/python:
 	@test -n "$(PYTHON)" || { echo "Corollary needs Python 3.11 or newer; none was found (apt install python3 python3-venv)"; exit 1; }

@@ -7,14 +7,17 @@ statement, as `corollary show --format html --solution` does.
 from __future__ import annotations
 
 import html
+import logging
 import pkgutil
 import posixpath
 import re
+import tempfile
 from collections.abc import Iterator
 from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from mkdocs.plugins import event_priority
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
@@ -25,6 +28,7 @@ from corollary.problem.bank import Bank, chapter_bank, open_bank
 from corollary.problem.problem import Problem
 from corollary.problem.roster import Student
 from corollary.problem.variant import chapter
+from corollary.render.npm import NoNpm, NotFetched, unpacked
 from corollary.render.page import drawing_address
 from corollary.render.targets.html import write_exercise
 
@@ -36,7 +40,18 @@ BESIDE = (
     "examples/banks/*/README.md",
 )
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)#:\s]*)(#[^)]*)?\)")
+SHIM = "iframe-worker@1.0.4"  # by whom the theme is: the search of a page that lies in a folder, where browsers start no worker
+SHIM_ADDRESS = "assets/iframe-worker.js"
 LETTERS_ALONE = {"law"}  # modules of corollary.laws that hold no laws
+
+
+@event_priority(100)
+def on_config(config: Any) -> Any:
+    """Without the shim the search works on a server alone, and nothing is asked of another machine either."""
+    shim = _shim()
+    config.extra |= {"polyfills": [SHIM_ADDRESS] if shim else [], "shim": shim}
+    config.plugins["material/offline"].config.enabled = bool(shim)
+    return config
 
 
 def on_files(files: Files, config: Any) -> Files:
@@ -48,6 +63,8 @@ def on_files(files: Files, config: Any) -> Files:
     }
     for address, content in (generated | dict(_gallery())).items():
         files.append(File.generated(config, address, content=content))
+    if config.extra["shim"]:
+        files.append(File.generated(config, SHIM_ADDRESS, content=config.extra["shim"]))
     return files
 
 
@@ -56,6 +73,18 @@ def on_page_markdown(markdown: str, page: Page, config: Any, files: Files) -> st
     if page.file.abs_src_path is not None:
         markdown = _linked(markdown, Path(page.file.abs_src_path))
     return markdown + "".join(_laws()) if page.file.src_uri == "reference.md" else markdown
+
+
+def _shim() -> str:
+    """The shim as npm gives it; "" without npm or a network."""
+    with tempfile.TemporaryDirectory() as place:
+        try:
+            return (unpacked(SHIM, Path(place)) / "shim" / "index.js").read_text(encoding="utf-8")
+        except (NoNpm, NotFetched):
+            logging.getLogger("mkdocs").info(
+                "npm cannot fetch %s: the search of this site needs a server", SHIM
+            )
+            return ""
 
 
 def _address(path: Path) -> str:

@@ -47,7 +47,8 @@ def main() -> None:
         "|---|---|---|---|---|---|---|---|",
     ]
     for path in sorted(RECORDED.glob("*.json")):
-        lines += table(json.loads(path.read_text(encoding="utf-8")))
+        recorded = json.loads(path.read_text(encoding="utf-8"))
+        lines += table(recorded) if "items" in recorded else []
     text = "\n".join(lines) + "\n"
     if chosen.markdown:
         chosen.markdown.write_text(text, encoding="utf-8")

@@ -1,6 +1,6 @@
 """The judge measured: honest work rejected, listed mistakes accepted, formulas compared, random answers, the time of a verdict.
 
-python benchmarks/judging.py [--students 2000] [--only X12.5,X12.7] [--no-students] [--only-students] [--no-wild] [--json]
+python benchmarks/judging.py [--students 2000] [--only X12.5,X12.7] [--no-students] [--only-students] [--no-wild] [--json | --markdown]
                              [--keep FOLDER]
 
 With --keep each problem's counts are written into the folder when it is done, and read from there when they are there already.
@@ -15,7 +15,7 @@ import statistics
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +62,7 @@ def main() -> None:
     options.add_argument("--no-wild", action="store_true", help="leave out answers that are just anything")
     options.add_argument("--only-students", action="store_true", help="leave out formulas and times")
     options.add_argument("--json", action="store_true", help="one JSON document instead of tables")
+    options.add_argument("--markdown", action="store_true", help="the students' tables of results/judging.md")
     options.add_argument("--keep", type=Path, help="folder with a file for each problem that is done")
     asked = options.parse_args()
     solutions = Solutions(open_bank(None))
@@ -85,6 +86,8 @@ def main() -> None:
             result["wild"] = _told("wild answers", lambda: wild(numeric, asked.students))
     if asked.json:
         print(json.dumps(result))
+    elif asked.markdown:
+        print("\n".join(markdown(result["problems"], result["overall"], asked.students)))
     else:
         show(result)
 
@@ -278,6 +281,27 @@ def show(result: dict[str, Any]) -> None:
             sort, str(record["verdicts"]), f"{record['median_ms']:.4f}", str(record["target_ms"] or ""), share
         )
     console.print(table)
+
+
+def markdown(problems: dict[str, Any], overall: dict[str, Any], students: int) -> Iterator[str]:
+    """The shares of all problems together, and a row for each."""
+    yield f"| {len(problems)} problems, {students} students each | answers | rejected |\n|---|---|---|"
+    for sort in SORTS:
+        record = overall["honest"][sort]
+        yield f"| honest, {sort} | {record['answers']} | {record['rejected_percent']:.3f} % |"
+    mistakes = overall["mistakes"]
+    yield f"| listed mistakes: accepted | {mistakes['answers']} | {mistakes['accepted_percent']:.4f} % |"
+    yield f"| listed mistakes: called by their name | {mistakes['answers']} | {mistakes['named_percent']:.2f} % |"
+    headings = ("problem", "draws refused", "honest answers", "rejected, 3 figures at each step")
+    yield f"\n| {' | '.join((*headings, 'at every operation', 'mistakes', 'accepted', 'named'))} |\n{'|---' * 8}|"
+    for code, record in problems.items():
+        step, operation = (record["honest"][f"3 figures each {where}"] for where in ("step", "operation"))
+        mistakes = record["mistakes"]
+        yield (
+            f"| {code} | {record['redrawn_percent']:.0f} % | {step['answers']} | {step['rejected_percent']:.2f} % "
+            f"| {operation['rejected_percent']:.2f} % | {mistakes['answers']} | {mistakes['accepted_percent']:.3f} % "
+            f"| {mistakes['named_percent']:.2f} % |"
+        )
 
 
 def _shares(console: Console, title: str, rows: dict[str, Any], share: str) -> None:

@@ -73,17 +73,13 @@ def derive(v, M, dt, md, td):
             answers="b",
             mistakes=[
                 mistake(
-                    "You divided by the stopping time of the car. The belt lets the dummy take longer.",
+                    "You let the dummy stop as quickly as the car, as if the force on the car were shared out by "
+                    "the masses. Divide by the dummy's own time: the belt lets it take longer.",
                     mean_force(F_d, dp_d, dt),
                 ),
                 mistake(
                     "You multiplied by the time; divide by it.",
                     wrong("F = J*dt", F=F_d, J=dp_d, dt=td),
-                ),
-                mistake(
-                    "You shared out the force on the car by the masses, as if the dummy stopped as quickly "
-                    "as the car.",
-                    wrong("F = m*F_c/M", F=F_d, m=md, F_c=F),
                 ),
             ],
             check=(

@@ -91,18 +91,23 @@ def judge(
 
 
 def play(
-    scene: str, *, tolerance: float = 1e-12, conditions: bool = True, **settings: float | tuple[float, ...]
+    scene: str,
+    *,
+    tolerance: float = 1e-12,
+    conditions: bool = True,
+    proven: bool = False,
+    **settings: float | tuple[float, ...],
 ) -> Run:
     """A ready-made scene, played with the least model that answers; settings are in SI, those left out the chapter's.
 
     `tolerance` is relative to the scene's natural scale. Each value has its condition, and `warnings` announce a grazing hit, an edge
-    or chaos, for a run more for each setting; without `conditions` they are left out. Raises BadSetting when a setting is unknown or
-    unphysical, GuardFailed when momentum or energy is not kept.
+    or chaos, for a run more for each setting; without `conditions` they are left out. A `proven` run states bounds only, or is refused.
+    Raises BadSetting when a setting is unknown or unphysical, GuardFailed when momentum or energy is not kept.
     """
     from corollary.scenes.catalogue import run
     from corollary.scenes.condition import with_conditions
 
-    found = run(scene, settings, tolerance)
+    found = run(scene, settings, tolerance, proven=proven)
     return with_conditions(found, tolerance) if conditions else found
 
 

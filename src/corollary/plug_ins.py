@@ -10,8 +10,6 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from corollary import user_cache
-
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
@@ -58,6 +56,8 @@ def fault(entry: EntryPoint, what: str, why: str) -> PlugInFault:
 @cache
 def state(groups: tuple[str, ...]) -> str:
     """The programs of all packages that bring something in these groups, as they are: looked up once, however many ask."""
+    from corollary import user_cache  # only here: where modules are carried as texts there are no files
+
     names = {entry.module.partition(".")[0] for group in groups for entry in plug_ins(group).values()}
     specs = [spec for name in sorted(names) if (spec := find_spec(name)) is not None]
     folders = [Path(place) for spec in specs for place in spec.submodule_search_locations or ()]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.answers.components import length_and_angle, pieces_of
+from corollary.answers.components import pieces_of
+from corollary.answers.polar import length_and_angle
 from corollary.formula.errors import ParseError
 
 

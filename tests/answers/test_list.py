@@ -53,6 +53,7 @@ def judged(typed, truth=(0.4, 2.1)):
         (Real(0.4), [0.4]),
         (items(0.4, 2.1, 3.0), [0.4, 2.1, 3.0]),
         ("0.4 s; 2.1 s; 3 s", [0.4, 2.1, 3.0]),
+        ("[2. 5.]", [2.0, 5.0]),
     ],
 )
 def test_any_number_of_values_is_read(typed, values):
@@ -116,7 +117,10 @@ def test_four_formulas_are_right_in_any_order(order):
 
 
 def test_numbers_that_nothing_parts_are_not_counted():
-    """Where three are asked for, `2 5 s` may be two or a slip for 25: nothing is held against the student."""
+    """`2 5 s` may be two or a slip for 25, however many are asked for: nothing is held against the student."""
+    assert isinstance(read("2 5 s"), Unclear)
+    assert isinstance(read(items("2 5 s")), Unclear)
+    assert isinstance(read(items("2 5 s", "7 s")), Unclear)
     three = question_of(PROBLEM, replace(PART, components=("up", "across", "down")))
     assert isinstance(answer_type("list").read(Text("2 5 s"), three), Unclear)
     two = answer_type("list").read(Text("2 and 5 s"), three)

@@ -135,3 +135,11 @@ def test_half_a_surrogate_in_the_request_is_no_case(case):
     with pytest.raises(BadCase) as refused:
         read_case(case)
     str(refused.value).encode()
+
+
+@pytest.mark.parametrize(
+    "text", ["twice v", "2 x v", "2v m/s", "2 ganger v", "the ball starts with 2v", "**u = 2v**"]
+)
+def test_a_formula_is_read_as_the_marker_reads_it(text):
+    found = read_case({"text": text, "unit": "m/s", "names": ["v"], "equals": "2*v"})
+    assert (found["read"], found["verdict"]) == ("2*v", "equal")

@@ -120,3 +120,12 @@ def test_a_problem_of_a_bank(written):
     )
     done = audit(written(records), "--json")
     assert [each["finding"] for each in json.loads(done.stdout)] == [finding for _, _, finding in PUBLISHED]
+
+
+def test_a_page_of_a_key_in_which_nothing_agrees(written, tmp_path):
+    page = tmp_path / "page.html"
+    done = audit(written(LISTED), "--report", page)
+    assert done.returncode == 1, done.stderr
+    text = page.read_text(encoding="utf-8")
+    assert "<h2>Wrong</h2>" in text
+    assert "<h2>Agrees</h2>" not in text

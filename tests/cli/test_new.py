@@ -56,6 +56,20 @@ def test_a_copy_takes_its_programs_along(said, tmp_path):
     assert problem.parts[0].text == model.parts[0].text
 
 
+def test_a_copy_takes_its_pictures_along(said, tmp_path):
+    said("Q1", "rides/box", "--bank", "mine")
+    model, raw = tmp_path / "mine" / "problems" / "rides" / "box.md", b"\x89PNG\r\n\x1a\n"
+    model.write_text(model.read_text() + "\n![a box](box.png)\n")
+    model.with_name("box.png").write_bytes(raw)
+    assert said("Q2", "other/case", "--bank", "mine", "--like", "Q1")[0] == 0
+    copy = tmp_path / "mine" / "problems" / "other" / "box.png"
+    assert copy.read_bytes() == raw
+    copy.write_bytes(raw + b"other")
+    status, _, err = said("Q3", "other/third", "--bank", "mine", "--like", "Q1")
+    assert (status, "another picture" in err) == (2, True)
+    assert not copy.with_name("third.md").exists()
+
+
 def test_the_topic_is_the_one_named_or_that_of_the_neighbour(said, tmp_path):
     for code, name in (
         ("Q5", "optics/lens"),

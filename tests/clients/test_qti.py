@@ -10,13 +10,12 @@ import json
 import os
 import subprocess
 import zipfile
-from collections import Counter
 from pathlib import Path
 
 import pytest
 
-from corollary.render.exports import target
-from corollary.render.item import ChoiceAsked, NumbersAsked
+from .qti_attempts import attempts, compared, package, unpack
+from .xml_structure import structure
 
 SDK = os.environ.get("COROLLARY_QTI_SDK", "")
 DRIVER = Path(__file__).with_name("qti_sdk.php")
@@ -30,59 +29,40 @@ def version() -> str:
     return run.stdout.strip() or os.environ.get("COROLLARY_QTI_SDK_VERSION", "unknown")
 
 
+def structure_of(archive: bytes) -> set[str]:
+    """Of all items together."""
+    with zipfile.ZipFile(io.BytesIO(archive)) as opened:
+        items = [name for name in opened.namelist() if name.endswith("-1.xml")]
+        return set().union(*(structure(opened.read(name)) for name in items))
+
+
 @pytest.mark.client
 @pytest.mark.skipif(not SDK, reason="no COROLLARY_QTI_SDK")
 def test_items_earn_what_we_give(chapter_items, fingerprint, record, table, tmp_path):
-    made = target("qti").items
-    assert made is not None
-    with zipfile.ZipFile(
-        io.BytesIO(made("chapter", chapter_items, False).files["chapter-qti.zip"])
-    ) as archive:
-        archive.extractall(tmp_path)
-    attempts, tried = [], []
-    for item in chapter_items:
-        parts = {
-            each.prompt.part.id: each for each in item.parts if isinstance(each, NumbersAsked | ChoiceAsked)
+    archive = package(chapter_items)
+    unpack(archive, tmp_path)
+    tried = attempts(chapter_items, table, archive)
+    asked = [
+        {
+            "item": each.file,
+            "responses": [
+                {
+                    name: ["identifier" if each.is_choice(row) else "float", text]
+                    for name, text in filled.items()
+                }
+                for row, filled in zip(each.rows, each.responses(), strict=True)
+            ],
         }
-        rows = table(item)
-        responses = [
-            {
-                f"RESPONSE_{row.part.id}_{at}": [
-                    "identifier" if isinstance(parts[row.part.id], ChoiceAsked) else "float",
-                    text,
-                ]
-                for at, text in enumerate(row.fields, 1)
-            }
-            for row in rows
-        ]
-        file = f"{item.exercise.problem.name}-1.xml"
-        if (tmp_path / file).exists():
-            attempts.append({"item": file, "responses": responses})
-            tried.append((item, parts, rows))
-    (tmp_path / "attempts.json").write_text(json.dumps(attempts), encoding="utf-8")
+        for each in tried
+    ]
+    (tmp_path / "attempts.json").write_text(json.dumps(asked), encoding="utf-8")
     command = ["php", "-d", "memory_limit=2G", DRIVER, SDK, tmp_path, tmp_path / "attempts.json"]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-2000:]
-    result = {"client": "QTI 2.1, TAO's qti-sdk", "version": version(), "items": {}}
-    nameless = []
-    for (item, parts, rows), marks in zip(tried, json.loads(run.stdout)["marks"], strict=True):
-        counted = Counter()
-        for row, mark in zip(rows, marks, strict=True):
-            theirs = float(mark[f"SCORE_{row.part.id}"] or 0.0) / parts[row.part.id].prompt.out_of
-            how = "equal" if abs(theirs - row.share) < 1e-4 else "comma" if row.sort == "comma" else ""
-            counted[how or "different"] += 1
-            if not how:
-                nameless.append(
-                    (item.exercise.problem.code, row.part.id, row.sort, row.fields, row.share, theirs)
-                )
-        if parts:
-            result["items"][item.exercise.problem.code] = {
-                "hash": fingerprint(item),
-                "parts": len(parts),
-                **counted,
-            }
+    items, nameless = compared(tried, json.loads(run.stdout)["marks"], fingerprint)
     assert not nameless
-    record("qti", result)
+    record("qti-structure", {"valid": sorted(structure_of(archive))})
+    record("qti", {"client": "QTI 2.1, TAO's qti-sdk", "version": version(), "items": items})
 
 
 @pytest.mark.parametrize("code", FEW)
@@ -90,6 +70,17 @@ def test_what_decides_marks_is_what_tao_was_asked(code, make_item, fingerprint, 
     items = recorded("qti")["items"]
     if code in items:
         assert items[code]["hash"] == fingerprint(make_item(code))
+
+
+def test_items_are_built_as_those_that_the_schema_found_valid(make_item, recorded):
+    items = [make_item(code) for code in FEW]
+    assert structure_of(package(items)) <= set(recorded("qti-structure")["valid"])
+    assert structure_of(package(items, apart=True)) <= set(recorded("qti-structure")["valid"])
+
+
+@pytest.mark.whole
+def test_every_item_is_built_as_those_that_the_schema_found_valid(chapter_items, recorded):
+    assert structure_of(package(chapter_items, apart=True)) <= set(recorded("qti-structure")["valid"])
 
 
 @pytest.mark.whole

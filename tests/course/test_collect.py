@@ -16,6 +16,7 @@ import pytest
 
 from corollary.course.collect import Collected, collect
 from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
+from corollary.records.deadlines import Extension, write_extension
 from corollary.records.files import open_course
 from corollary.records.hand_in_time import handed_in as moment_of
 from corollary.records.origin import set_of
@@ -191,6 +192,21 @@ def test_a_notebook_of_another_set_is_said_and_not_taken(course: Path, tmp_path:
     )
     assert [(each.student, each.why) for each in found.of(UNUSABLE)] == [("ada", "is a notebook of two")]
     assert taken(course) == {}
+
+
+def test_a_notebook_that_is_no_sheet_is_said_to_whoever_collects(course: Path, tmp_path: Path) -> None:
+    notes = {"cell_type": "markdown", "metadata": {}, "source": "My notes."}
+    own = json.dumps({"cells": [notes], "metadata": {}, "nbformat": 4, "nbformat_minor": 4}).encode()
+    found = collected(course, archive(tmp_path / "all.zip", {"ada/one.ipynb": own}))
+    why = "is a notebook with none of the exercises of one; ask for one.ipynb"
+    assert [(each.student, each.why) for each in found.of(UNUSABLE)] == [("ada", why)]
+
+
+def test_who_is_excused_is_not_waited_for(course: Path, tmp_path: Path) -> None:
+    zipped = archive(tmp_path / "all.zip", {"ada/one.ipynb": sheet(course, "ada")})
+    assert collected(course, zipped, dry_run=True).missing == ("ben", "cyd")
+    write_extension(open_course(course), "one", "cyd", Extension(excused=True))
+    assert collected(course, zipped).missing == ("ben",)
 
 
 def test_a_dry_run_writes_nothing(course: Path, tmp_path: Path) -> None:

@@ -106,7 +106,7 @@ def test_who_gets_more_time_after_solutions_were_seen_sees_none_in_the_own_page(
 
 @pytest.mark.parametrize(
     ("before", "after"),
-    [("title: One exercise", "title: One exercise"), ("X12.5", "{code: X12.5, weight: 2}")],
+    [("title: One exercise", "title: One exercise"), ("X12.5", "{code: X12.5, parts: [a, b]}")],
 )
 def test_what_a_run_may_tell_is_run(course: Course, before: str, after: str):
     file = course.folder.parent / "one.md"

@@ -99,6 +99,80 @@ def test_a_place_is_what_small_steps_give(value, law, rate):
     assert found == pytest.approx(simulated(rate, (0.8829, 2.943))[0], rel=1e-8)
 
 
+COUPLED = {
+    "between two walls": (
+        ("m*d2x/dt2 = -9*b*x - b*(x - y)", "m*d2y/dt2 = -b*(y - x) - 9*b*y"),
+        lambda t, u: (u[2], u[3], (-9 * u[0] - u[0] + u[1]) / 4, (-9 * u[1] - u[1] + u[0]) / 4),
+    ),
+    "two masses that nothing else holds": (
+        ("m*d2x/dt2 = -b*(x - y)", "m*d2y/dt2 = -b*(y - x)"),
+        lambda t, u: (u[2], u[3], (u[1] - u[0]) / 4, (u[0] - u[1]) / 4),
+    ),
+    "unlike masses, and weight": pytest.param(
+        ("m*d2x/dt2 = -9*b*x - b*(x - y) + m*g", "3*m*d2y/dt2 = -b*(y - x) + 3*m*g"),
+        lambda t, u: (u[2], u[3], (-10 * u[0] + u[1]) / 4 + 9.81, (u[0] - u[1]) / 12 + 9.81),
+        marks=pytest.mark.whole,
+    ),
+    "the same damping": pytest.param(
+        ("m*d2x/dt2 = -9*b*x - b*(x - y) - m/t1*dx/dt", "m*d2y/dt2 = -b*(y - x) - 9*b*y - m/t1*dy/dt"),
+        lambda t, u: (
+            u[2],
+            u[3],
+            (-10 * u[0] + u[1]) / 4 - u[2] / 3,
+            (-10 * u[1] + u[0]) / 4 - u[3] / 3,
+        ),
+        marks=pytest.mark.whole,
+    ),
+}
+
+
+@pytest.mark.parametrize(("laws", "rate"), COUPLED.values(), ids=COUPLED)
+def test_two_functions_of_coupled_equations_are_what_small_steps_give(solved, laws, rate):
+    """Two bodies on springs: their places after 3 s, from places and velocities that are all different."""
+    start = (
+        "x(0) = g*t1^2/100",
+        "y(0) = 0",
+        "v = dx/dt",
+        "v(0) = g*t1/10",
+        "w = dy/dt",
+        "w(0) = -g*t1/30",
+        "s = y(t1)",
+    )
+    text_of = whole("s", *laws, *start)
+    text_of = text_of.replace(
+        'v, x = function("v", t), function("x", t)', 'v, w, x, y = (function(n, t) for n in "vwxy")'
+    )
+    found = solved(whole=text_of, asks=PLACE, front=FRONT.replace("UNIT", "N/m"))
+    givens = {name: RationalPi(Fraction(str(number))) for name, number in NUMBERS.items()}
+    here = certified(found.answer("a").in_givens[0], givens).value
+    assert here == pytest.approx(simulated(rate, (0.8829, 0.0, 2.943, -0.981))[1], rel=1e-7)
+
+
+CIRCUITS = {
+    "two loops with a common resistor": (
+        ("m*dv/dt = g*m - b*v - b*(v + w)", "m*dw/dt = -b*w - b*(v + w)"),
+        lambda t, u: (9.81 - (2 * u[0] + u[1]) / 4, -(u[0] + 2 * u[1]) / 4),
+    ),
+    "one that swings": pytest.param(
+        ("m*dv/dt = g*m - b*v - 9*m/t1*w", "dw/dt = v/t1 - b*w/(9*m)"),
+        lambda t, u: (9.81 - u[0] / 4 - 3 * u[1], u[0] / 3 - u[1] / 36),
+        marks=pytest.mark.whole,
+    ),
+}
+
+
+@pytest.mark.parametrize(("laws", "rate"), CIRCUITS.values(), ids=CIRCUITS)
+def test_two_functions_of_first_order(solved, laws, rate):
+    """As currents in two loops, or a current and a voltage, are."""
+    text_of = whole("s", *laws, "v(0) = 0", "w(0) = 0", "s = w(t1)").replace(
+        'v, x = function("v", t), function("x", t)', 'v, w = function("v", t), function("w", t)'
+    )
+    found = solved(whole=text_of, asks=SPEED, front=FRONT.replace("UNIT", "kg/s"))
+    givens = {name: RationalPi(Fraction(str(number))) for name, number in NUMBERS.items()}
+    here = certified(found.answer("a").in_givens[0], givens).value
+    assert here == pytest.approx(simulated(rate, (0.0, 0.0))[1], rel=1e-7)
+
+
 def test_a_time_is_asked_for(value):
     asks = '## Half {#a .value unit="s"}\n?\n'
     assert value("T", "m*dv/dt = -b*v", "v(0) = g*t1", "v(T) = g*t1/2", asks=asks) == pytest.approx(
@@ -139,6 +213,11 @@ def test_a_quotient_of_letters_stays_one(solved):
         (("v1 = int(g, t)",), "an integral is int(what, letter, from, to)"),
         (("v1 = b(t1)",), "b is no function; write * for a product, or say what it depends on"),
         (("v1 = foo(t1)",), "foo(…) is no function here"),
+        (("dv/dt = -x*g/t1", "dx/dt = v^2/g"), "only linear ones with constant coefficients"),
+        (
+            ("m*dv/dt = b*x", "m*dx/dt = -b*v", "v(0) = 0"),
+            "for v and x is of order 2 and needs 2 initial values",
+        ),
         (("m*d2v/dt = 4*g",), "as often above the line as below it"),
         (("(dv/dt)^2 = g^2", "v(0) = 0", "v1 = v(t1)"), "stands in a power or a root"),
         pytest.param(

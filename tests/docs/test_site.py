@@ -78,7 +78,14 @@ def test_every_problem_has_its_page(site: Path):
         page = (site / "gallery" / f"{problem.code}.html").read_text(encoding="utf-8")
         assert problem.title in html.unescape(page)
         assert "Worked solution" in page
-    assert len(list((site / "gallery").glob("*.html"))) == 40 + 69
+    banks = TOP / "examples" / "banks"
+    others = [
+        path
+        for path in banks.glob("*/src/*/problems/**/*.md")
+        if "." not in path.stem and path.parent.name != "sets"
+    ]
+    assert len(others) > 60
+    assert len(list((site / "gallery").glob("*.html"))) == 40 + len(others)
 
 
 def test_every_link_leads_somewhere(site: Path, pages: dict[Path, Addresses]):
@@ -114,3 +121,14 @@ def test_the_reference_has_the_laws(site: Path):
     text = (site / "reference.html").read_text(encoding="utf-8")
     for name in ("load_bank", "change_of_momentum", "restitution", "ensemble"):
         assert name in text, name
+
+
+@pytest.mark.browser
+def test_the_search_works_in_a_folder(site: Path, chromium):
+    page = chromium.new_page()
+    page.goto((site / "index.html").as_uri())
+    page.fill("input.md-search__input", "restitution")
+    found = page.locator(".md-search-result__item a").first
+    found.wait_for(timeout=60_000)
+    assert "estitution" in page.locator(".md-search-result__list").inner_text()
+    page.close()

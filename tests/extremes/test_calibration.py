@@ -12,6 +12,6 @@ from calibration import FAMILIES, calibrated
 
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 def test_stated_errors_hold(family):
-    found = calibrated(family, 15)
+    found = calibrated(family, 15 if family.digits <= 50 else 3)  # references with more digits take seconds
     assert found.values > found.refused
     assert found.worst <= (1.0 + 1e-9 if found.bounds == found.runs else 3.0), found.settings

@@ -45,10 +45,3 @@ def test_the_two_commands_are_there() -> None:
     makefile = (TOP / "Makefile").read_text(encoding="utf-8")
     assert re.search(r"^demo:", makefile, re.MULTILINE)
     assert re.search(r"^test:", makefile, re.MULTILINE)
-
-
-def test_links_lead_somewhere() -> None:
-    for page in [TOP / "README.md", *(TOP / "docs").glob("*.md")]:
-        for target in re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8")):
-            if "://" not in target:
-                assert (page.parent / target).exists(), f"{page.name}: {target}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from corollary.practice.posed import known
+from corollary.practice.offline import known
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
 
@@ -27,10 +27,10 @@ def test_an_answer_is_read_and_then_judged(some):
     assert kick.preview("a", "8,6 Ns").text == "read as 8.6 N s (2 figures)"
     assert not kick.preview("a", "8.6 J").ok
     right = kick.judged("a", {"a": "8.6 kg m/s"})
-    assert known(right)
-    assert not known(kick.judged("a", {"a": "86 kg m/s"}))
+    assert known(right.verdict)
+    assert not known(kick.judged("a", {"a": "86 kg m/s"}).verdict)
     follows = kick.judged("c", {"b": "9.2 N s", "c": "92 N"})
-    assert known(follows)
+    assert known(follows.verdict)
     assert "follows" in follows.feedback
     energy = kick.judged("a", {"a": "86 J"})
     assert "8.6" not in energy.feedback

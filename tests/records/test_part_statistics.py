@@ -122,7 +122,7 @@ def test_a_small_class_is_told_what_it_cannot_find():
     assert feature_effects(answers_to_parts(too_few), features) == []
 
 
-def test_all_of_it_is_plain_data_and_a_table():
+def test_all_of_it_is_serialized_and_a_table():
     marked, features = klass(60, 0.5)
     found = set_statistics(report((), marked), features)
     document = json.loads(json.dumps(statistics_record(found)))

@@ -81,7 +81,7 @@ def test_stored_records_give_the_same_report(works):
     assert report([one for one, _ in records], [row for _, its in records for row in its]) == summary(works)
 
 
-def test_json_holds_everything_as_plain_data(works):
+def test_json_holds_everything_as_serialized(works):
     found = json.loads(json.dumps(report_record(summary(works, roster=["ada", "bo", "cy", "eve"]))))
     assert found["handed_in"] == 3
     assert found["missing"] == ["cy"]

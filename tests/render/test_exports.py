@@ -279,7 +279,9 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         "canvas-grades",
         "feedback-zip",
         "moodle",
+        "moodle-stack",
         "qti",
+        "canvas",
         "site",
         "broken",
         "gone",
@@ -303,7 +305,7 @@ def test_what_an_exercise_can_be_shown_as_is_what_the_targets_say() -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "meant"), [("cvs", "csv"), ("moodel-grades", "moodle-grades"), ("htlm", "html")]
+    ("word", "meant"), [("cvs", "csv or canvas"), ("moodel-grades", "moodle-grades"), ("htlm", "html")]
 )
 def test_a_target_that_is_nearly_right_is_guessed(word: str, meant: str) -> None:
     with pytest.raises(UnknownTarget, match=rf"{word} is not known \(did you mean {meant}\?\)"):

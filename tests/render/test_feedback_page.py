@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from corollary.records.manual import ManualMark
 from corollary.records.record import record_of, with_manual
 from corollary.render import feedback_page as page_of
 from corollary.render.feedback_facts import packed, page_facts, unpacked
@@ -122,3 +123,14 @@ def test_how_late_it_came_is_said_in_minutes_at_the_finest(of, work, seconds, sa
 def test_half_a_surrogate_pair_does_not_keep_a_page_from_being_written(of, work):
     torn = replace(work, trouble="\ud83d", grades=())
     feedback_page(torn, of).encode()
+
+
+def test_a_comment_is_read_as_markdown_with_formulas_and_its_lines_stay(of, work):
+    part = next(iter(record_of(work, "").parts))
+    comment = "Name the **frame**: $p = m v$.\nThen <b>add</b> $\\frac{$."
+    page = feedback_page(work, of, manual={part: ManualMark(comment=comment)})
+    said = page.partition('<div class="comment">')[2].partition("</div>")[0]
+    assert "<strong>frame</strong>" in said
+    assert 'alttext="p = m v"' in said
+    assert "\nThen &lt;b&gt;add&lt;/b&gt; <code" in said
+    assert "white-space: pre-line" in page.partition(".said .comment")[2][:40]

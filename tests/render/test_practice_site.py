@@ -9,12 +9,11 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from corollary.answers import prepared as in_browser
-from corollary.answers.verdict import word
 from corollary.cli.commands import app
+from corollary.practice.offline import Offline
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
-from corollary.render.practice_site import exercise_file, page_file
+from corollary.render.practice_site import exercise_file, page_file, reading
 from corollary.render.pyodide import NEEDED, NoPyodide, scripts
 
 ANSWERS = [
@@ -42,33 +41,32 @@ def turns(kicks):
     return json.loads(text.partition(" = ")[2].rstrip().rstrip(";"))
 
 
-def test_plain_data_says_what_grading_says(kicks, turns):
-    posed = kicks.pose("X12.5", 0)
+def test_serialized_says_what_grading_says(kicks, turns):
+    posed, offline = kicks.pose("X12.5", 0), Offline(json.loads(turns[0]["key"]))
     for answer in ANSWERS:
         ours = posed.judged("a", {"a": answer}).verdict
-        assert word(in_browser.judge(turns[0]["parts"]["a"]["asked"], answer)) == word(ours), answer
+        assert offline.verdict("a", {"a": answer}) == ours, answer
+        assert offline.preview("a", answer) == posed.preview("a", answer)
 
 
 def test_what_is_said_of_a_mistake_stands_in_the_file_as_html(turns):
-    part = turns[0]["parts"]["a"]
-    verdict = in_browser.judge(part["asked"], "86 kg m/s")
-    assert "<math" in part["said"][verdict.mistake]
+    verdict = Offline(json.loads(turns[0]["key"])).verdict("a", {"a": "86 kg m/s"})
+    assert "<math" in turns[0]["said"][verdict.mistake]
 
 
 def test_each_turn_has_numbers_hints_steps_and_its_motion(turns):
     one, other = turns
     assert one["judged"] == ["a", "b", "c", "d"]
     assert one["html"] != other["html"]
-    assert all(part["hints"][0] for part in one["parts"].values())
+    assert all(hints[0] for hints in one["hints"].values())
     assert len(one["steps"]) > 2
     assert 'class="reel"' in one["motion"]
 
 
 def test_what_is_read_and_judged_there_needs_python_alone():
-    from corollary.notebook.packing import modules
-
-    carried = modules(("value", "vector", "choice"), ("corollary.answers.prepared",))
-    assert "corollary.answers.judge_numbers" in carried
+    carried = reading()["modules"]
+    assert "corollary.grading.follow_through" in carried
+    assert not {"numpy", "sympy", "scipy"} & {name.partition(".")[0] for name in carried}
 
 
 def test_the_page_loads_files_beside_it_and_sends_nothing(kicks):
@@ -111,14 +109,10 @@ def test_options_of_a_site_are_for_a_site(tmp_path):
     assert "for a site" in done.stderr
 
 
-@pytest.mark.browser
-@pytest.mark.client
-def test_a_student_practises_without_a_network(chromium, tmp_path, axe):
-    """From a file: wrong, a hint, right; worked solution and motion; and axe has nothing to say."""
-    from playwright.sync_api import expect
-
-    expect.set_options(timeout=120_000)
-    place = tmp_path / "site"
+@pytest.fixture(scope="module")
+def site(tmp_path_factory) -> Path:
+    """Two exercises as files, with Python."""
+    place = tmp_path_factory.mktemp("site")
     command = [
         "export",
         "X12.2",
@@ -134,22 +128,39 @@ def test_a_student_practises_without_a_network(chromium, tmp_path, axe):
     folder = os.environ.get("COROLLARY_PYODIDE")
     done = CliRunner().invoke(app, [*command, *(["--pyodide", folder] if folder else [])])
     assert done.exit_code == 0, done.output
+    return place / "index.html"
+
+
+@pytest.mark.browser
+@pytest.mark.client
+def test_a_student_practises_without_a_network(chromium, site):
+    """From a file: wrong, a hint, right by a formula; what follows; worked solution and motion."""
+    from playwright.sync_api import expect
+
+    expect.set_options(timeout=30_000)
+    assert (site.parent / "pyodide" / "snapshot.js").is_file()
     context = chromium.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page, wrong = context.new_page(), list[str]()
     page.on("pageerror", lambda error: wrong.append(str(error)))
-    page.goto((place / "index.html").as_uri())
+    page.goto(site.as_uri())
     page.locator('nav button[data-code="S12.5wall"]').click()
-    part = page.locator("section[data-part=a]")
+    part, seen = page.locator("section[data-part=a]"), page.locator("section[data-part=b]")
     field = part.locator("input[type=text]").first
     field.fill("9 km")
     field.press("Enter")
     expect(part.locator(".feedback")).to_contain_text("Not right yet")
+    expect(part.locator(".feedback")).to_contain_text("Think of")
     expect(part.locator(".read")).to_contain_text("9 km")
     part.get_by_role("button", name="A hint").click()
     expect(part.locator(".hints li")).to_have_count(1)
-    field.fill("-9 m/s")
+    field.fill("2 vB - vA")
+    expect(part.locator(".read")).to_contain_text("2*vB - vA")
     field.press("Enter")
     expect(part.locator(".feedback .said.right")).to_be_visible()
+    other = seen.locator("input[type=text]").first
+    other.fill("vA - vB")
+    other.press("Enter")
+    expect(seen.locator(".feedback .said.right")).to_be_visible()
     steps = page.get_by_role("button", name="Show the next step")
     for count in range(1, 40):
         if not steps.is_visible():
@@ -158,13 +169,88 @@ def test_a_student_practises_without_a_network(chromium, tmp_path, axe):
         expect(page.locator(".worked > div")).to_have_count(count)
     expect(page.locator(".film")).to_have_count(1)
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    expect(page.locator(".motion li").first).to_be_visible()
+    expect(page.locator("#other")).not_to_be_visible()
     assert not wrong
     context.close()
-    context = chromium.new_context(offline=True, bypass_csp=True)
+
+
+@pytest.mark.browser
+@pytest.mark.client
+def test_one_exercise_from_the_first_key_to_the_motion_by_keyboard_alone(chromium, site):
+    """Tab, Enter and letters: the focus is always seen somewhere, and never lost."""
+    context = chromium.new_context(
+        viewport={"width": 390, "height": 800}, offline=True, reduced_motion="reduce"
+    )
     page = context.new_page()
-    page.goto((place / "index.html").as_uri())
+    page.set_default_timeout(30_000)
+    page.goto(site.as_uri())
+    visited = list[str]()
+
+    def tab_to(wanted: str) -> None:
+        for _count in range(60):
+            page.keyboard.press("Tab")
+            visited.append(page.evaluate("document.activeElement.tagName"))
+            if page.evaluate(f"document.activeElement.matches({json.dumps(wanted)})"):
+                return
+        raise AssertionError(f"{wanted} is not reached: {visited}")
+
+    tab_to('nav button[data-code="S12.5wall"]')
+    page.keyboard.press("Enter")
+    page.locator("#title:focus").wait_for()
+    for part, answer in (("a", "2 vB - vA"), ("b", "vA - vB")):
+        tab_to(f"section[data-part={part}] input[type=text]")
+        page.keyboard.type(answer)
+        page.keyboard.press("Enter")
+        page.locator(f"section[data-part={part}] .said.right").wait_for()
+    tab_to("#step")
+    for count in range(1, 40):
+        page.keyboard.press("Enter")
+        page.locator(".worked > div").nth(count - 1).wait_for()
+        if not page.locator("#step").is_visible():
+            break
+    assert page.evaluate("document.activeElement.closest('.worked') !== null")
+    page.locator(".film").wait_for()
+    before = page.locator(".film .clock").inner_text()
+    tab_to(".film .scrub")
+    for _count in range(200):
+        page.keyboard.press("ArrowRight")
+    assert page.locator(".film .clock").inner_text() != before
+    tab_to(".film summary")
+    page.keyboard.press("Enter")
+    assert page.locator(".film li").first.is_visible()
+    assert page.locator(".film svg.stage").get_attribute("aria-label")
+    assert "BODY" not in visited[:-1]
+    context.close()
+
+
+@pytest.mark.browser
+@pytest.mark.client
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_axe_finds_nothing_on_an_exercise_with_all_shown(chromium, site, axe, scheme, width):
+    context = chromium.new_context(
+        offline=True, bypass_csp=True, color_scheme=scheme, viewport={"width": width, "height": 800}
+    )
+    page = context.new_page()
+    page.set_default_timeout(30_000)
+    page.goto(site.as_uri())
     page.locator('nav button[data-code="S12.5wall"]').click()
-    expect(page.locator("#title")).to_contain_text("S12.5wall")
+    for part, answer in (("a", "2 vB - vA"), ("b", "9 km")):
+        field = page.locator(f"section[data-part={part}] input[type=text]").first
+        field.fill(answer)
+        field.press("Enter")
+        page.locator(f"section[data-part={part}] .said").wait_for()
+    page.locator("section[data-part=b] .hint").click()
+    steps = page.locator("#step")
+    for count in range(40):
+        if not steps.is_visible():
+            break
+        steps.click()
+        page.locator(".worked > div").nth(count).wait_for()
+    page.locator(".film").wait_for()
     page.evaluate(axe)
     found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
     assert [(each["id"], each["impact"], each["nodes"][0]["html"]) for each in found] == []

@@ -37,8 +37,8 @@ def times(monkeypatch) -> list[str]:
     return seen
 
 
-def found(bank: Bank, count: int = 5) -> Checked:
-    with unchanged.verify_changed([(bank, find(bank, "X1.1"))], count) as checked:
+def found(bank: Bank, count: int = 5, *, anew: bool = False) -> Checked:
+    with unchanged.verify_changed([(bank, find(bank, "X1.1"))], count, anew=anew) as checked:
         (only,) = checked
     return only
 
@@ -46,6 +46,13 @@ def found(bank: Bank, count: int = 5) -> Checked:
 def test_the_same_is_not_verified_again(bank, times):
     assert found(bank) == found(bank)
     assert len(times) == 1
+
+
+def test_what_was_verified_anew_is_not_verified_again_after_that(bank, times):
+    assert found(bank, anew=True) == found(bank, anew=True)
+    assert len(times) == 2
+    assert found(bank) == found(bank, anew=True)
+    assert len(times) == 3
 
 
 def test_a_change_is_seen(bank, times, tmp_path):

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from corollary.derive.solve import solve
+from corollary.grading.key import make_key
 from corollary.problem.bank import Bank
 from corollary.problem.reader import read_problem
+from corollary.problem.variant import chapter
+from corollary.verify.checked import Tally
+from corollary.verify.unchecked import note_unchecked
 from corollary.verify.verify import verify
 
 PROBLEM = """\
@@ -99,6 +106,43 @@ def test_a_balance_that_says_nothing_of_drag_leaves_it_unchecked(checked):
     idle = 'confirm("By definition.", law("Momentum", "m*v1 = m*v(t1)")),'
     (note,) = unchecked(checked("m*dv/dt = m*g - b*v", idle))
     assert "Newton's second law" in note
+
+
+PUSHED = """\
+from corollary.author import *
+from corollary.laws import law
+
+def derive(m, b, g, t1):
+    a, v = unknowns("a v")
+    return derivation(
+        step(a, "Newton.", law("Newton's second law", "m*a = m*g - b*g*t1"), answers="a"),
+        step(v, "Evenly.", law("Velocity", "v = a*t1 + g*t1"), answers="b"),
+        CLAIMS
+    )
+"""
+
+
+@pytest.mark.parametrize(
+    ("claims", "left"),
+    [
+        ("", ["Newton's second law", "Velocity"]),
+        ("limit(a, b, oo, -oo),", ["Newton's second law", "Velocity"]),  # it says nothing of m*g
+        ("limit(a, b, oo, -oo), limit(a, b, 0, g),", ["Velocity"]),
+        ("at(b=0, v=2*g*t1),", ["Newton's second law"]),  # nor does this of the second term
+        ("at(b=0, v=2*g*t1), at(b=m/t1, a=0, v=g*t1),", []),
+    ],
+)
+def test_limits_and_special_cases_check_the_signs_that_they_would_contradict(tmp_path, claims, left):
+    for folder in ("problems", "solutions"):
+        (tmp_path / folder / "x").mkdir(parents=True)
+    path = tmp_path / "problems" / "x" / "honey.md"
+    path.write_text(PROBLEM.replace('unit="m/s"', 'unit="m/s^2"').replace('unit="m"}', 'unit="m/s"}'))
+    (tmp_path / "solutions" / "x" / "honey.py").write_text(PUSHED.replace("CLAIMS", claims))
+    bank = Bank(tmp_path)
+    tally = Tally()
+    note_unchecked(bank, make_key(solve(bank, bank["X1.1"]), chapter(bank["X1.1"])), tally)
+    named = re.findall(r"(Newton's second law|Velocity) \(line", " ".join(tally.notes))
+    assert named == left
 
 
 def test_a_letter_that_nobody_found_is_said(checked):

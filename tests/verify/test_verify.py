@@ -6,7 +6,9 @@ import re
 
 import pytest
 
+from corollary.problem.bank import Bank, find
 from corollary.verify.checked import Checked
+from corollary.verify.verify import verify
 
 SCENE = """
 
@@ -23,6 +25,17 @@ def met(checked: Checked, words: str, line: int, file: str = "cart.py") -> None:
     assert all(re.match(r"cart\.(md|py):\d+: ", complaint) for complaint in checked.complaints), (
         checked.complaints
     )
+
+
+def test_a_picture_that_nothing_shows(verified, tmp_path):
+    verified()
+    path, bank = tmp_path / "problems" / "carts" / "cart.md", Bank(tmp_path)
+    path.with_name("cart_old.png").write_bytes(b"\x89PNG\r\n\x1a\n")
+    checked = verify(bank, find(bank, "X1.1"), 20)
+    assert checked.ok
+    assert any(note.startswith("cart.md:1: cart_old.png lies beside it") for note in checked.notes)
+    path.write_text(path.read_text().replace("A cart.", "A cart. ![an old cart](cart_old.png)"))
+    assert not any("cart_old" in note for note in verify(bank, find(bank, "X1.1"), 20).notes)
 
 
 def test_a_sound_problem(verified):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from corollary.answers.preamble import answer_in
 from corollary.formula.errors import ParseError, ambiguous, refused
@@ -29,21 +30,16 @@ DIRECTIONS = {
 LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
 ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
-MARKS = (r"\s*[;|]\s*", r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*", r",", r"(?<=[0-9])\s+(?=[+\-]?[0-9])")
+MARKS = (r"\s*[;|]\s*", r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*", r",", r"(?<=[0-9.])\s+(?=[+\-]?[0-9])")
 LED = re.compile(r"\s*[=≈~]\s*|\s*(?:[Δ∆]\s*)?[^\W\d][^\s=≈~()\[\],;:+*/-]{0,7}\s*[=≈~]\s*(?=[(\[<{⟨])")
 LEFT = re.compile(r"\s*[(\[<{]([^()\[\]<>{}=≈]*)[)\]>}]\s*[=≈]\s*(?=[(\[<{⟨])")
 OF = r"(?:for|in|along|of|für|entlang|langs|i)\s+(?:the |ball |block |body )*"
 COMPONENT = r"(?:[- ](?:component|direction|axis|part|coordinate))?"
 NAMED = re.compile(r"\s*(?P<name>[^\W\d][^\s=:]{0,11})\s*[=:≈]")
-POLAR = re.compile(r"\s+at(?: an angle of)?\s+|\s*∠\s*", re.IGNORECASE)
-TURN = r"[+\-]?\s*[0-9.,]+\s*(?:°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))"
-BEHIND = re.compile(rf"(?<=[A-Za-z²³¹)])(?<!sin)(?<!cos)(?<!tan)\s*,?\s*\(?(?={TURN}[^0-9]*$)")
-FROM = r"(?:the )?(?:positive )?(?:horizontal|ground|\+?x)(?:[- ]?(?:axis|direction|plane))?"
-ABOVE = re.compile(
-    rf"\s*,?\s*(?:above|over|to|from|with|relative to|counter-?clockwise from|anticlockwise from) {FROM}\s*\)?$",
-    re.I,
-)
-BELOW = re.compile(rf"\s*,?\s*(?:below|under|clockwise from) {FROM}\s*\)?$", re.I)
+BULLET = re.compile(r"^\s*[-*•–]\s+(?=[^\W\d])")
+LEVEL = re.compile(r"\b(?:horizontal(?:ly)?|waagerecht|horisontalt?)\b(?! (?:to|up|down))", re.IGNORECASE)
+UPRIGHT = re.compile(r"\b(?:vertical(?:ly)?|senkrecht|vertikalt?)\b(?! (?:up|down))", re.IGNORECASE)
+IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*/\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*")
 
 
 def are_axes(names: Sequence[str]) -> bool:
@@ -51,29 +47,9 @@ def are_axes(names: Sequence[str]) -> bool:
     return all(name[-1:] in ("x", "y", "z") for name in names) and len({name[:-1] for name in names}) <= 1
 
 
-def length_and_angle(normalized: str) -> tuple[str, str] | ParseError | None:
-    """The two texts of `5 m/s at 30°`; None when it is no such vector."""
-    pieces = POLAR.split(normalized)
-    if len(pieces) == 1:
-        pieces = BEHIND.split(normalized, maxsplit=1) if BEHIND.search(normalized) else pieces
-    if len(pieces) == 1:
-        return None
-    if len(pieces) != 2:
-        return refused(_("a length and one angle are expected"), None, _("write for example 5 m/s at 30 deg"))
-    length, angle = pieces
-    if (unit := re.match(rf"(\s*{TURN})\s+([A-Za-z].*)$", angle)) and not (
-        ABOVE.search(angle) or BELOW.search(angle)
-    ):
-        length, angle = f"{length} {unit[2]}", unit[1]  # `5∠30° m/s`
-    if below := BELOW.search(angle):
-        return length, "-" + angle[: below.start()].strip().lstrip("+")
-    above = ABOVE.search(angle)
-    return length, (angle[: above.start()] if above else angle).strip().rstrip(")")
-
-
 def in_one_line(text: str, count: int) -> str:
     """Lines, where there is one for each component, parted by semicolons."""
-    lines = [line.strip().rstrip(",;") for line in text.splitlines() if line.strip()]
+    lines = [BULLET.sub("", line).strip().rstrip(",;") for line in text.splitlines() if line.strip()]
     whole = all(line.count("(") == line.count(")") and line.count("[") == line.count("]") for line in lines)
     return "; ".join(lines) if len(lines) == count > 1 and whole else text
 
@@ -90,7 +66,9 @@ def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[st
     along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
     if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
-    found = _listed(inside, unit, count)
+    if count == 2 and inside != normalized.strip() and (slashed := _slashed(inside)) is not None:
+        return slashed
+    found = _listed(_parted(inside, names), unit, count)
     if isinstance(found, ParseError):
         return found
     found = _in_order([_labelled(piece, names) for piece in found], names)
@@ -99,10 +77,36 @@ def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[st
     )
 
 
+def _slashed(inside: str) -> list[str] | ParseError | None:
+    """The components of `(1,5/2,5)`; of `(0/1,6)` it is asked whether the slash or the comma parts them."""
+    found = IN_SLASHES.fullmatch(inside)
+    if found is None or "," not in inside:
+        return None
+    if inside.count(",") == 2:
+        return [found[1], found[2]]
+    choices = f"({found[1]}; {found[2]})", f"({inside.strip().replace(',', '; ')})"
+    return ambiguous(_("the slash or the comma can part the components"), 0, *choices)
+
+
+def _parted(inside: str, names: Sequence[str]) -> str:
+    """`x = 0 y = 1.6`, `A 0 B 4`, with a mark between the components, where the text begins with the name of one and names each."""
+    name = "|".join(sorted(map(re.escape, names), key=len, reverse=True)) or "(?!)"
+    label = rf"(?<![^\s;,])(?:[^\W\d]_?)?(?:{name})['*]?(?:\s*[=:]\s*|\s+)(?=[-+≈]?\s*[0-9.,(])"
+    starts = [found.start() for found in re.finditer(label, inside)]
+    if not starts or len(starts) != len(names) or inside[: starts[0]].strip():
+        return inside
+    pieces = [inside[start:end] for start, end in pairwise([*starts, len(inside)])]
+    ends = (re.sub(r"[\s,;]+(?:and|und|og)?\s*$", "", piece) for piece in pieces)
+    return "; ".join(ends)
+
+
 def _labelled(piece: str, names: Sequence[str]) -> str:
     """`sphere 3 m/s`, `x-component: 3`, `3 (x)` as `x = 3`."""
     if not names:
         return piece
+    if are_axes(names):
+        for way, axis in zip((LEVEL, UPRIGHT), names, strict=False):
+            piece = way.sub(lambda found, axis=axis: axis if not found.start() else f"in {axis}", piece)
     name = rf"(?:[A-Za-z]_?)?(?P<name>{'|'.join(sorted(map(re.escape, names), key=len, reverse=True))}){COMPONENT}"
     number = r"(?=[-+≈~]?\s*[0-9.,(])"
     before = re.match(

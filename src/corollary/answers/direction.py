@@ -38,27 +38,38 @@ AXIS_OF: dict[str, str] = {
 # To the right, up and forwards are positive in every figure of the chapter; where they are not, a person decides.
 POSITIVE: str = (
     "right rightward rightwards rechts droite høyre up upward upwards oben aufwärts haut opp oppover "
-    "forward forwards vorn vorne vorwärts framover fremover positive"
+    "forward forwards vorn vorne vorwärts framover fremover positive positiver positiven positiv"
 )
 NEGATIVE: str = (
     "left leftward leftwards links gauche venstre down downward downwards unten abwärts bas ned nedover "
-    "backward backwards back hinten rückwärts bakover negative opposite"
+    "backward backwards back hinten rückwärts bakover negative negativer negativen negativ opposite"
 )
 SIGNS: dict[str, int] = {
     word: sign for sign, words in ((1, POSITIVE), (-1, NEGATIVE)) for word in words.split()
 }
 ALONG = re.compile(
     r"[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?(?:(?:and )?(?:is )?(?:pointing|directed|moving|moves|going|goes|acting|acts|pushing|straight) )?"
-    rf"(?:(?:(?:in|along|to|towards|nach|vers|mot|til) )?(?:the |la |le )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?: (?P<axis>[xyz]))?"
-    r"|(?:in|along) (?:the )?(?P<sign>[+−–-])(?P<of>[xyz]))(?:[ -](?:axis|direction))?\)?\.?\s*$",
+    rf"(?:(?:(?:in|along|to|towards|nach|vers|mot|til|i|im) )?(?:the |la |le |der |den )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?:[ -](?P<axis>[xyz]))?"
+    r"|(?:in|along) (?:the )?(?P<sign>[+−–-])(?P<of>[xyz]))(?:[ -](?:axis|direction|richtung|achse|retning|aksen))?\)?\.?\s*$",
     re.IGNORECASE,
+)
+BESIDE_AXIS = re.compile(
+    r"[\s,;(]+(?:in|along)(?: the| positive| the positive)? (?P<axis>[xyz])(?:[- ](?:direction|axis))?\)?\.?\s*$"
 )
 IN_FRONT = re.compile(
     r"^\s*(?:to the )?(?P<way>left|right|up|upwards?|down|downwards?|backwards?|forwards?)\s*[:,]?\s+(?=[0-9.,])",
     re.IGNORECASE,
 )
+REFERENCE = (  # from where an angle is counted
+    r"(?:(?: (?:from|to|of|as seen from))?(?: (?:the|der|den|die))?(?: positiven?)? \+?"
+    r"(?:horizontal|ground|horizontalen|waagerechten|horisontalen|east|x)(?:[- ]?(?:axis|direction|plane|achse|richtung|aksen|retning))?)?"
+)
+UPWARDS = "up|upwards?|above|over|aufwärts|nach oben|über|oppover|counter-?clockwise|anticlockwise|gegen den Uhrzeigersinn|mot klokka|north"
+DOWNWARDS = "down|downwards?|below|under|abwärts|nach unten|unter|unterhalb|nedover|clockwise|im Uhrzeigersinn|med klokka|south"
+TURNED = re.compile(rf"[\s,;(]+(?:(?P<up>{UPWARDS})|(?:{DOWNWARDS})){REFERENCE}\)?\.?\s*$", re.IGNORECASE)
 TOWARDS = re.compile(
-    r"(?<=[A-Za-z0-9²)])[\s,;(]+(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:the|my|his|its|our|your) [a-z' ]{2,60})\)?\.?\s*$",
+    r"(?<=[A-Za-z0-9²)])[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?"
+    r"(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:the|my|his|its|our|your) [a-z' ]{2,60})\)?\.?\s*$",
     re.IGNORECASE,
 )
 
@@ -105,7 +116,8 @@ def with_direction(
         return read(value)
     if gain := gain_in(value.text, question):
         return _signed(read(Text(gain.text)), gain.sign, gain.word)
-    found = direction_of(value.text, directed(question), component)
+    angle = question.unit.text in ("rad", "deg")
+    found = turn_of(value.text) if angle else direction_of(value.text, directed(question), component)
     if found is None:
         answer = read(value)
         return _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
@@ -145,6 +157,12 @@ def axis_named(text: str) -> str:
     return AXIS_OF.get(way) or (found["axis"] or found["of"] or "").lower()
 
 
+def beside_axis(text: str) -> tuple[str, str]:
+    """The number and the axis of `1.6 m/s in the y direction`; "" for the axis where none is named."""
+    found = BESIDE_AXIS.search(text) if len(text) <= LONGEST else None
+    return (text[: found.start()], found["axis"]) if found else (text, "")
+
+
 def axes_of(text: str, components: tuple[str, ...]) -> AxisRemarks:
     """What a text says of axes. A remark on an axis that the answer does not have stays in the text, as in a text too long."""
     signs: list[int] = [1] * max(1, len(components))
@@ -175,6 +193,12 @@ def direction_of(text: str, directed: bool, component: str = "") -> Direction | 
     if found := TOWARDS.search(text):
         return Direction(text[: found.start()], None, found["words"].strip())
     return None
+
+
+def turn_of(text: str) -> Direction | None:
+    """The sense in which a text of bounded length says that an angle is counted: upwards, or counter-clockwise, is positive."""
+    found = TURNED.search(text)
+    return found and Direction(text[: found.start()], 1 if found["up"] else -1, found[0].strip(" ,;()."))
 
 
 def _places(axis: str, way: str, components: tuple[str, ...]) -> list[int]:

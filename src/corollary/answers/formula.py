@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from corollary.answers.answer import Formulas, Unclear
+from corollary.answers.motion_words import motion_in_number
+from corollary.answers.number_words import product_in_signs
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
+from corollary.answers.remark import remark_in
 from corollary.formula.ast import Expr, names
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused, sentence
@@ -16,24 +20,47 @@ from corollary.formula.syntax import parse
 from corollary.formula.text import text as formula_text
 from corollary.messages import catalogue
 from corollary.units.dimensional_analysis import dimension_of
-from corollary.units.unit import Dimension, Unit, called, show
+from corollary.units.unit import Dimension, Unit, called, read_unit, show
 
 _ = catalogue(__name__)
 
 LONGEST_QUOTED = 80
+MOST_WORDS = 20
 LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
 
 
 def formula(text: str, question: Question, lean: Lean = "ask") -> Expr | ParseError:
     """A formula that uses at least one symbol of the problem."""
-    tree = parse(text, question.symbol_names, lean=lean)
-    if isinstance(tree, ParseError) and len(text) <= LONGEST:
-        bare, _skipped = answer_in(by_hand(text).translate(TO_ASCII))
-        again = parse(bare, question.symbol_names, lean=lean) if bare.strip() != text.strip() else tree
-        tree = tree if isinstance(again, ParseError) and again.status != "asked" else again
+    tree = formula_in(text, question.symbol_names, question.unit, lean)
     if not isinstance(tree, ParseError) and not names(tree) - {"pi"}:
         return refused(_("this has no letters of the problem in it"))
     return tree
+
+
+def formula_in(
+    text: str, letters: Collection[str], unit: Unit | None, lean: Lean = "ask"
+) -> Expr | ParseError:
+    """The formula in these letters that a text is; `unit` may stand behind it, being what is asked for."""
+    tree = parse(text, letters, lean=lean)
+    if not isinstance(tree, ParseError) or len(text) > LONGEST:
+        return tree
+    bare, _skipped = answer_in(motion_in_number(by_hand(text)).translate(TO_ASCII))
+    for candidate in dict.fromkeys((bare, _in_signs(bare, letters, unit))):
+        again = parse(candidate, letters, lean=lean)
+        if not isinstance(again, ParseError) or again.status == "asked":
+            return again
+    return tree
+
+
+def _in_signs(text: str, letters: Collection[str], unit: Unit | None) -> str:
+    """`2 x v`, `twice v` as `2*v`; without the unit asked for, or harmless words, behind it."""
+    remark = remark_in(text)
+    text = product_in_signs(remark.text if remark and remark.harmless else text, cross="x" not in letters)
+    words = text.split(" ")
+    for start in range(1, len(words)) if unit and unit.factor == 1 and len(words) <= MOST_WORDS else ():
+        if read_unit(" ".join(words[start:])) == unit:
+            return " ".join(words[:start])
+    return text
 
 
 def fitting(text: str, question: Question) -> Expr | Unclear | None:

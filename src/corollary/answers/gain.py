@@ -9,14 +9,14 @@ from corollary.answers.question import Question
 
 LOSSES = (
     "losses loss lose loses lost losing decreases decreased decrease drops dropped drop reduced reduction dissipated "
-    "verlust verliert verlieren verloren abnahme tap taper tapt mister mistet less"
+    "verlust verliert verlieren verloren abnahme tap taper tapt mister mistet less weniger mindre"
 )
-GAINS = "gains gained gain increases increased increase gewinn zunahme økning more"
+GAINS = "gains gained gain increases increased increase gewinn zunahme økning more mehr mer"
 WORDS = "|".join(f"{LOSSES} {GAINS}".split())
 WHAT = r"(?:in |of )?(?:the |its |their )?(?:total |kinetic |mechanical |internal )*(?:energy|momentum|speed|velocity|K)"
 BEFORE = re.compile(
     rf"^\s*(?:(?:the|a|an|it|they|we|there|system|car|energy|kinetic|mechanical|total|momentum|K|E|is|are|was|were|has|have)\s+)*"
-    rf"(?P<word>{WORDS})(?:\s+{WHAT})?\s*(?:(?:of|by|is|was|about|:|=|≈)\s*)*(?=[-+]?\s*[0-9.,])",
+    rf"(?P<word>{WORDS})(?:\s+{WHAT})?\s*(?:(?:of|by|is|was|about|um|von|på|med|:|=|≈)\s*)*(?=[-+]?\s*[0-9.,])",
     re.IGNORECASE,
 )
 VERB = re.compile(

@@ -4,27 +4,11 @@ from __future__ import annotations
 
 import re
 
-NUMBERS = dict(
-    zip(
-        [
-            "zero",
-            "one",
-            "two",
-            "three",
-            "four",
-            "five",
-            "six",
-            "seven",
-            "eight",
-            "nine",
-            "ten",
-            "eleven",
-            "twelve",
-        ],
-        range(13),
-        strict=True,
-    )
-)
+IN_ENGLISH = "zero one two three four five six seven eight nine ten eleven twelve"
+IN_GERMAN = "null eins zwei drei vier fünf sechs sieben acht neun zehn elf zwölf"
+NUMBERS = {word: number for words in (IN_ENGLISH, IN_GERMAN) for number, word in enumerate(words.split())}
+# `to` is two in Norwegian, and no number where it stands before a direction.
+TIMES_OVER = NUMBERS | {"to": 2, "tre": 3, "fire": 4, "fem": 5}
 # As words that stand for a number on their own, in English, German, French and Nordic; with the fraction they are.
 RATIOS = {
     "twice": "2", "double": "2", "doubled": "2", "doubles": "2", "thrice": "3", "triple": "3", "tripled": "3", "quadruple": "4",
@@ -37,30 +21,38 @@ RATIOS = {
 DIGITS = r"[0-9]+(?:[.,][0-9]+)?"
 ABOUT = r"(?:(?:it|this|that|the|is|was|by|about|exactly|approximately|roughly|just|only|always|a|an|die|das|≈)\s+)*"
 RATIO = re.compile(
-    rf"\s*{ABOUT}(?:ratio\s*(?:of|is|=|:)?\s*)?({DIGITS})\s*(?::|\bto\b|\bzu\b)\s*({DIGITS})\s*",
+    rf"\s*{ABOUT}(?:ratio\s*(?:of|is|=|:)?\s*)?({DIGITS})\s*(?::|\bto\b|\bzu\b|\bout of\b|\bvon\b|\bav\b)\s*({DIGITS})\s*",
     re.IGNORECASE,
 )
 FACTOR = re.compile(
     rf"\s*{ABOUT}(?:(?:fa[ck]tor|ratio)\s*(?:of|is|=|:)?|[x*])\s*({DIGITS}(?:/{DIGITS})?)\s*", re.IGNORECASE
 )
 LARGE = r"(?:as\s+)?(?:much|large|big|great|high|fast|strong|heavy|long|many|larger|bigger|greater|higher|faster|more)"
-BESIDE = rf"(?:\s+{LARGE}(?:\s+(?:as|than|for)\b[^0-9]{{0,60}})?|\s+(?:of|that of)\b[^0-9]{{0,60}}|\s+(?:the|that|its|so|så)\b[^0-9]{{0,60}})?"
+SMALL = r"(?![^0-9]*\b(?:small|less|slow|low|klein|wenig|langsam|kurz|liten|lite|mindre|sakte))"
+BESIDE = rf"{SMALL}(?:\s+{LARGE}(?:\s+(?:as|than|for)\b[^0-9]{{0,60}})?|\s+(?:of|that of)\b[^0-9]{{0,60}}|\s+(?:the|that|its|so|så)\b[^0-9]{{0,60}})?"
 TIMES = re.compile(
     rf"\s*{ABOUT}({DIGITS}(?:/{DIGITS})?)\s*(?:x|\*|times|-?fold|mal|fois|ganger)(?:{BESIDE})\s*",
     re.IGNORECASE,
 )
 NUMBER_TIMES = re.compile(
-    rf"\s*{ABOUT}({'|'.join(NUMBERS)})(?:\s+times|[\s-]?fold){BESIDE}\s*", re.IGNORECASE
+    rf"\s*{ABOUT}({'|'.join(TIMES_OVER)})(?:\s+(?:times|mal|ganger)|[\s-]?fold){BESIDE}\s*", re.IGNORECASE
 )
 FACTOR_IN_WORDS = re.compile(
     rf"\s*{ABOUT}(?:factor|faktor)\s*(?:of|von|på)?\s*({'|'.join(NUMBERS)})\s*", re.IGNORECASE
 )
 WORD = re.compile(rf"\s*{ABOUT}({'|'.join(sorted(RATIOS, key=len, reverse=True))}){BESIDE}\s*", re.IGNORECASE)
-REST = re.compile(
-    r"(?:\b(?:is|stays|remains|comes to|comes)\s+)?\b(?:at rest|to rest|stationary)\b", re.IGNORECASE
-)
 PER_CENT = re.compile(r"\bper cent\b", re.IGNORECASE)
 CROSS = re.compile(r"(?<=[0-9A-Za-z)²³] )[xX](?= [0-9A-Za-z(])|(?<=[0-9])[xX](?=[0-9])")
+TWICE = re.compile(r"\b(twice|double|thrice|half|doppelt|dobbelt)\s+(?:of\s+)?(?=[^\W\d])", re.IGNORECASE)
+OVER = re.compile(rf"\b({DIGITS}|{'|'.join(TIMES_OVER)})\s+(?:times|mal|ganger)\s+(?=[^\W\d])", re.IGNORECASE)
+IN_MINUTES = re.compile(
+    r"\b([0-9]{1,3})\s*[°º]\s*([0-9]{1,2})\s*'(?:\s*([0-9]{1,2}(?:[.,][0-9]+)?)\s*(?:\"|″|''|”))?(?=\s*$)"
+)
+SHARE = re.compile(
+    r"(?<=%)\s+(?:of|von|der|des|av)(?: (?:it|its|the|A|seiner|ihrer|dens|den)['’]?s?)?(?: (?:kinetic|total|initial|original|whole|kinetischen|gesamten))*"
+    r"(?: (?:energy|momentum|speed|Energie|energien))?\s*$",
+    re.IGNORECASE,
+)
 FRACTION = re.compile(
     rf"\s*{ABOUT}(one|two|three|four|five|six|seven)[ -](half|halves|third|quarter|fourth|fifth|sixth|eighth|ninth|tenth)s?{BESIDE}\s*",
     re.IGNORECASE,
@@ -69,16 +61,26 @@ BELOW = {"half": 2, "halves": 2, "third": 3, "quarter": 4, "fourth": 4, "fifth":
 FIRST = re.compile(rf"\s*([+-]?)\s*({'|'.join(NUMBERS)})(?=\s+[A-Za-zµ°%]|\s*$)", re.IGNORECASE)
 
 
-def rest_is_zero(text: str) -> str:
-    """`A at rest` as `A 0`."""
-    return REST.sub("0", text)
+def product_in_signs(formula: str, *, cross: bool) -> str:
+    """`twice v`, `2 times v` as `2*v`; `2 x v` too, where the `cross` is no letter."""
+    formula = TWICE.sub(lambda found: f"{RATIOS[found[1].lower()]}*", formula)
+    formula = OVER.sub(lambda found: f"{TIMES_OVER.get(found[1].lower(), found[1])}*", formula)
+    return CROSS.sub("*", formula) if cross else formula
+
+
+def _in_degrees(found: re.Match[str]) -> str:
+    """`19°6'` as `19.10°`, `19°6'30"` as `19.1083°`."""
+    minutes, seconds = int(found[2]), float((found[3] or "0").replace(",", "."))
+    return f"{int(found[1]) + minutes / 60 + seconds / 3600:.{4 if found[3] else 2}f}°"
 
 
 def in_digits(normalized: str, *, pure: bool) -> str:
     """The number in digits; as it is where there is no word for one. Ratios are read where a `pure` number is asked for."""
-    normalized = CROSS.sub("*", rest_is_zero(PER_CENT.sub("%", normalized)))
-    text = normalized.strip().rstrip(".!")
+    normalized = CROSS.sub("*", PER_CENT.sub("%", normalized))
+    normalized = IN_MINUTES.sub(_in_degrees, normalized)
     if pure:
+        normalized = SHARE.sub("", normalized)
+        text = normalized.strip().rstrip(".!")
         if found := RATIO.fullmatch(text):
             return f"{found[1]}/{found[2]}"
         if found := FACTOR.fullmatch(text) or TIMES.fullmatch(text):
@@ -86,7 +88,7 @@ def in_digits(normalized: str, *, pure: bool) -> str:
         if found := FRACTION.fullmatch(text):
             return f"{NUMBERS[found[1].lower()]}/{BELOW[found[2].lower()]}"
         if found := NUMBER_TIMES.fullmatch(text) or FACTOR_IN_WORDS.fullmatch(text):
-            return str(NUMBERS[found[1].lower()])
+            return str(TIMES_OVER[found[1].lower()])
         if found := WORD.fullmatch(text):
             return RATIOS[re.sub(r"\s+", " ", found[1].lower())]
     if found := FIRST.match(normalized):

@@ -1,20 +1,27 @@
-"""What students write around an answer, and the answer between: `≈`, `ca.`, `Δp =`, `p = m v =`, quotation marks, `± 0.1 N`."""
+"""What students write around an answer, and the answer between: `≈`, `ca.`, `Δp =`, `p = m v =`, quotation marks."""
 
 from __future__ import annotations
 
 import re
 
+from corollary.answers.number_words import NUMBERS
+
 QUOTES = "\"'“”„‟«»‹›`*_"  # also those of Markdown
 ABOUT = (  # in English, and as German, French and Nordic students say
-    "about exactly approx. approx approximately around roughly nearly circa cirka ca. ca c. etwa ungefähr rund env. environ omkring omtrent ungefär"
+    "about exactly approx. approx approximately around roughly nearly circa cirka ca. ca c. etwa ungefähr rund env. environ omkring omtrent ungefär rundt"
 )
 TALK = (
     "the it its this that is was are be becomes equals answer ans. ans result value so thus hence therefore we get of in by to with momentum "
-    "velocity speed force impulse energy height angle distance work power change changes average mean total net kinetic final common"
+    "velocity speed force impulse energy height angle distance work power change changes average mean total net kinetic final common "
+    "he she they "
+    "der die das den dem er sie es ist sind wird beträgt betragen um mit von antwort ergebnis lösung impuls impulsänderung kraftstoß änderung ändert "
+    "sich geschwindigkeit kraft mittlere mittleren durchschnittliche energie höhe winkel betrag "
+    "det blir ble er svaret svar på med bevegelsesmengden bevegelsesmengde endringen endring endres impulsen farten fart hastigheten kraften "
+    "gjennomsnittlig gjennomsnittskraften energien høyden vinkelen"
 )
 WORDS = "|".join(map(re.escape, sorted(f"{ABOUT} {TALK}".split(), key=len, reverse=True)))
 LABEL = re.compile(r"[a-z][0-9]?\)\s+|\([a-z][0-9]?\)\s*(?=[-+≈=~]?\s*[0-9.,√])")
-NAME = r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d][^\s=≈~+*/^();,:]{0,15}|\|[^\W\d][^\s|=]{0,8}\|"
+NAME = r"(?:(?:delta|Delta|[Δ∆])\s*)?[^\W\d][^\s=≈~+*/^();,:]{0,15}|[|<][^\W\d][^\s|=<>]{0,8}[|>]"
 COUNTED = re.compile(
     r"(?:(?:an? |in |on )(?:average|mean|total|maximum|sum)(?: (?:of|is))?"
     r"|im (?:Mittel|Durchschnitt)|i (?:snitt|gjennomsnitt)|insgesamt|totalt)\s+(?=[-+]?[0-9.,])",
@@ -24,24 +31,25 @@ LEADING = (
     LABEL,
     COUNTED,
     re.compile(r"I (?:get|got|find|found|have) ", re.IGNORECASE),
-    re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(])\s*", re.IGNORECASE),
+    re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE),
     re.compile(rf"(?:{NAME})\s*(?:[=≈](?!=)|[:~](?=\s*[-+0-9.,√(]))\s*"),
 )
-MINUS = re.compile(r"(?:minus|negative)\s+(?=[0-9.,])", re.IGNORECASE)
+MINUS = re.compile(
+    rf"(?:minus|negative)\s+(?=[0-9.,]|(?:{'|'.join(NUMBERS)})\b)|\(-\)\s*(?=[0-9.,])", re.IGNORECASE
+)
 REMARK = (
     r"approx(?:\.|imately)?|about|roughly|circa|ca\.?|rounded|exactly|or so|(?:final )?answer|mean|average|impulse[^()0-9]*"
-    r"|[0-9] ?(?:s\.? ?f\.?|sig\.? ?figs?\.?|significant figures|figures)"
+    r"|(?:to )?[0-9] ?(?:s\.? ?f\.?|sig\.? ?figs?\.?|significant figures|significant digits|figures)"
 )
 ENDING = re.compile(
-    rf"[\s!?;,]+$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+\(?(?:{REMARK})\)?$",
+    rf"[\s!?;,✅✓✔☑\U0001f300-\U0001faff]+$|(?<=[0-9])…$|\s#[^0-9]*[A-Za-z]{{4}}[^0-9]*$|(?<=[^0-9\s])\.$|(?<=[A-Za-z0-9²³)°%])[\s,;]+\(?(?:{REMARK})\)?$",
     re.IGNORECASE,
 )
-SIDES = re.compile(r"[=≈]+\s*")
+SIDES = re.compile(r"[=≈]+\s*|\s~\s+")
 NO_SIDE = re.compile(  # in `3 m/s with g = 9.8` what stands behind the last sign is not the answer
     r"[,;]\s|[?<>≤≥≠:]|\b(?:with|using|where|for|if|when|and|or|taking|as|at|because|since|but|not|mit|med|avec)\b",
     re.IGNORECASE,
 )
-SPREAD = re.compile(r"\s*(?:±|\+/-|\+-)\s*[0-9.,]+(?:[eE][+-]?[0-9]+)?")
 GRAVITY = re.compile(
     r"[\s,;]\s*\(?(?:(?:with|using|taking|for|if|when|where) )?g\s*[=≈]\s*(?:9[.,]8[0-9]?|10)\s*(?:m ?/ ?s ?(?:\^|\*\*)?[2²])?\s*\)?\s*$",
     re.IGNORECASE,
@@ -62,7 +70,7 @@ def answer_in(normalized: str) -> tuple[str, int]:
             continue
         skipped = _skipped(text)
         if skipped == 0:
-            return _without_spread(text), before
+            return _with_minus(text), before
         text, before = text[skipped:], before + skipped
 
 
@@ -88,12 +96,7 @@ def _last_side(text: str) -> int:
     return 0 if NO_SIDE.search(sides) or sides.count("(") != sides.count(")") else last.end()
 
 
-def _without_spread(text: str) -> str:
-    """A measured value without its uncertainty, blanks in its place: `8.6 ± 0.1 N`, `8.6 N ± 0.1 N`; a minus in words as a sign."""
-    if found := MINUS.match(text):
-        text = "-".rjust(found.end()) + text[found.end() :]
-    spread = SPREAD.search(text)
-    if spread is None:
-        return text
-    value, unit = text[: spread.start()], text[spread.end() :]
-    return value + " " * len(spread[0]) + unit if re.search(r"[0-9.]$", value) else value
+def _with_minus(text: str) -> str:
+    """A minus in words, or as a calculator writes it, as a sign."""
+    found = MINUS.match(text)
+    return "-".rjust(found.end()) + text[found.end() :] if found else text

@@ -10,9 +10,12 @@ from fractions import Fraction
 from typing import Literal
 
 from corollary.answers.arithmetic_answer import worked_out
-from corollary.answers.components import are_axes, in_one_line, length_and_angle, pieces_of, without_preamble
-from corollary.answers.number_words import in_digits, rest_is_zero
+from corollary.answers.components import are_axes, in_one_line, pieces_of, without_preamble
+from corollary.answers.motion_words import motion_in_number, motion_in_numbers
+from corollary.answers.number_words import in_digits
+from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import SIDES, answer_in
+from corollary.answers.spread import WIDEST, without_spread
 from corollary.answers.unit_meant import unit_meant
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
@@ -53,20 +56,25 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
     """The number and unit a text stands for, or the calculation left standing in it. Without `expected` every unit fits."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    typed = by_hand(text)
+    typed = motion_in_number(by_hand(text))
     normalized, skipped = answer_in(typed.translate(TO_ASCII))
+    normalized, spread = without_spread(normalized)
+    found = _alone(text, normalized, expected)
+    if isinstance(found, ParseError):
+        return _placed(found, skipped, rewritten=text != typed)
+    if skipped and (other := _otherwise(typed.translate(TO_ASCII)[:skipped], found, expected)):
+        why = _("{one} and {other} are not the same", one=other.as_read, other=found.as_read)
+        return refused(why, None, _("write one number and a unit"))
+    if spread and not _is_small(spread, found):
+        why = _("an uncertainty of more than a tenth leaves the value open")
+        return refused(why, None, _("write one number and a unit"))
+    return found
+
+
+def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
+    """The number, the calculation, or the number said twice, that a text is without what stands around it."""
     normalized = in_digits(normalized, pure=expected is not None and expected.dimension == ONE)
     found = _number_and_unit(text, normalized, expected)
-    if (
-        skipped
-        and isinstance(found, Reading)
-        and (other := _otherwise(typed.translate(TO_ASCII)[:skipped], found, expected))
-    ):
-        return refused(
-            _("{one} and {other} are not the same", one=other.as_read, other=found.as_read),
-            None,
-            _("write one number and a unit"),
-        )
     if (
         isinstance(found, ParseError)
         and found.status == "refused"
@@ -75,7 +83,19 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
         return worked
     if isinstance(found, ParseError) and (twice := _same_twice(normalized, expected)) is not None:
         return twice
-    return _placed(found, skipped, rewritten=text != typed) if isinstance(found, ParseError) else found
+    return found
+
+
+def _is_small(spread: str, found: Reading) -> bool:
+    """Whether an uncertainty is at most a tenth of the value: in the value's unit, in one of its own, or in percent."""
+    size = _number_and_unit(spread, spread, found.unit)
+    if isinstance(size, ParseError):
+        return False
+    if size.unit is None or size.unit == found.unit:
+        return size.value <= WIDEST * abs(found.value)
+    if size.unit.text == "%":
+        return size.value <= 100 * WIDEST
+    return size.fit == "fits" and in_si(size) <= WIDEST * abs(in_si(found))
 
 
 def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | None:
@@ -101,7 +121,12 @@ def _same_twice(normalized: str, expected: Unit | None) -> Reading | None:
     both = TWICE.fullmatch(normalized)
     if both is None:
         return None
-    first, second = (_number_and_unit(each, each, expected) for each in both.groups())
+    first, second = (
+        found
+        if isinstance(found := _number_and_unit(each, each, expected), Reading)
+        else _worked(each, each, expected)
+        for each in both.groups()
+    )
     if (
         isinstance(first, ParseError)
         or isinstance(second, ParseError)
@@ -176,7 +201,7 @@ def components_in(
     """The texts of the components, or those of a length and an angle."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
-    typed = rest_is_zero(by_hand(in_one_line(text, count)))
+    typed = motion_in_numbers(by_hand(in_one_line(text, count)))
     normalized, skipped = without_preamble(typed.translate(TO_ASCII))
     polar = length_and_angle(normalized)
     if isinstance(polar, tuple) and not (count == 2 and are_axes(names)):

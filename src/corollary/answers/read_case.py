@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from corollary.answers.answer import Answer, Numbers, Unclear
 from corollary.answers.direction import on_usual_axes, with_direction
-from corollary.answers.formula import with_remark
+from corollary.answers.formula import formula_in, with_remark
 from corollary.answers.machine_number import sure
 from corollary.answers.numbers import scalar
 from corollary.answers.quantity import Reading, in_si, read_quantity
@@ -19,7 +19,7 @@ from corollary.formula.ast import Expr, Relation
 from corollary.formula.ast import names as letters_of
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.symbols import RUN
-from corollary.formula.syntax import author_formula, parse
+from corollary.formula.syntax import author_formula
 from corollary.formula.text import text as formula_text
 from corollary.formula.value import Text, Value
 from corollary.units.unit import Dimension, Unit, called, canonical, read_unit, show
@@ -132,7 +132,7 @@ def _expression(case: Mapping[str, Any]) -> dict[str, Any]:
     letters = [name.strip() for name in given if isinstance(name, str) and RUN.fullmatch(name.strip())]
     if not given or len(letters) != len(given):
         raise BadCase('the letters of the formula must be named: "names": ["m", "v"] (or --names m,v)')
-    tree = parse(case["text"], letters)
+    tree = formula_in(case["text"], letters, _expected(case))
     if isinstance(tree, ParseError):
         return _trouble(tree)
     result = {

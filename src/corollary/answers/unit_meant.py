@@ -15,16 +15,24 @@ _ = catalogue(__name__)
 
 PLURAL = re.compile(r"(?<![A-Za-z])[Kk]gs(?![A-Za-z])")
 UNIT_TWICE = re.compile(r"([^()]*[^()\s])\s*\(([^()]*)\)")
+HERTZ, RADIANS = re.compile(r"Hz\b"), re.compile(r"\brad\b")
 METRES = re.compile(r"(?<![A-Za-z])ms(?=\s?[\^⁻*-])")
 
 
 def unit_meant(text: str, expected: Unit | None) -> Unit | ParseError:
     """The unit; where it has several readings, as `ms^-1` or `Ns (newton seconds)`, the one that measures what is asked for."""
     unit = read_unit(text)
+    if (
+        isinstance(unit, Unit)
+        and expected is not None
+        and HERTZ.search(unit.text)
+        and RADIANS.search(expected.text)
+    ):
+        return ParseError("asked", _("Hz counts whole turns, not radians"), None, _("write rad/s, or rpm"))
     if expected is None or (isinstance(unit, Unit) and unit.dimension == expected.dimension):
         return unit
-    refused = isinstance(unit, ParseError) and unit.status == "refused"
-    if (refused or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
+    unknown = isinstance(unit, ParseError) and unit.status == "refused"
+    if (unknown or in_capitals(text)) and (meant := _in_another_case(text, expected)) is not None:
         return meant
     if isinstance(unit, Unit) and (slip := _slip_of_case(text, unit, expected)) is not None:
         return slip

@@ -9,7 +9,7 @@ from typing import cast
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.components import are_axes, place_named
-from corollary.answers.direction import axis_named, with_direction
+from corollary.answers.direction import axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away
 from corollary.answers.quantity import Reading, components_in, read_quantities, read_quantity
@@ -130,6 +130,8 @@ def _by_direction(pieces: list[str], components: tuple[str, ...]) -> list[str]:
 def _along_one_axis(text: str, question: Question) -> Read | None:
     """`160 N upwards`, where the components are axes: the other components are 0."""
     axis = axis_named(text) if are_axes(question.components) else ""
+    if not axis and are_axes(question.components):
+        text, axis = beside_axis(text)
     if axis not in question.components:
         return None
     items = [Text(text) if name == axis else Exact(Fraction(0)) for name in question.components]

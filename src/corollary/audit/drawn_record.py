@@ -82,7 +82,8 @@ def _at(
             for each in stated.asked
         )
     except NotRead as error:
-        return ExerciseRecord(place, read.path, read.line, statement=read.statement, unread=str(error))
+        bare = ExerciseRecord(place, read.path, read.line, statement=read.statement, unread=str(error))
+        return replace(bare, isolation=draw.isolation)
     return replace(
         stated,
         id=place,
@@ -92,6 +93,7 @@ def _at(
         published=published,
         source=read.source or stated.source,
         statement=read.statement or stated.statement,
+        isolation=draw.isolation,
     )
 
 

@@ -78,6 +78,7 @@ class AuditedAnswer:
             "why": self.why,
             "source": self.record.source,
             "file": self.record.place,
+            "isolation": self.record.isolation,
         }
         always = {"id", "finding", "derived", "why"}
         return {name: value for name, value in all_fields.items() if value or name in always}

@@ -82,7 +82,8 @@ class AskedLetter:
 class ExerciseRecord:
     """`published` has one text for each thing asked. `directions`: a convention settles what is positive.
 
-    `unread` says why a reader could not make out the exercise; then nothing else counts.
+    `unread` says why a reader could not make out the exercise; then nothing else counts. `isolation` says how well the
+    program was isolated that drew its numbers; "" where none was run.
     """
 
     id: str
@@ -104,6 +105,7 @@ class ExerciseRecord:
     licence: str = ""
     statement: str = ""
     unread: str = ""
+    isolation: str = ""
 
     @property
     def assumed_here(self) -> tuple[AssumedValue, ...]:

@@ -79,3 +79,5 @@ def _show(found: list[AuditedAnswer]) -> None:
     counts = Counter(each.finding for each in found)
     words = ", ".join(f"{counts[name]} {name}" for name in FINDINGS if counts[name])
     out.print(f"{counted(len(found), 'published answer')}: {words}")
+    for isolation in dict.fromkeys(each.record.isolation for each in found if each.record.isolation):
+        out.print(f"server.py was run at isolation {isolation}", highlight=False, soft_wrap=True)

@@ -99,6 +99,10 @@ command(
     click.Argument(["name"], help="cradle, ball_on_floor, …", shell_complete=SCENES),
     several("--set", "settings", "A setting in SI: q=1.5, or masses=0.1,0.2,0.1"),
     click.Option(["--tolerance"], default=1e-12, help="Relative to the scene's natural scale."),
+    flag(
+        "--proven",
+        "State proven bounds of all errors, or say that none can be had; seconds instead of milliseconds.",
+    ),
     JSON,
 )
 command(
@@ -268,7 +272,7 @@ command(
         type=AT_LEAST_1,
         help="Without either: so many sheets with distinct numbers; of questions, so many of each problem.",
     ),
-    flag("--apart", "moodle, qti: each part a question of its own, with numbers of its own."),
+    flag("--apart", "moodle, moodle-stack, qti: each part a question of its own, with numbers of its own."),
     several("--except", "left_out", "site: leave out the problems of this set", SETS),
     path("--pyodide", text="site: the unpacked npm package pyodide; it is fetched when left out."),
     SOLUTION,

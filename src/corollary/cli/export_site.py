@@ -12,8 +12,8 @@ from corollary.cli.progress import bar
 from corollary.practice.practice import practice
 from corollary.problem.bank import Bank, open_bank
 from corollary.problem.problem_set import find_set, set_names
-from corollary.render.practice_site import exercise_file, page_file, reading_files
-from corollary.render.pyodide import NoPyodide, fetched
+from corollary.render.practice_site import exercise_file, page_file, python_files, snapshot_file
+from corollary.render.pyodide import NoPyodide, NoSnapshot, fetched
 from corollary.user_cache import folder
 
 USUAL_TURNS = 5
@@ -37,7 +37,7 @@ def run(
     try:
         found = practice(opened, _words(opened, wanted), not_to_be_practised(opened, tuple(left_out)))
         python = pyodide or fetched(folder() or output)
-        files = dict(reading_files(python))
+        files = dict(python_files(python))
     except (LookupError, NoPyodide) as error:
         refuse(str(error))
     refused = list[str]()
@@ -51,6 +51,11 @@ def run(
             done(problem.code)
     found.problems = tuple(each for each in found.problems if each.code not in refused)
     files["index.html"] = page_file(found)
+    try:
+        name, content = snapshot_file(python, found)
+        files[name] = content
+    except NoSnapshot as error:
+        say(f"the page will take some seconds longer until it judges the first answer, for {error}")
     for name, content in files.items():
         write_whole(output / name, content)
     size = sum(map(len, files.values()))

@@ -187,7 +187,8 @@ def show(done: Outcome, dry_run: bool) -> None:
     from corollary.render.report_table import terminal
 
     out = console()
-    out.print(terminal(done.report))
+    recorded = {one.student for one in done.report.handed_in}
+    out.print(terminal(done.report, [one for one in done.held if one not in recorded]))
     out.print(f"{what_was_done(done, dry_run)}; report: {done.page}", soft_wrap=True, highlight=False)
     if not done.in_gradebook and not dry_run:
         say(

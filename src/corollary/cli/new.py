@@ -19,6 +19,7 @@ from corollary.problem.bank import (
     find,
     open_bank,
 )
+from corollary.problem.pictures import pictures_of
 from corollary.problem.problem import Problem
 from corollary.problem.reader import CODE
 
@@ -48,11 +49,15 @@ def run(code: str, name: str, like: str | None, bank: Path | None, as_json: bool
     for path in (*namesakes, solution, *([solution.with_suffix("")] if model else [])):
         if path.exists():
             refuse(f"{path} is there already; choose another name, nothing was written")
+    pictures = _pictures(model[1].path, problem) if model else {}
     asks, derives = _texts(code, stem.replace("_", " ").capitalize(), stem, model)
     for path, text in ((problem, asks), (solution, derives)):
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8") as file:
             file.write(text)
+    for theirs, ours in pictures.items():
+        ours.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(theirs, ours)
     if model and (beside := model[0].solution(model[1]).with_suffix("")).is_dir():
         shutil.copytree(beside, solution.with_suffix(""), ignore=shutil.ignore_patterns("__pycache__"))
     if as_json:
@@ -88,6 +93,15 @@ def _model(place: Bank, like: str) -> tuple[Bank, Problem]:
     except UnknownCode:
         chapter = chapter_bank()
         return chapter, find(chapter, like)
+
+
+def _pictures(model: Path, problem: Path) -> dict[Path, Path]:
+    """The pictures that the model shows, and where they are to lie beside the copy; those that lie there already are left out."""
+    wanted = {each: problem.parent / each.relative_to(model.parent) for each in pictures_of(model)}
+    for theirs, ours in wanted.items():
+        if ours.exists() and ours.read_bytes() != theirs.read_bytes():
+            refuse(f"{ours} is there already, and another picture; rename it, nothing was written")
+    return {theirs: ours for theirs, ours in wanted.items() if not ours.exists()}
 
 
 def _topic(have: dict[Path, str], code: str) -> str:

@@ -14,7 +14,8 @@ from corollary.cli.local_page import serve
 from corollary.course.one_page_server import OnePageServer
 from corollary.derive.load import NotDerivable
 from corollary.formula.ball import Undefined
-from corollary.practice.posed import Answer, Posed, known
+from corollary.practice.offline import known
+from corollary.practice.posed import Answer, Posed
 from corollary.practice.practice import Practice, practice
 from corollary.problem.bank import Bank, open_bank
 from corollary.problem.problem_set import find_set, set_names
@@ -102,7 +103,7 @@ def _judge(posed: Posed, posted: dict[str, Any]) -> dict[str, Any]:
     grade = posed.judged(str(posted["part"]), {part: _answer(each) for part, each in answers.items()})
     return {
         "html": verdict_piece(grade),
-        "right": known(grade),
+        "right": known(grade.verdict),
         "person": marked_by_a_person(grade.part),
     }
 

@@ -13,12 +13,12 @@ from corollary.scenes.progress import part, reported_to
 from corollary.scenes.run import GuardFailed, Observed, components
 
 
-def run(name: str, settings: list[str], tolerance: float, as_json: bool) -> int:
+def run(name: str, settings: list[str], tolerance: float, proven: bool, as_json: bool) -> int:
     chosen = dict(_setting(option) for option in settings)
     try:
         with waiting(f"scene {name}") as listener, reported_to(listener):
             with part(0.0, 0.5):
-                found = play(name, chosen, tolerance)
+                found = play(name, chosen, tolerance, proven=proven)
             with part(0.5, 1.0):
                 found = with_conditions(found, tolerance)
     except GuardFailed as error:

@@ -69,7 +69,7 @@ def run(
         return run_extremes(todo, broken, scenes=not codes, as_json=as_json)
     found: list[Checked] = []
     verify_those = on_cluster(cluster) if cluster else verify_each
-    verify_all = verify_those if anew else partial(verify_changed, verify_those=verify_those)
+    verify_all = partial(verify_changed, verify_those=verify_those, anew=anew)
     with bar("verifying", len(todo)) as progress, verify_all(todo, variants) as checked:
         for each in checked:
             progress(each.code)

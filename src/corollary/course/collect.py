@@ -25,7 +25,8 @@ from corollary.sandbox.archive import members
 
 @dataclass(frozen=True, slots=True)
 class Collected:
-    """Every file with what became of it; sentences on what was in conflict and on the whole; who has handed in nothing yet."""
+    """Every file with what became of it; sentences on what was in conflict and on the whole; who has handed in nothing yet and is
+    not excused."""
 
     arrivals: tuple[Arrival, ...]
     conflicts: tuple[str, ...]
@@ -96,5 +97,6 @@ def collect(
     if moved:
         remarks.append(f"{len(moved)} there already get the time of the worksheet: {few(moved, 12)}")
     came = there.keys() | by_student.keys()
-    missing = tuple(each.id for each in roster if each.id in assigned and each.id not in came)
+    expected = [each.id for each in roster if each.id in assigned and not deadlines.excused(each.id)]
+    missing = tuple(each for each in expected if each not in came)
     return Collected(tuple(arrivals), tuple(conflicts), tuple(remarks), missing)

@@ -98,7 +98,8 @@ def grade_set(
     """Marks every submission that is new or changed. Killed at any moment, the next run finishes the rest.
 
     Marks already given are moved only when `ask` agrees to the changes, unless the student handed in something else or was
-    given more time; a regrade marks everything again, and writes all or nothing of it; a dry run writes nothing, and asks nothing.
+    given more time; a regrade marks everything again, and runs every notebook again but where only points, rubrics or dates have
+    changed, and writes all or nothing of it; a dry run writes nothing, and asks nothing.
     `jobs` processes mark side by side (None: as many as there are cores), or whatever `execute` brings; only this one writes.
     `begin` is called before the first notebook is run. `now` (None: this moment) decides what is revealed.
     `progress` gets each student as their marks are written, and how many are left. Raises NotGenerated, NotDerivable, CannotStart,
@@ -189,9 +190,12 @@ def grade_set(
             write_graded(course, problem_set, at_once, given, book)
 
     left, known = len(todo), set[str]()
-    if todo and not regrade:  # a regrade runs every notebook again
+    if todo:
         marked_before = (each for each in todo if page_facts_place(course, name, each).exists())
-        again = (from_record(course, problem_set, solutions, submission(each)) for each in marked_before)
+        again = (
+            from_record(course, problem_set, solutions, submission(each), only_changed=regrade)
+            for each in marked_before
+        )
         with _gradebook(course, dry_run) as book:
             for several in together(one for one in again if one is not None):
                 take(several, book)

@@ -130,8 +130,10 @@ def identified(
     if owner not in assigned:
         return left(owner, UNUSABLE, f"{owner} has no numbers in {problem_set.name}; generate it again")
     sheet = worksheet(problem_set, roster[owner], assigned[owner].variants)
-    if why := elsewhere(sheet, read.node):
-        return left(owner, UNUSABLE, f"is a notebook of {says.set_name}" if says.set_name else why)
+    if elsewhere(sheet, read.node):
+        name = problem_set.name
+        other = f"is a notebook with none of the exercises of {name}; ask for {name}.ipynb"
+        return left(owner, UNUSABLE, f"is a notebook of {says.set_name}" if says.set_name else other)
     if says.student and says.student != owner:
         conflicts.append(
             f"{writable(member.name)} is {owner}'s by its name, and was made for {says.student}: taken as {owner}'s"

@@ -17,7 +17,7 @@ def importable(solution: Path) -> Generator[None]:
     Afterwards such modules are forgotten: another bank may have one of the same name, and its author may change it.
     """
     folder, writes = solution.parent, sys.dont_write_bytecode
-    before = _outside(folder)
+    before = _loaded_from(folder)
     sys.path.insert(0, str(folder))
     sys.dont_write_bytecode = True  # a bank is not written to; and a compiled copy can be older than it looks
     importlib.invalidate_caches()
@@ -26,17 +26,18 @@ def importable(solution: Path) -> Generator[None]:
     finally:
         sys.dont_write_bytecode = writes
         sys.path.remove(str(folder))
-        for name, module in list(sys.modules.items()):
-            if Path(getattr(module, "__file__", None) or "").parent == folder and name not in before:
-                del sys.modules[name]
+        for name in _loaded_from(folder) - before:  # those before belong to whoever loaded them
+            del sys.modules[name]
 
 
-def _outside(folder: Path) -> set[str]:
-    """The modules loaded that lie there already: they belong to whoever loaded them."""
+def _loaded_from(folder: Path) -> set[str]:
+    """The modules loaded that lie in a folder."""
+    begin = str(folder)
     return {
         name
         for name, module in list(sys.modules.items())
-        if Path(getattr(module, "__file__", None) or "").parent == folder
+        if (file := getattr(module, "__file__", None) or "").startswith(begin)  # a Path of each takes long
+        and Path(file).parent == folder
     }
 
 

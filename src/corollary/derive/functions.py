@@ -6,13 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
-from corollary.derive.differential import NotSolved, general, generic
-from corollary.derive.known import FoundFunction, Known, at, simplest
+from corollary.derive.coupled import generally
+from corollary.derive.differential import NotSolved, generic
+from corollary.derive.known import FoundFunction, Known, at
 from corollary.derive.sampled import holds, numbered
 from corollary.laws.law import Law, sides, substitute
 
@@ -64,17 +66,21 @@ class _Elimination:
             for each in _functions_of(side)
         }
         while waiting:
-            found = self._outright(waiting) or self._solved(waiting) or self._by_algebra(waiting)
-            if found is None:
+            one = self._outright(waiting) or self._solved(waiting)
+            found = [one] if one else self._coupled(waiting)
+            if not found and (one := self._by_algebra(waiting)):
+                found = [one]
+            if not found:
                 names = ", ".join(sorted(f"{each}" for each in waiting.values()))
                 raise ValueError(
                     f"these laws do not tell {names}; state one differential equation for each function"
                 )
-            del waiting[found.applied.func]
-            self.functions = [
-                replace(each, formula=put_back(each.formula, [found])) for each in self.functions
-            ] + [found]
-            self.pairs = [(found.put_into(left), found.put_into(right)) for left, right in self.pairs]
+            for each in found:
+                del waiting[each.applied.func]
+                self.functions = [
+                    replace(earlier, formula=put_back(earlier.formula, [each])) for earlier in self.functions
+                ] + [each]
+                self.pairs = [(each.put_into(left), each.put_into(right)) for left, right in self.pairs]
         return self._left(), tuple(self.functions)
 
     def _with_known(self, side: sympy.Expr) -> sympy.Expr:
@@ -118,52 +124,77 @@ class _Elimination:
             if not residual.has(sympy.Derivative):
                 continue
             del self.pairs[index]
-            return self._with_conditions(residual, y)
+            return self._with_conditions([residual], [y])[0]
         return None
 
-    def _with_conditions(self, residual: sympy.Expr, y: sympy.Expr) -> FoundFunction:
-        x = y.args[0]
-        conditions = [pair for pair in self.pairs if self._is_condition(pair, y)]
+    def _coupled(self, waiting: Mapping[Any, sympy.Expr]) -> list[FoundFunction]:
+        """Two differential equations of the same two functions, with their initial values."""
+        residuals = {index: left - right for index, (left, right) in enumerate(self.pairs)}
+        for one, other in combinations((k for k, each in residuals.items() if each.has(sympy.Derivative)), 2):
+            both = residuals[one], residuals[other]
+            free = {each.func for residual in both for each in self._free(residual)} & waiting.keys()
+            there = {each.func for residual in both for each in _functions_of(residual)}
+            if len(free) != 2 or there != free or any(not self._free(each) for each in both):
+                continue
+            functions = [waiting[each] for each in sorted(free, key=str)]
+            if len({each.args[0] for each in functions}) == 1:
+                self.pairs = [pair for k, pair in enumerate(self.pairs) if k not in (one, other)]
+                return self._with_conditions(both, functions)
+        return []
+
+    def _with_conditions(
+        self, residuals: Sequence[sympy.Expr], functions: Sequence[sympy.Expr]
+    ) -> list[FoundFunction]:
+        """One function or two, with what its differential equation and its initial values make of it."""
+        x, names = functions[0].args[0], " and ".join(str(y.func) for y in functions)
+        conditions = [pair for pair in self.pairs if self._is_condition(pair, functions)]
         conditions.sort(key=lambda pair: bool((pair[0] - pair[1]).free_symbols & self.unknowns))
         start = next(
             (place for pair in conditions for side in pair for place in self._places(side)), sympy.S.Zero
         )
         try:
-            solution = general(residual.doit(), y, x, start, self._sign)
+            solution = generally(residuals, functions, x, start, self._sign)
         except NotSolved as error:
-            raise ValueError(f"the differential equation for {y.func} cannot be solved: {error}") from None
+            raise ValueError(f"the differential equation for {names} cannot be solved: {error}") from None
         order = len(solution.values)
         if len(conditions) < order:
             raise ValueError(
-                f"the differential equation for {y.func} is of order {order} and needs {order} "
-                f"initial value{'s' * (order > 1)}, such as {y.func}(0) = …; stated {'is' if len(conditions) == 1 else 'are'} {len(conditions)}"
+                f"the differential equation for {names} is of order {order} and needs {order} "
+                f"initial value{'s' * (order > 1)}, such as {functions[0].func}(0) = …; stated {'is' if len(conditions) == 1 else 'are'} {len(conditions)}"
             )
         used = conditions[:order]
-        function = FoundFunction(y, solution.formula, solution.form, start)
-        equations = [put_back(left - right, [function]) for left, right in used]
+        by_values = [
+            FoundFunction(y, formula, solution.form, start)
+            for y, formula in zip(functions, solution.formulas, strict=True)
+        ]
+        equations = [put_back(left - right, by_values) for left, right in used]
         roots = sympy.solve(equations, list(solution.values), dict=True)
         if len(roots) != 1 or len(roots[0]) != order:
-            raise ValueError(f"the initial values of {y.func} do not fix it")
+            raise ValueError(f"the initial values of {names} do not fix all of the motion")
         self.pairs = [pair for pair in self.pairs if not any(pair is each for each in used)]
-        found = FoundFunction(y, simplest(solution.formula.subs(roots[0])), solution.form, self._place(y))
-        for equation in (residual, *(left - right for left, right in used)):
-            if not self._holds(put_back(equation, [found])):
+        found = [
+            FoundFunction(y, solution.shortest(each.subs(roots[0]), x), solution.form, self._place(y))
+            for y, each in zip(functions, solution.formulas, strict=True)
+        ]
+        for equation in (*residuals, *(left - right for left, right in used)):
+            if not self._holds(put_back(equation, found)):
                 raise ValueError(
-                    f"the solution found for {y.func} does not satisfy {equation} = 0; state the law in another form"
+                    f"the solution found for {names} does not satisfy {equation} = 0; state the law in another form"
                 )
         return found
 
-    def _is_condition(self, pair: Pair, y: sympy.Expr) -> bool:
-        """Whether an equation is about one function at places that are known, and about no other."""
+    def _is_condition(self, pair: Pair, functions: Sequence[sympy.Expr]) -> bool:
+        """Whether an equation is about these functions at places that are known, and about no other."""
         both = pair[0] - pair[1]
         found_here = _functions_of(both)
         places = [place for side in pair for place in self._places(side)]
         return (
             bool(places)
             and not self._free(both)
-            and {each.func for each in found_here} == {y.func}
+            and {each.func for each in found_here} <= {y.func for y in functions}
             and not any(
-                place.free_symbols & (self.unknowns | {y.args[0]} - self.known.letters) for place in places
+                place.free_symbols & (self.unknowns | {functions[0].args[0]} - self.known.letters)
+                for place in places
             )
         )
 

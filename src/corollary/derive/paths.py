@@ -82,13 +82,13 @@ class Search:
                         continue
                     if alone and not isinstance(chosen[0].of, str):
                         useful.setdefault(earlier[0], []).append(chosen[0])
+                    if any(_alike(signature, other) for other in seen):
+                        continue
                     if isinstance(given := chosen[0].of, str):
                         short = self._short(trees, given, earlier[0], part)
                         if short is None:
                             continue
                         trees = short
-                    if any(_alike(signature, other) for other in seen):
-                        continue
                     seen.append(signature)
                     if inferred or trees != composed(self.rules, self.places[part], held):
                         found.append(Way(earlier, trees))

@@ -11,7 +11,7 @@ from fractions import Fraction
 import sympy
 
 from corollary.derive.claims import unfulfilled
-from corollary.derive.derivation import Derivation, Limit, Special
+from corollary.derive.derivation import Asserted, Derivation
 from corollary.derive.functions import is_differential, letters_in, put_back
 from corollary.derive.known import Known, vanishes
 from corollary.derive.load import Loaded, NotDerivable, load
@@ -38,14 +38,10 @@ def _put_back(solver: Solver) -> tuple[int, list[str]]:
     proven, left = 0, list[str]()
     for entry in solver.loaded.derivation.entries:
         step = entry.bound if isinstance(entry, Neglected) else entry
-        if isinstance(entry, Confirm):
-            sentences = list(_unconfirmed(solver.known, entry))
-            proven += len(entry.laws) - len(sentences)
-            left += [str(solver.failing(each, entry.statement.line)) for each in sentences]
-        if isinstance(step, Limit | Special):
-            differences = list(unfulfilled(step, solver.known))
-            proven += not differences
-            left += [str(solver.failing(each, step.statement.line)) for each in differences]
+        if isinstance(step, Asserted):
+            sentences = list(_unmet(step, solver.known))
+            proven += (len(step.laws) if isinstance(step, Confirm) else 1) - len(sentences)
+            left += [str(solver.failing(each, step.statement.line)) for each in sentences]
         if isinstance(step, Step):
             for law in (*step.laws, *(law for route in step.routes for law in route.laws)):
                 for one, other in sides(law):
@@ -76,7 +72,7 @@ def _unconfirmed(known: Known, entry: Confirm) -> Iterator[str]:
 
 
 def unseen(bank: Bank, problem: Problem, step_line: int) -> list[str]:
-    """The laws of a step in which some sign can be changed and every `confirm(…)` still holds. Raises NotDerivable."""
+    """The laws of a step in which some sign can be changed and all that is claimed still holds. Raises NotDerivable."""
     loaded = load(bank, problem)
     found: list[str] = []
     for place, entry in enumerate(loaded.derivation.entries):
@@ -101,7 +97,12 @@ def _noticed(problem: Problem, loaded: Loaded, place: int, changed: Step) -> boo
         solver.solution()
     except NotDerivable:
         return True
-    return any(any(_unconfirmed(solver.known, entry)) for entry in entries if isinstance(entry, Confirm))
+    return any(any(_unmet(entry, solver.known)) for entry in entries if isinstance(entry, Asserted))
+
+
+def _unmet(claim: Asserted, known: Known) -> Iterator[str]:
+    """What is wrong with a claim, in sentences."""
+    return _unconfirmed(known, claim) if isinstance(claim, Confirm) else unfulfilled(claim, known)
 
 
 def _exchanged(laws: tuple[Law, ...], index: int, other: Law) -> tuple[Law, ...]:

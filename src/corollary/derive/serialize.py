@@ -9,11 +9,13 @@ from typing import Any
 
 from corollary.derive import free_body, solution, statements
 from corollary.formula import ast
+from corollary.problem import given, part
 from corollary.units import dimension
+from corollary.units.unit import Unit, unit
 
 TYPES: dict[str, type] = {
     each.__name__: each
-    for room in (ast, dimension, solution, statements, free_body)
+    for room in (ast, dimension, given, part, solution, statements, free_body)
     for each in vars(room).values()
     if isinstance(each, type) and is_dataclass(each) and each.__module__ == room.__name__
 }
@@ -33,6 +35,8 @@ def to_data(value: Any) -> Any:
             return {"float": value.hex()}
         case Fraction():
             return {"fraction": str(value)}
+        case Unit():
+            return {"unit": value.text}
         case tuple() | list():
             return list(map(to_data, whole))
         case frozenset():
@@ -60,6 +64,8 @@ def from_data(data: Any) -> Any:
                     return float.fromhex(inside)
                 case "fraction":
                     return Fraction(inside)
+                case "unit":
+                    return unit(inside)
                 case "set":
                     return frozenset(map(from_data, inside))
                 case "table":

@@ -42,11 +42,15 @@ class ClosedForms:
 
 @dataclass(frozen=True, slots=True)
 class SceneOutcome:
-    """Unknowns as the outcome of a scene; the settings are formulas of givens and earlier unknowns."""
+    """Unknowns as the outcome of a scene; the settings are formulas of givens and earlier unknowns.
+
+    `runs` are what runs gave, by the values of the settings, for where no scene can be run (None: they are not kept).
+    """
 
     scene: str
     settings: Mapping[str, Expr]
     observe: str
+    runs: dict[tuple[float, ...], tuple[float, ...]] | None = None
 
 
 Rule = ClosedForms | SceneOutcome

@@ -37,6 +37,8 @@ LOOKS = _names(
     stop-opacity vector-effect paint-order
     """
 )
+UNMISSED = frozenset({"metadata"})
+SVG = "http://www.w3.org/2000/svg"
 WORDS = frozenset({"text", "tspan", "textPath", "title", "desc"})
 LOCAL = re.compile(r"(url\(['\"]?#)")
 REFERENCE = re.compile(r"#([\w.-]+)")
@@ -53,6 +55,52 @@ def safe_svg(text: str, *, prefix: str = "", label: str = "") -> str:
     `prefix` goes before every id, so that two drawings of one page keep theirs apart; `label` is what a screen reader says.
     Raises NotADrawing when the text is too long, no well-formed XML, or no svg.
     """
+    root = _read(text)
+    referred = {
+        name
+        for element in root.iter()
+        for value in element.attrib.values()
+        for name in REFERENCE.findall(value)
+    }
+    for element in root.iter():
+        if element.get("id") not in referred:
+            element.attrib.pop("id", None)
+    return _written(root, prefix, label, 0)
+
+
+def alone(svg: str) -> str:
+    """An SVG text of these modules as a file of its own, which must name its namespace."""
+    return svg.replace("<svg", f'<svg xmlns="{SVG}"', 1)
+
+
+def left_out(text: str) -> str:
+    """The first thing of the drawing that `safe_svg` leaves out and somebody would miss, or that would run or fetch; "" when
+    nothing is. What an editor keeps for itself is not missed. Raises NotADrawing."""
+    root = _read(text)
+    every = [(element, *_names_of(element)) for element in root.iter()]
+    classes = any("class" in element.attrib for element, *_ in every)
+    for element, space, tag in every:
+        if space not in ("", SVG):
+            continue
+        if tag not in TAGS | UNMISSED and (tag != "style" or classes):
+            return f"<{tag}>"
+        for name, value in element.attrib.items():
+            name = _local_name(name)
+            if name.lower().startswith("on"):
+                return f"{name}= of <{tag}>"
+            if name in LOOKS | {"href"} and not _fit(name, value, ""):
+                return f'{name}="{value[:40]}" of <{tag}>'
+    return ""
+
+
+def _names_of(element: Element) -> tuple[str, str]:
+    """The namespace and the local name."""
+    space, _, tag = element.tag.rpartition("}")
+    return space.removeprefix("{"), tag
+
+
+def _read(text: str) -> Element:
+    """The root of a drawing. Raises NotADrawing."""
     if len(text) > LONGEST:
         raise NotADrawing(f"the drawing has {len(text)} characters; at most {LONGEST} are shown")
     text = re.sub(r"<\?xml[^>]*\?>|<!DOCTYPE svg PUBLIC [^\[>]*>", "", text, count=2).strip()
@@ -66,16 +114,7 @@ def safe_svg(text: str, *, prefix: str = "", label: str = "") -> str:
         raise NotADrawing(f"the drawing begins with <{_local_name(root.tag)}>; it must begin with <svg>")
     if sum(1 for _ in root.iter()) > MOST:
         raise NotADrawing(f"the drawing has more than {MOST} elements")
-    referred = {
-        name
-        for element in root.iter()
-        for value in element.attrib.values()
-        for name in REFERENCE.findall(value)
-    }
-    for element in root.iter():
-        if element.get("id") not in referred:
-            element.attrib.pop("id", None)
-    return _written(root, prefix, label, 0)
+    return root
 
 
 def _local_name(name: object) -> str:

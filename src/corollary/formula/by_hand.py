@@ -1,4 +1,4 @@
-"""A text as one would type it by hand: legible, without TeX, and without what Python writes around numbers."""
+"""A text as one would type it by hand: legible, without TeX and Markdown, and without what Python writes around numbers."""
 
 from __future__ import annotations
 
@@ -18,12 +18,22 @@ ARRAY = re.compile(
 )
 ROW = re.compile(r"\[\s*([^\[\],;()]*?)\s*\]")
 QUANTITY = re.compile(r"<Quantity(?:\s+([^<>()]*)|\((.*),\s*'([^']*)'\))>")
+BOLD = re.compile(r"(?<![\w)\]*])\*\*(?=[^\s*])([^*]+)(?<=[^\s*])\*\*(?![\w(*])")
+LOST_POWER = re.compile(
+    r"(?<=[0-9])(\s?[×·⋅]\s?)10[−–-](?=[0-9]{1,2}(?:\s|$))"
+)  # raised in the page it was copied from
+INVERSE = re.compile(
+    r"(?<![A-Za-z])(?:arc(?:us)?|inv(?:erse)?)[\s.-]+(sin|cos|tan)(?:us|inus|ine|gens|gent|angent)?(?: of(?= ))?(?![A-Za-z])",
+    re.I,
+)
 KEY = re.compile(r"[\"']([^\W\d]\w*)[\"']\s*:")
 
 
 def by_hand(text: str) -> str:
     """What the text says, in the fewest signs: `\\frac{m}{2}` is (m/2), `np.array([1, 2])` is [1, 2], `𝑚` is m."""
-    return _without_python(without_tex(legible(text)))
+    text = LOST_POWER.sub(r"\g<1>10^-", text)
+    typed = BOLD.sub(r"\1", without_tex(legible(text)))
+    return _without_python(INVERSE.sub(lambda found: f"arc{found[1].lower()}", typed))
 
 
 def _without_python(text: str) -> str:

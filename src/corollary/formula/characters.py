@@ -17,12 +17,12 @@ RUSSIAN = {
 }  # fmt: skip
 CYRILLIC = re.compile(r"[\u0400-\u04ff]+")
 LOOKS = dict(zip("АВЕЅЈКМНОРСТУХаеіјкморѕстухԛԝ", "ABESJKMHOPCTYXaeijkmopsctyxqw", strict=True)) | dict(
-    zip("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοıɡ", "ABEZHIKMNOPTYXoig", strict=True)
+    zip("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοıɡᴇ", "ABEZHIKMNOPTYXoigE", strict=True)
 )
 MARKS = {
     "\u2024": ".", "\u3002": ".", "\u066b": ".", "\u201a": ",", "\u060c": ",", "\u066c": "'", "\u3001": ",", "\u2236": ":",
     "\ua789": ":", "\u02d7": "-", "\u2043": "-", "\u30fc": "-", "\u2796": "-", "\u2215": "/", "\u29f8": "/", "\u2795": "+",
-    "\u02b9": "'", "\u2032": "'", "\u02c6": "^", "\u2038": "^", "\u2217": "*", "\u204e": "*",
+    "\u02da": "°", "\u02b9": "'", "\u2032": "'", "\u02c6": "^", "\u2038": "^", "\u2217": "*", "\u204e": "*",
 }  # fmt: skip
 HALVES = dict.fromkeys(
     map(chr, range(0xD800, 0xE000)), "\ufffd"

@@ -56,11 +56,6 @@ def program(tree: Expr) -> Program:
     return made
 
 
-def steps_in(trees: Sequence[Expr], places: dict[str, int]) -> list[Step]:
-    """Formulas that share one list of balls: each letter's is at its place. To run many formulas on the same letters."""
-    return [_step(tree, places) for tree in trees]
-
-
 def _step(tree: Expr, place: dict[str, int]) -> Step:
     match tree:
         case Number(value):

@@ -202,7 +202,7 @@ for _row in (
         derivatives=("1/sqrt(1 - x^2)",),
         tex=r"\arcsin",
         array="arcsin",
-        spellings=("arcsin",),
+        spellings=("arcsin", "invsin"),
     ),
     Function(
         "acos",
@@ -212,7 +212,7 @@ for _row in (
         derivatives=("-1/sqrt(1 - x^2)",),
         tex=r"\arccos",
         array="arccos",
-        spellings=("arccos",),
+        spellings=("arccos", "invcos"),
     ),
     Function(
         "atan",
@@ -223,7 +223,7 @@ for _row in (
         slope=1,
         tex=r"\arctan",
         array="arctan",
-        spellings=("arctan",),
+        spellings=("arctan", "invtan"),
     ),
     Function(
         "atan2",

@@ -54,7 +54,7 @@ def expected_of(
         None if letter is None else RightOption(letter, _overlooked(key, part)),
         _requirement(key, part.id) if part.id in key.solution.examples else None,
         _claim(key, part.id) if part.id in key.solution.proofs else None,
-        rubric=_rubric(key, part.id) if truth is None else (),
+        rubric=rubric_of(key, part.id) if truth is None else (),
         runs=runs or {},
         free_body=free_body(key.solution.forces[part.id], key.variant)
         if part.id in key.solution.forces
@@ -119,7 +119,7 @@ def _claim(key: Key, part: str) -> Claim:
     )
 
 
-def _rubric(key: Key, part: str) -> tuple[str, ...]:
+def rubric_of(key: Key, part: str) -> tuple[str, ...]:
     """What earns credit in a part that a person marks."""
     entries = (entry for entry in key.solution.entries if isinstance(entry, Explain))
     return next((entry.rubric for entry in entries if entry.statement.part == part), ())

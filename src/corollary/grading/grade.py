@@ -13,7 +13,9 @@ from corollary.sandbox.result import CellRun, Figure
 
 @dataclass(frozen=True, slots=True)
 class PartGrade:
-    """`answer` is how the answer was read (or as typed, when it was not); `feedback` is Markdown for the student."""
+    """`answer` is how the answer was read (or as typed, when it was not); `feedback` is Markdown for the student.
+    `basis` has for each answer type what its share of the points goes by, where the verdict's word does not say it
+    (`grading.points`)."""
 
     part: Part
     verdict: Verdict
@@ -21,6 +23,7 @@ class PartGrade:
     out_of: float
     answer: str
     feedback: str
+    basis: tuple[str, ...] = ()
 
     @property
     def waits(self) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from corollary.answers.answer import Answer, Blank, Entries, Formulas, Numbers, Prose, Unclear
 from corollary.answers.expected import Expected, Values
@@ -16,15 +17,14 @@ from corollary.grading.expected import expected_of
 from corollary.grading.follow_through import same_as
 from corollary.grading.guesses import for_nothing, one_number, own_work, repeated
 from corollary.grading.key import Key
-from corollary.grading.program_run import ProgramRun
-from corollary.grading.programs.judge import verdicts_on_runs
 from corollary.messages import catalogue
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
 
-_ = catalogue(__name__)
+if TYPE_CHECKING:  # programs are not run in a browser, where this judges, too
+    from corollary.grading.program_run import ProgramRun
 
-NOTHING_RAN = ProgramRun()
+_ = catalogue(__name__)
 
 
 def judge(
@@ -41,9 +41,8 @@ def judge(
     typed: dict[str, float] = {}
     result: dict[str, tuple[tuple[Verdict, ...], str]] = {}
     for part in key.variant.problem.parts:
-        run = (programs or {}).get(part.id, NOTHING_RAN)
-        runs = verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
-        expected = expected_of(key, part, earlier, runs)
+        run = (programs or {}).get(part.id)
+        expected = expected_of(key, part, earlier, _on_runs(key, part, run, secret, student) if run else {})
         value = answers.get(part.id, Nothing())
         try:
             answer = read(part, value, expected, key.variant.problem)
@@ -66,6 +65,14 @@ def judge(
         verdicts, as_read = result[part]
         result[part] = tuple(map(for_nothing, verdicts)), as_read
     return result
+
+
+def _on_runs(
+    key: Key, part: Part, run: ProgramRun, secret: bytes, student: str
+) -> Mapping[str, Callable[[], Verdict]]:
+    from corollary.grading.programs.judge import verdicts_on_runs  # only here: it brings the sandbox
+
+    return verdicts_on_runs(key.solution, key.variant, part, run, secret, student)
 
 
 def read(part: Part, value: Value, expected: Expected, problem: Problem) -> Answer:

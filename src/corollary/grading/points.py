@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import assert_never
 
 from corollary.answers.registry import answer_type
-from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong
+from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Unread, Verdict, Wrong, word
 from corollary.grading.advice import advice
 from corollary.grading.feedback import revealed
 from corollary.grading.grade import Grade, PartGrade
@@ -15,27 +16,51 @@ from corollary.grading.verdict_text import sentence
 from corollary.problem.problem_set import Scheme
 
 USUAL = Scheme()
+NOTHING = "nothing"
 
 
 def share(verdict: Verdict, scheme: Scheme, answer_type: str = "value") -> float:
     """What part of the points a verdict on an answer of this type earns; of a table, the mean of its entries'."""
+    return _share(basis(verdict), scheme, answer_type)
+
+
+def basis(verdict: Verdict) -> str:
+    """What a verdict's share goes by, in a word that a record keeps; of a table one for each entry, joined by `+`."""
     match verdict:
         case Follows(entries=entries) | Mistaken(entries=entries) | Wrong(entries=entries) if (
             entries and not _for_nothing(verdict)
         ):
-            return sum(share(each, scheme, answer_type) for each in entries) / len(entries)
+            return "+".join(map(basis, entries))
         case Right():
-            return 1.0
-        case Follows():
-            return 0.0 if verdict.nothing else scheme.follows
-        case Slip():
-            return 0.0 if verdict.nothing else scheme.slip
-        case Mistaken():
-            return 0.0 if verdict.nothing else scheme.choice if _by_choosing(answer_type) else scheme.mistaken
+            return "right"
+        case Follows() | Slip() | Mistaken():
+            return NOTHING if verdict.nothing else word(verdict)
         case Wrong() | Unread() | Unmarked():
-            return 0.0
+            return NOTHING
         case _:
             assert_never(verdict)
+
+
+def _share(basis: str, scheme: Scheme, answer_type: str) -> float:
+    shares = {
+        "right": 1.0,
+        "follows": scheme.follows,
+        "slip": scheme.slip,
+        "mistaken": scheme.choice if _by_choosing(answer_type) else scheme.mistaken,
+        NOTHING: 0.0,
+    }
+    entries = basis.split("+")
+    return sum(shares[each] for each in entries) / len(entries)
+
+
+def with_points(part: PartGrade, scheme: Scheme, weight: float) -> PartGrade:
+    """The same verdict, with the points that it earns by this scheme."""
+    names = part.basis or (basis(part.verdict),)
+    out_of = part.part.points * weight
+    earned = sum(
+        _share(each, scheme, name) for name, each in zip(part.part.answer_types, names, strict=False)
+    )
+    return replace(part, points=round(out_of * earned / len(names), 6), out_of=out_of)
 
 
 def _for_nothing(verdict: Follows | Mistaken | Wrong) -> bool:
@@ -59,19 +84,24 @@ def grade(
     parts: list[PartGrade] = []
     for part in key.variant.problem.parts:
         verdicts, answer = judged[part.id]
-        out_of = part.points * weight
-        earned = sum(
-            share(verdict, scheme, name) for name, verdict in zip(part.answer_types, verdicts, strict=True)
-        )
-        points = out_of * earned / len(verdicts)
         decisive = next((verdict for verdict in verdicts if not isinstance(verdict, Right)), verdicts[0])
         feedback = _feedback(part.answer_types, verdicts)
         if isinstance(decisive, Wrong) and len(verdicts) == 1 and (thought := advice(key, part)):
             feedback = f"{feedback} {thought}"
         if reveal and not isinstance(decisive, Right) and (solution := revealed(key, part, answer)):
             feedback = f"{feedback} {solution}"
-        parts.append(PartGrade(part, decisive, round(points, 6), out_of, answer, feedback))
+        names = tuple(map(basis, verdicts))
+        judged_part = PartGrade(
+            part, decisive, 0.0, 0.0, answer, feedback, () if _is_usual(decisive, names) else names
+        )
+        parts.append(with_points(judged_part, scheme, weight))
     return Grade(key.variant, tuple(parts))
+
+
+def _is_usual(verdict: Verdict, names: tuple[str, ...]) -> bool:
+    """Whether the verdict's own word says as much."""
+    named = word(verdict)
+    return names == (named if named in {"right", "follows", "slip", "mistaken"} else NOTHING,)
 
 
 def _feedback(answer_types: tuple[str, ...], verdicts: tuple[Verdict, ...]) -> str:

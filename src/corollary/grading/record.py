@@ -18,6 +18,8 @@ def part_record(part: PartGrade) -> dict[str, Any]:
         "answer": part.answer,
         "feedback": part.feedback,
     }
+    if part.basis:
+        entry["basis"] = list(part.basis)
     match part.verdict:
         case Mistaken(mistake, _):
             entry["mistake"] = mistake

@@ -75,10 +75,13 @@ def compute(rule: Rule, values: Letters) -> Values:
     match rule:
         case ClosedForms(trees):
             return tuple(number(tree, values) for tree in trees)
-        case SceneOutcome(scene, settings, observe):
-            return observed(
-                scene, tuple((name, number(tree, values)) for name, tree in settings.items()), observe
-            )
+        case SceneOutcome(scene, settings, observe, runs):
+            at = tuple(number(tree, values) for tree in settings.values())
+            if runs is None:
+                return observed(scene, tuple(zip(settings, at, strict=True)), observe)
+            if at not in runs:
+                runs[at] = observed(scene, tuple(zip(settings, at, strict=True)), observe)
+            return runs[at]
 
 
 @lru_cache(maxsize=4096)
@@ -99,8 +102,12 @@ class SceneValue:
 @lru_cache(maxsize=4096)
 def simulated(scene: str, settings: tuple[tuple[str, float], ...], observe: str) -> SceneValue:
     """The observed value, and the error that the run states for it. Raises Undefined when the scene refuses."""
-    from corollary.scenes.catalogue import run  # only here: it brings every scene, and most answers need none
-
+    try:
+        from corollary.scenes.catalogue import (
+            run,
+        )  # only here: it brings every scene, and most answers need none
+    except ModuleNotFoundError:  # in a browser
+        raise Undefined("there are no scenes here") from None
     try:
         outcome = run(scene, dict(settings), tolerance=1e-12)
     except (BadSetting, GuardFailed) as error:

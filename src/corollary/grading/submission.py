@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 from corollary.grading.grade import Grade, Marked
 from corollary.grading.integrity import elsewhere, notes
+from corollary.grading.judged_by import without_points, without_rubrics
 from corollary.grading.marking import mark, not_marked
 from corollary.grading.solutions import Solutions
 from corollary.messages import catalogue, spoken
 from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.problem.pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
 _ = catalogue(__name__)
 
 LATE_SHARE = "what late work keeps"
+JUDGED_BY = "what verdicts follow from in "
+CREDIT, WEIGHTS = "what the set gives for a verdict", "the weights of the problems"
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,9 +137,9 @@ def state_of(problem_set: ProblemSet, solutions: Solutions) -> str:
 def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, bytes]:
     """What `state_of` is a digest of, thing by thing, under the names that people read. Raises NotDerivable."""
     found = {
-        "what the set gives for a verdict": repr(replace(problem_set.scheme, late=1.0)).encode(),
+        CREDIT: repr(replace(problem_set.scheme, late=1.0)).encode(),
         LATE_SHARE: repr(problem_set.scheme.late).encode(),
-        "the weights of the problems": repr((problem_set.weights, *_adapted(problem_set))).encode()
+        WEIGHTS: repr((problem_set.weights, *_adapted(problem_set))).encode()
         if _adapted(problem_set)
         else repr(problem_set.weights).encode(),
         "the version of the program": __version__.encode(),
@@ -143,7 +147,15 @@ def state_by_name(problem_set: ProblemSet, solutions: Solutions) -> dict[str, by
     for problem in problem_set.problems:
         found[f"the problem {problem.code}"] = _words(problem)
         found[f"the solution of {problem.code}"] = solutions.source(problem)
+        found[judged_by(problem.code)] = (
+            without_points(_words(problem)) + b"\0" + without_rubrics(solutions.source(problem))
+        )
     return found
+
+
+def judged_by(code: str) -> str:
+    """The name of what the verdicts on a problem follow from: its file without the points, its solution without the rubrics."""
+    return f"{JUDGED_BY}{code}"
 
 
 def _adapted(problem_set: ProblemSet) -> list[tuple[str, float]]:
@@ -159,4 +171,4 @@ def _adapted(problem_set: ProblemSet) -> list[tuple[str, float]]:
 def _words(problem: Problem) -> bytes:
     """The problem's file, and what it is read in where it is translated."""
     beside = translation(problem)
-    return problem.path.read_bytes() + (b"" if beside is None else beside.path.read_bytes())
+    return packed_file(problem.path) + (b"" if beside is None else packed_file(beside.path))

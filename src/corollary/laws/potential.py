@@ -116,6 +116,6 @@ def small_excess(x: object, *, m: sympy.Expr, k: sympy.Expr, b: sympy.Expr, v: s
         "x = c*v^2",
         holds="the speed is small; c is the slope of x against $v^2$, from $k x (b + x)^2 = m v^2 (2b + x)$",
         x=x,
-        c=sympy.simplify(slope),
+        c=sympy.cancel(slope),
         v=v,
     )

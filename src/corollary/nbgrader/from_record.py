@@ -1,10 +1,11 @@
 """Marks given again from what is recorded, where nothing changed that running a notebook could tell: dates, the share that late
-work keeps, and what students may see by now."""
+work keeps, what a verdict earns, points, rubrics, and what students may see by now."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import msgspec
@@ -12,21 +13,30 @@ import nbformat
 from nbformat import NotebookNode
 
 from corollary.answers.verdict import Right, Unmarked
+from corollary.grading.expected import rubric_of
 from corollary.grading.feedback import revealed
 from corollary.grading.grade import Grade, Marked, PartGrade
 from corollary.grading.key import Key
 from corollary.grading.marking import late_share
+from corollary.grading.points import with_points
 from corollary.grading.solutions import Solutions
-from corollary.grading.submission import Submission
+from corollary.grading.submission import LATE_SHARE, Submission
 from corollary.nbgrader.graded import GradedSubmission
-from corollary.nbgrader.marked_notebook import NOBODY, notebook_text, with_verdicts
+from corollary.nbgrader.marked_notebook import (
+    FOLDED_AWAY,
+    NOBODY,
+    notebook_text,
+    with_rubrics,
+    with_verdicts,
+)
 from corollary.nbgrader.marks import stored_facts
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.dates import written
+from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.variant import Variant
-from corollary.records.causes import DEADLINE, WITHOUT_A_RUN, changed
+from corollary.records.causes import TIME, changed, needs_no_run
 from corollary.records.files import Course
 from corollary.records.marks import read_record
 from corollary.records.record import Record, record_of
@@ -37,10 +47,16 @@ from corollary.render.markdown import html
 
 
 def from_record(
-    course: Course, problem_set: ProblemSet, solutions: Solutions, submission: Submission
+    course: Course,
+    problem_set: ProblemSet,
+    solutions: Solutions,
+    submission: Submission,
+    *,
+    only_changed: bool = False,
 ) -> GradedSubmission | None:
-    """The submission as it was marked, with the lateness of now and with or without right values, as its student may see them now;
-    None where something else has changed, or is not as it was recorded: then its notebook is run again."""
+    """The submission with the verdicts that it was given, with the points, the rubrics and the lateness of now, and with or without
+    right values, as its student may see them now; None where something else has changed, or is not as it was recorded, or with
+    `only_changed` nothing has: then its notebook is run again."""
     student = submission.student.id
     record, facts = (
         read_record(course, problem_set, student),
@@ -48,7 +64,8 @@ def from_record(
     )
     if record is None or facts is None or record.trouble or submission.retained:
         return None
-    if not set(changed(record, submission.depends)) <= WITHOUT_A_RUN:
+    causes = changed(record, submission.depends)
+    if not needs_no_run(record, causes) or (only_changed and not causes):
         return None
     marked = _marked(record, submission)
     if marked is None or _as_recorded(record, marked) != record:
@@ -70,8 +87,10 @@ def from_record(
             return None
         marked = replace(marked, grades=tuple(each for each in grades if each is not None))
     marked = replace(marked, late=submission.late, late_share=late_share(problem_set, submission.late))
-    if record.depends.get(DEADLINE) != submission.depends.get(DEADLINE):
-        _with_title_of(node, problem_set, submission)
+    if not set(causes) <= {TIME, LATE_SHARE}:
+        marked = _with_points(marked, problem_set, keys)
+        _as_handed_out_now(node, problem_set, submission)
+        with_rubrics(node, marked)
     facts = _with(facts, worked if submission.reveal else {}, marked, submission)
     return GradedSubmission(
         submission=replace(submission, content=b""),
@@ -115,7 +134,8 @@ def _part(
     if found is None:
         return None
     verdict = verdict_of(found, reasons.get((problem.code, part_id), ""))
-    return PartGrade(part, verdict, found.points, found.out_of, found.answer, found.feedback)
+    basis = () if found.basis is msgspec.UNSET else found.basis
+    return PartGrade(part, verdict, found.points, found.out_of, found.answer, found.feedback, basis)
 
 
 def _as_recorded(record: Record, marked: Marked) -> Record:
@@ -139,10 +159,39 @@ def _seen(key: Key, grade: Grade, reveal: bool) -> Grade | None:
     return replace(grade, parts=tuple(parts))
 
 
-def _with_title_of(node: NotebookNode, problem_set: ProblemSet, submission: Submission) -> None:
-    """The title of the marked notebook with the date of now, as a new one would have it."""
-    title = notebook(worksheet(problem_set, NOBODY, submission.variants)).cells[0]
-    node.cells = [title if cell.get("id") == title.id else cell for cell in node.cells]
+def _with_points(marked: Marked, problem_set: ProblemSet, keys: Mapping[str, Key]) -> Marked:
+    """The verdicts as they are, with what they earn and what a person marks by now."""
+
+    def part(each: PartGrade, problem: Problem) -> PartGrade:
+        waits = each.verdict
+        if (
+            isinstance(waits, Unmarked)
+            and waits.rubric
+            and (rubric := rubric_of(keys[problem.code], each.part.id))
+        ):
+            each = replace(each, verdict=replace(waits, rubric=rubric))
+        return with_points(each, problem_set.scheme, problem_set.weight(problem))
+
+    def graded(grade: Grade) -> Grade:
+        return replace(grade, parts=tuple(part(each, grade.variant.problem) for each in grade.parts))
+
+    return replace(marked, grades=tuple(map(graded, marked.grades)))
+
+
+def _as_handed_out_now(node: NotebookNode, problem_set: ProblemSet, submission: Submission) -> None:
+    """What the marked notebook has of the sheet (date, points) as a new one would have it; what the student wrote stays."""
+    ours = {cell.id: cell for cell in notebook(worksheet(problem_set, NOBODY, submission.variants)).cells}
+
+    def cell_now(cell: NotebookNode) -> NotebookNode:
+        new = ours.get(cell.get("id", ""))
+        if new is None:
+            return cell
+        if new.metadata["nbgrader"]["solution"]:
+            cell.metadata["nbgrader"] = new.metadata["nbgrader"]
+            return cell
+        return cell if cell.source == FOLDED_AWAY else new
+
+    node.cells = [cell_now(cell) for cell in node.cells]
 
 
 def _with(facts: PageFacts, worked: dict[str, str], marked: Marked, submission: Submission) -> PageFacts:

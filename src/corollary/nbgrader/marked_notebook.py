@@ -37,7 +37,7 @@ def marked_notebook(marked: Marked, problem_set: ProblemSet, submitted: Notebook
     sheet = worksheet(problem_set, NOBODY, (grade.variant for grade in marked.grades))
     nb = restored(sheet, submitted, marked.runs)
     with_verdicts(nb, marked)
-    _add_rubrics(nb, dict(part_grades(marked)))
+    with_rubrics(nb, marked)
     noticed = _("Something was noticed in this notebook; the report says what.") if marked.notes else ""
     remarks = [f"> **{safe_markdown(text)}**" for text in (marked.trouble, noticed) if text]
     nb.cells[1:1] = [
@@ -56,12 +56,17 @@ def with_verdicts(nb: NotebookNode, marked: Marked) -> NotebookNode:
     return nb
 
 
-def _add_rubrics(nb: NotebookNode, verdicts: Mapping[str, PartGrade]) -> None:
-    """Below the cell that carries the points of a part which waits for a person: what a good answer says."""
+def with_rubrics(nb: NotebookNode, marked: Marked) -> None:
+    """Below the cell that carries the points of a part which waits for a person: what a good answer says, instead of what it
+    said before."""
+    verdicts = dict(part_grades(marked))
+    earlier = {f"{key}_rubric" for key in verdicts}
     cells: list[NotebookNode] = []
     for cell in nb.cells:
+        if cell.get("id", "") in earlier:
+            continue
         cells.append(cell)
-        grade = verdicts.get(cell.id)
+        grade = verdicts.get(cell.get("id", ""))
         if grade is not None and isinstance(grade.verdict, Unmarked) and grade.verdict.rubric:
             items = "\n".join(f"> - {item}" for item in grade.verdict.rubric)
             heading = _("To mark it by ({points} points)", points=in_convention(f"{grade.out_of:g}"))

@@ -36,16 +36,18 @@ if TYPE_CHECKING:
 
 
 def is_registered(book: Gradebook, problem_set: ProblemSet) -> bool:
-    """Whether the gradebook has the set, with every part of it."""
+    """Whether the gradebook has the set, with every part of it and its points."""
     from nbgrader.api import MissingEntry
 
     try:
         notebooks = book.find_assignment(problem_set.name).notebooks
     except MissingEntry:
         return False
-    cells = {cell.name for notebook in notebooks for cell in notebook.grade_cells}
+    points = {cell.name: cell.max_score for notebook in notebooks for cell in notebook.grade_cells}
     return all(
-        problem.answer_name(part) in cells for problem in problem_set.problems for part in problem.parts
+        points.get(problem.answer_name(part)) == part.points * problem_set.weight(problem)
+        for problem in problem_set.problems
+        for part in problem.parts
     )
 
 

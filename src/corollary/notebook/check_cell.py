@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import zlib
-from base64 import b64encode
+from base64 import b85encode
 from functools import lru_cache
 from importlib.metadata import packages_distributions, version
 from importlib.resources import files
@@ -26,7 +26,7 @@ def corollary(carried={carried!r}):
     import base64, json, sys, zlib
     if sys.version_info < (3, 11):
         return lambda *names: print({too_old!r})
-    carried, loader = json.loads(zlib.decompress(base64.b64decode(carried))), {{"__name__": "corollary_carried"}}
+    carried, loader = json.loads(zlib.decompress(base64.b85decode(carried))), {{"__name__": "corollary_carried"}}
     exec(carried["loader"], loader)
     return loader["checker"](carried, globals())
 
@@ -38,7 +38,7 @@ def check_source(sheet: Worksheet) -> str:
     prompts = [prompt for prompt in sheet.prompts if prompt.answer_types[0].found_in != "cell"]
     return CELL.format(
         first=_(
-            'Run this cell first: it defines check("..."), which says how an answer of yours is read, never whether it is right.'
+            'Run this cell first: check("...") then says how an answer is read, never whether it is right.'
         ),
         second=_(
             "No answer is hidden in it, only the code that reads yours when they are marked, compressed; print(check.source) shows it."
@@ -77,7 +77,7 @@ def _carried(code: str, questions: tuple[Question, ...]) -> str:
         "language": code,
         "catalogues": dict(catalogues(modules(types))),
     }
-    return b64encode(zlib.compress(json.dumps(carried).encode(), 9)).decode()
+    return b85encode(zlib.compress(json.dumps(carried, ensure_ascii=False).encode(), 9)).decode()
 
 
 def _versions(types: tuple[str, ...]) -> dict[str, str]:

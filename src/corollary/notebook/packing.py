@@ -21,9 +21,8 @@ class NotCarried(ValueError):
 
 
 @cache
-def modules(types: tuple[str, ...], besides: tuple[str, ...] = ()) -> Mapping[str, str]:
-    """The text of everything that `check` needs for these answer types, by module, in the order of the imports; and what the
-    modules `besides` need.
+def modules(types: tuple[str, ...]) -> Mapping[str, str]:
+    """The text of everything that `check` needs for these answer types, by module, in the order of the imports.
 
     Packages on the way are carried with their first sentence only. Raises NotCarried for a module that needs more than
     Python's standard library.
@@ -32,7 +31,14 @@ def modules(types: tuple[str, ...], besides: tuple[str, ...] = ()) -> Mapping[st
     _follow(CHECK, "check", found)
     for name in types:
         _follow(f"{folder(name)}.reading", f"the answer type {name}", found)
-    for name in besides:
+    return found
+
+
+def texts_of(wanted: Iterable[str], stand_ins: Mapping[str, str]) -> Mapping[str, str]:
+    """The text of these modules and of everything they need, as `modules` has it; in the place of a library, by its name, a module of
+    ours that stands in for it. Raises NotCarried."""
+    found = {library: f"from {ours} import *\n" for library, ours in stand_ins.items()}
+    for name in (*stand_ins.values(), *wanted):
         _follow(name, name, found)
     return found
 
@@ -58,7 +64,7 @@ def _follow(name: str, wanted_by: str, found: dict[str, str]) -> None:
         root = other.partition(".")[0]
         if root in ("corollary", package):
             _follow(other, wanted_by, found)
-        elif root not in sys.stdlib_module_names:
+        elif root not in sys.stdlib_module_names and root not in found:
             raise NotCarried(
                 f"{wanted_by} of {package} cannot be read in a notebook: {name} imports {root}, which a student's computer "
                 "may not have; what reading.py imports must be in Python's standard library"

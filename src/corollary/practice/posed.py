@@ -9,7 +9,6 @@ from functools import cached_property
 from corollary.answers.preview import Preview
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
-from corollary.answers.verdict import Follows, Right
 from corollary.grading.from_json import from_json
 from corollary.grading.grade import PartGrade
 from corollary.grading.judge import judge
@@ -63,10 +62,3 @@ class Posed:
     def worked_steps(self) -> tuple[str, ...]:
         """The worked solution as Markdown, step by step."""
         return tuple(worked_steps_of(self.key))
-
-
-def known(grade: PartGrade) -> bool:
-    """Whether a part counts as answered: right, or right but for an earlier answer."""
-    return isinstance(grade.verdict, Right) or (
-        isinstance(grade.verdict, Follows) and not grade.verdict.nothing
-    )

@@ -70,7 +70,9 @@ class Bank:
 
     def solution_beside(self, path: Path) -> Path:
         """Where the solution of the problem in a file must lie; a set may take problems of other banks than this."""
-        home = next((bank for bank in self.each if bank.problems in path.parents), None) or _bank_above(path)
+        home = next((bank for bank in self.each if bank.problems in path.parents), None)
+        if home is None:  # not `or`: a bank's truth is that of its length, for which every file is looked for
+            home = _bank_above(path)
         return (home.folder / "solutions" / path.relative_to(home.problems)).with_suffix(".py")
 
 

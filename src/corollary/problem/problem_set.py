@@ -13,7 +13,7 @@ from corollary.problem.bank import Bank, UnknownCode, bank_around, open_bank
 from corollary.problem.dates import HOW_TO_WRITE, REVEAL, Reveal, Usual, moment
 from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, TableNode, split
-from corollary.problem.pictures import pictures
+from corollary.problem.pictures import packed
 from corollary.problem.problem import Problem
 from corollary.problem.sampling import digest
 from corollary.problem.set_problems import Pool, read_problems
@@ -127,7 +127,8 @@ def set_names(bank: Bank) -> list[str]:
 def read_set(bank: Bank, path: Path, usual: Usual = USUAL) -> ProblemSet:
     """The problem set a file holds. Raises Malformed with every complaint found."""
     table, body, first_line = split(path)
-    complaints = [Diagnostic(path, first_line + at, sentence) for at, sentence in pictures(body)]
+    complaints: list[Diagnostic] = []
+    body = packed(path, body, first_line, complaints)
     front = Reader(path, table, "the problem set", complaints)
     if not NAME.match(path.stem):
         front.complain(

@@ -16,7 +16,7 @@ from corollary.problem.front_matter import ListNode, Reader, TableNode, TextNode
 from corollary.problem.given import Given, Grid, decimal_places
 from corollary.problem.givens import read_given
 from corollary.problem.parts_markdown import read_parts
-from corollary.problem.pictures import pictures
+from corollary.problem.pictures import count, packed
 from corollary.problem.problem import Condition, Description, Problem
 from corollary.problem.statement import HOLE, LETTER, holes, misfit
 from corollary.units.constants import CONSTANTS
@@ -91,14 +91,21 @@ def read_problem(path: Path) -> Problem:
         letters = tuple((given.symbol, given.unit.dimension) for given in givens)
         for at, sentence in read_lines(figure, letters)[1] if len(letters) == len(known) else ():
             front.complain(first_line + at, sentence)
+    body = packed(path, body, line, complaints)
     statement, parts = read_parts(path, body, line, complaints)
-    complaints += [Diagnostic(path, line + at, sentence) for at, sentence in pictures(body)]
     for text, first in ((body, line), (figure, first_line), (alt, alt_line)):
         _check_holes(path, text, first, {given.symbol: given for given in givens}, known, complaints)
     for text, at in ((title, title_line), *((part.title, part.line) for part in parts)):
         if holes(text):
             complaints.append(
                 Diagnostic(path, at, f"the title {text!r} has a hole; numbers stand in the text below it")
+            )
+        if count(text):
+            complaints.append(Diagnostic(path, at, "a picture stands in the text below a title, not in it"))
+    for part in parts:
+        if "choice" not in part.answer_types and any(count(option.text) for option in part.options):
+            complaints.append(
+                Diagnostic(path, part.line, f"part {part.id} lists words, of which none can be a picture")
             )
     if not parts:
         complaints.append(

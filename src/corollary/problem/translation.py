@@ -18,6 +18,7 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 from corollary.problem.front_matter import Reader, split
 from corollary.problem.part import Part
 from corollary.problem.parts_markdown import entries, read_parts
+from corollary.problem.pictures import count, packed
 from corollary.problem.problem import Problem
 from corollary.problem.statement import holes
 
@@ -129,10 +130,11 @@ def set_words(path: Path) -> tuple[str, str]:
     if beside is None:
         return "", ""
     complaints: list[Diagnostic] = []
-    table, body, _ = split(beside)
+    table, body, line = split(beside)
     front = Reader(beside, table, "the translation", complaints)
     title = front.text("title", "")
     front.finish()
+    body = packed(beside, body, line, complaints)
     if complaints:
         raise Malformed(complaints)
     return title, body.strip()
@@ -181,6 +183,10 @@ def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
     for line, what, original, theirs in pairs:
         if original and not theirs:
             yield Diagnostic(path, line, f"{what} is missing; it is read in the original's language")
+        elif count(original) != count(theirs):
+            yield Diagnostic(
+                path, line, f"{what} shows {count(theirs)} pictures, the original {count(original)}"
+            )
         elif differ := _holes(original) ^ _holes(theirs):
             yield Diagnostic(
                 path, line, f"{what} differs from the original in the holes {', '.join(sorted(differ))}"
@@ -203,7 +209,7 @@ def _read(path: Path, _state: int) -> ProblemTranslation:
     front = Reader(path, table, "the translation", complaints)
     title, alt, of = (front.text(name, "") for name in ("title", "alt", "of"))
     front.finish()
-    lines = body.splitlines()
+    lines = packed(path, body, line, complaints).splitlines()
     end = next((at for at, each in enumerate(lines) if each.strip() == TEXTS), len(lines))
     statement, parts = read_parts(path, "\n".join(lines[:end]), line, complaints)
     listed = _text_list(path, lines[end + 1 :], line + end + 1, complaints)

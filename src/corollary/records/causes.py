@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from corollary.grading.submission import LATE_SHARE
+from corollary.grading.submission import CREDIT, JUDGED_BY, LATE_SHARE, WEIGHTS, judged_by
 from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Deadlines, Terms
 from corollary.records.files import Course
@@ -16,8 +16,10 @@ from corollary.records.regrading import Change
 from corollary.sandbox.file import bytes_of
 
 NOTEBOOK, TIME, DEADLINE = "the notebook", "when it was handed in", "the deadline"
-WITHOUT_A_RUN = frozenset({TIME, DEADLINE, LATE_SHARE})
-"""Of these marks can be given again without running the notebook a second time."""
+_WITHOUT_A_RUN = frozenset({TIME, DEADLINE, LATE_SHARE})
+_WITH_A_BASIS = frozenset({CREDIT, WEIGHTS})
+"""What a verdict earns can be told from a record that has what each share goes by; those of earlier versions do not."""
+_POINTS_OF = "the points or the rubric of "
 BOTH = "what was handed in"
 """In the records of earlier versions, one digest of the notebook and its time."""
 
@@ -43,6 +45,13 @@ def dependencies(
     }
     digests = {name: hashlib.sha256(each).hexdigest()[:12] for name, each in found.items()}
     return digests | {TIME: str(handed_in(course, set_name, student))}
+
+
+def needs_no_run(old: Record, names: Iterable[str]) -> bool:
+    """Whether marks can be given again without running the notebook a second time, these being `changed`."""
+    has_basis = any(name.startswith(JUDGED_BY) for name in old.depends)
+    known = _WITHOUT_A_RUN | _WITH_A_BASIS if has_basis else _WITHOUT_A_RUN
+    return all(name in known or name.startswith(_POINTS_OF) for name in names)
 
 
 def is_handed_in_anew(old: Record, depends: Mapping[str, str], answers: Mapping[str, str]) -> bool:
@@ -77,6 +86,20 @@ def why(old: Record, depends: Mapping[str, str]) -> str:
 def changed(old: Record, depends: Mapping[str, str]) -> list[str]:
     """The names of what marks depend on that are not as they were when these were given."""
     names = [name for name in {**old.depends, **depends} if old.depends.get(name) != depends.get(name)]
+    names = _exactly(names, old.depends)
     if NOTEBOOK in old.depends:
         return names
     return [name for name in names if name not in {NOTEBOOK, TIME, BOTH}] or [f"{BOTH}, or its time"]
+
+
+def _exactly(names: list[str], before: Mapping[str, str]) -> list[str]:
+    """Where a problem's verdicts follow from the same as before, what changed of its files is called so. (What they follow from
+    is in these files, and not apart in the records of earlier versions.)"""
+    found: dict[str, None] = {}
+    for name in names:
+        code = name.removeprefix("the problem ").removeprefix("the solution of ")
+        if code != name and judged_by(code) in before and judged_by(code) not in names:
+            name = f"{_POINTS_OF}{code}"
+        if not name.startswith(JUDGED_BY):
+            found[name] = None
+    return list(found)

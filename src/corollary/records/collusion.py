@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import msgspec
 
-from corollary.answers.answer import Numbers
+from corollary.answers.answer import Answer, Entries, Numbers
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type
 from corollary.answers.tolerance import within
@@ -29,9 +30,11 @@ WITHIN = (
 SHARING = (
     "A wrong answer is taken to fall anywhere, on a logarithmic scale, in the span of the class's right answers to that part; "
     f"it fits another student's when it lies within {WITHIN:.1%} of it. The chance is that of meeting at least one of the "
-    "other students so, in one part of each exercise listed (parts of one exercise follow from one another and count once)."
+    "other students so, in one part of each exercise listed (parts of one exercise follow from one another and count once). "
+    "Of a table or a list any entry may fit, each of its own size: so many chances are added up."
 )
 # A class whose right answers hardly differ would make every hit look certain; they are taken to span a factor of two.
+WHOLE = ("value", "vector")  # answer types that are one thing: a vector is as near as its length says
 LEAST_SPAN = math.log(2)
 
 
@@ -45,6 +48,38 @@ class Shared(msgspec.Struct, frozen=True):
 
 
 Truths = Mapping[str, tuple[float, ...]]  # student -> right answer of one part, in SI
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """What of a wrong answer is compared as one: a number or a vector whole (`places` is empty), or one entry of a table or a
+    list, with those of the right entries that it may be meant for."""
+
+    values: tuple[float, ...]
+    places: tuple[int, ...] = ()
+
+    def fits(self, truth: Sequence[float]) -> bool:
+        """Whether it is right for somebody with these right answers."""
+        meant = [(truth[place],) for place in self.places if place < len(truth)] if self.places else [truth]
+        return any(any(each) and within(self.values, each, WITHIN, math.hypot(*each)) for each in meant)
+
+    def truths(self, theirs: Truths) -> list[float]:
+        """How large everybody's right answers are that it is compared with."""
+        if not self.places:
+            return [math.hypot(*each) for each in theirs.values()]
+        return [abs(each[place]) for each in theirs.values() for place in self.places if place < len(each)]
+
+
+def _compared(part: Part, values: tuple[float, ...], own: Sequence[float]) -> Iterator[Compared]:
+    """The pieces of a wrong answer that are not right by themselves, and not nothing."""
+    if part.answer_type in WHOLE:
+        yield Compared(values)
+        return
+    for place, value in enumerate(values):
+        # The order of a list says nothing; an entry of a table stands where it belongs.
+        piece = Compared((value,), (place,) if part.rows else tuple(range(len(part.components))))
+        if value and not piece.fits(own):
+            yield piece
 
 
 def find_shared(
@@ -64,11 +99,11 @@ def find_shared(
             continue
         truths = _truths(problem, solutions, assigned, {part.id for _, part, _ in wrong})
         for student, part, values in wrong:
-            others = {other: value for other, value in truths.get(part.id, {}).items() if other != student}
-            width = _width(truths.get(part.id, {}))
-            for other, truth in others.items():
-                length = math.hypot(*truth)
-                if length > 0 and within(values, truth, WITHIN, length):
+            theirs = truths.get(part.id, {})
+            pieces = list(_compared(part, values, theirs.get(student, ())))
+            width = min(1.0, sum(_width(each.truths(theirs)) for each in pieces))
+            for other, truth in theirs.items():
+                if other != student and any(each.fits(truth) for each in pieces):
                     met.setdefault((student, other), {}).setdefault(problem.code, []).append(
                         (problem.answer_name(part), width)
                     )
@@ -111,8 +146,19 @@ def _wrong(
             answer = answer_type(part.answer_type).read(
                 Text(marked.answer), question_of(variant.problem, part)
             )
-            if isinstance(answer, Numbers) and not answer.misfit and any(answer.values):
-                yield student, part, answer.values
+            if any(values := _values(answer)):
+                yield student, part, values
+
+
+def _values(answer: Answer) -> tuple[float, ...]:
+    """Its numbers in SI; of a table one for each entry, 0 for what is none or in a unit of something else. Else nothing."""
+    match answer:
+        case Numbers(values=values, misfit=""):
+            return values
+        case Entries(entries):
+            return tuple(sum(_values(each)) for each in entries)
+        case _:
+            return ()
 
 
 def _truths(
@@ -135,9 +181,8 @@ def _truths(
     return truths
 
 
-def _width(truths: Truths) -> float:
+def _width(sizes: Iterable[float]) -> float:
     """The share of the span of the class's right answers that lies within the tolerance of one of them."""
-    sizes = [math.hypot(*each) for each in truths.values()]
     sizes = [size for size in sizes if size > 0]
     span = max(math.log(max(sizes) / min(sizes)) if sizes else 0.0, LEAST_SPAN)
     return min(1.0, 2 * WITHIN / span)

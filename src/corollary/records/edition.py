@@ -16,6 +16,7 @@ from corollary.problem.figure import is_svg
 from corollary.problem.figure_lines import in_letters
 from corollary.problem.given import Given
 from corollary.problem.part import Part
+from corollary.problem.pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.statement import renamed
 from corollary.records.option_letters import letters_now
@@ -41,7 +42,7 @@ class Renamed(msgspec.Struct, frozen=True):
 
 
 class Edition(msgspec.Struct, frozen=True):
-    """`statement` and `derivation` are the SHA-256 of the problem's file and of its solution's; `units` are those of the
+    """`statement` and `derivation` are the SHA-256 of the problem's file (with its pictures) and of its solution's; `units` are those of the
     givens, in their order; `weight` is the problem's in the set."""
 
     code: str
@@ -79,8 +80,8 @@ def edition_of(problem: Problem, weight: float) -> Edition:
 
 
 def fingerprint(problem: Problem) -> str:
-    """The SHA-256 of the problem's file as it is."""
-    return hashlib.sha256(problem.path.read_bytes()).hexdigest()
+    """The SHA-256 of the problem's file as it is, with its pictures."""
+    return hashlib.sha256(packed_file(problem.path)).hexdigest()
 
 
 def derivation_of(problem: Problem) -> str:

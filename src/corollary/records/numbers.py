@@ -13,6 +13,7 @@ from corollary.atomic import write_whole
 from corollary.problem.dates import zone_named
 from corollary.problem.diagnostic import Malformed
 from corollary.problem.given import decimal_places
+from corollary.problem.pictures import packed_file
 from corollary.problem.problem import Problem
 from corollary.problem.reader import read_problem
 from corollary.problem.variant import Variant
@@ -112,7 +113,7 @@ def write_numbers(course: Course, set_name: str, record: Assigned, problems: Map
     for statement, problem in problems.items():
         place = _words(course, statement)
         if not place.exists():
-            write_whole(place, problem.path.read_bytes())
+            write_whole(place, packed_file(problem.path))
     students = {student: record.students[student] for student in sorted(record.students)}
     dates = {student: record.dates[student] for student in sorted(record.dates)}
     record = msgspec.structs.replace(record, students=students, dates=dates)

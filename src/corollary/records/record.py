@@ -57,7 +57,8 @@ class HandedIn(msgspec.Struct, frozen=True):
 
 class PartRecord(msgspec.Struct, frozen=True):
     """One part as it was marked; a mistake, a slip or a rubric only where the verdict has one, and `manual` only where a
-    person gave something (never in the files of the program's own marks)."""
+    person gave something (never in the files of the program's own marks). `basis` says what the points go by where the verdict
+    does not."""
 
     verdict: str
     points: float
@@ -68,6 +69,7 @@ class PartRecord(msgspec.Struct, frozen=True):
     slip: str | msgspec.UnsetType = msgspec.UNSET
     rubric: tuple[str, ...] | msgspec.UnsetType = msgspec.UNSET
     manual: ManualMark | msgspec.UnsetType = msgspec.UNSET
+    basis: tuple[str, ...] | msgspec.UnsetType = msgspec.UNSET
 
 
 class Record(msgspec.Struct, frozen=True):

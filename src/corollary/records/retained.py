@@ -32,6 +32,7 @@ def retained(
                 marked.out_of,
                 marked.answer,
                 marked.feedback,
+                () if marked.basis is UNSET else marked.basis,
             )
             for part in problem.parts
             if (marked := record.parts.get(problem.answer_name(part))) is not None

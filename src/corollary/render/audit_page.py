@@ -49,6 +49,7 @@ def audit_page(outcomes: Sequence[AuditedAnswer]) -> str:
         meanings=MEANINGS,
         faults=FAULTS,
         sources=list(sources),
+        isolations=list(dict.fromkeys(each.record.isolation for each in outcomes if each.record.isolation)),
         laws=laws_set,
         equation=equation_set,
     )

@@ -30,7 +30,18 @@ FOR_EXERCISES = (
     "ipynb",
     "pdf",
 )  # known without loading them: help must not take a second
-OURS = (*FOR_EXERCISES, "csv", "moodle-grades", "canvas-grades", "feedback-zip", "moodle", "qti", "site")
+OURS = (
+    *FOR_EXERCISES,
+    "csv",
+    "moodle-grades",
+    "canvas-grades",
+    "feedback-zip",
+    "moodle",
+    "moodle-stack",
+    "qti",
+    "canvas",
+    "site",
+)
 
 
 class UnknownTarget(LookupError):

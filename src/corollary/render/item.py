@@ -9,11 +9,12 @@ from fractions import Fraction
 
 from corollary.answers.answer import Letter
 from corollary.answers.choice.judging import judge as judge_choice
-from corollary.answers.common_errors import slips
+from corollary.answers.common_errors import RATIOS, slips
 from corollary.answers.expected import Expected, Quantity, Values
 from corollary.answers.judge_numbers import may_be_guessed
 from corollary.answers.tolerance import same_signs
 from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
+from corollary.formula.ast import Expr, Number, Product
 from corollary.grading.expected import expected_of
 from corollary.grading.key import Key
 from corollary.grading.points import share
@@ -28,7 +29,7 @@ from corollary.units.unit import Unit
 ZERO = 1e-9  # of the scale: what a misconception that gives zero takes for zero, as grading does
 NOT_ASKED = {
     "table": "the answer is a table, of which every entry earns its share, and is numbers in units of their own",
-    "expression": "the answer is a formula, and only STACK compares formulas in Moodle; there is no STACK here to try it in",
+    "expression": "the answer is a formula; --to moodle-stack sends it to a Moodle that has STACK",
     "example": "the answer is an example of the student's own, which has to be tried in the laws",
     "proof": "the answer is a derivation, line by line",
     "code": "the answer is a program, which has to be run",
@@ -104,11 +105,26 @@ class ProseAsked:
 
 
 @dataclass(frozen=True, slots=True)
+class FormulaCredit:
+    """What earns a share of a part's points: what equals these formulas, one for each component. `feedback` is Markdown."""
+
+    trees: tuple[Expr, ...]
+    share: float
+    verdict: str
+    feedback: str
+
+
+@dataclass(frozen=True, slots=True)
 class NotAsked:
-    """A part that no LMS can mark, and why."""
+    """A part that no LMS can mark, and why; of a formula, `formulas` are what one with computer algebra needs, in order.
+
+    `positive`: every letter is a number above zero.
+    """
 
     prompt: Prompt
     why: str
+    formulas: tuple[FormulaCredit, ...] = ()
+    positive: bool = False
 
 
 PartAsked = NumbersAsked | ChoiceAsked | ProseAsked | NotAsked
@@ -124,6 +140,11 @@ class LmsItem:
     solution: str
     key: Key
     scheme: Scheme
+
+    @property
+    def figure_name(self) -> str:
+        """What the file of its figure is called; "" where it has none."""
+        return f"{self.exercise.problem.name}-{self.number}.svg" if self.exercise.figure else ""
 
 
 def item(solutions: Solutions, variant: Variant, number: int, weight: float, scheme: Scheme) -> LmsItem:
@@ -147,6 +168,10 @@ def _part(key: Key, prompt: Prompt, scheme: Scheme) -> PartAsked:
             return ChoiceAsked(prompt, tuple(_options(expected, prompt, scheme)))
         case "explain":
             return ProseAsked(prompt, expected.rubric)
+        case "expression" if expected.quantity is not None and expected.quantity.formulas is not None:
+            formulas = tuple(_formulas(expected.quantity, expected.quantity.formulas, scheme))
+            above_zero = all(low > 0 for low, _high in expected.quantity.domain().values())
+            return NotAsked(prompt, NOT_ASKED["expression"], formulas, above_zero)
         case other:
             return NotAsked(prompt, NOT_ASKED.get(other, f"no LMS knows answers of the type {other}"))
 
@@ -156,6 +181,24 @@ def _options(expected: Expected, prompt: Prompt, scheme: Scheme) -> Iterator[Opt
         verdict = judge_choice(Letter(option.letter, ""), expected)
         right = isinstance(verdict, Right)
         yield OptionAsked(option, share(verdict, scheme, "choice"), "" if right else sentence(verdict))
+
+
+def _formulas(wanted: Quantity, right: tuple[Expr, ...], scheme: Scheme) -> Iterator[FormulaCredit]:
+    """In the order in which `judge_formulas` tries them; of the constant ratios those that are fractions."""
+
+    def credit(trees: tuple[Expr, ...], verdict: Verdict) -> FormulaCredit:
+        feedback = "" if isinstance(verdict, Right) else sentence(verdict)
+        return FormulaCredit(trees, share(verdict, scheme), word(verdict), feedback)
+
+    yield credit(right, Right())
+    for trees, text in wanted.wrong_formulas():
+        yield credit(trees, Mistaken(text))
+    for ratio in RATIOS if len(right) == 1 else ():
+        factor = Fraction(str(ratio.factor))
+        if ratio.formula and factor.limit_denominator(1000) == factor:
+            tells = ratio.of_formula()
+            trees = (Product((Number(factor), *right)),)
+            yield credit(trees, Slip(f"{tells[0].upper()}{tells[1:]}."))
 
 
 def _marks(wanted: Quantity, unit: Unit, scheme: Scheme) -> Iterator[Credit]:

@@ -11,16 +11,18 @@ from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_inline_dollar
 
+from corollary.render.pictures import NAME, lifted, put_back
+
 # What sets formulas is loaded with the first formula: it is half of what a view without one would load.
 
 
 def new_parser() -> MarkdownIt:
-    """CommonMark with tables and `$…$`, `$$…$$`; without raw HTML, links and pictures, for students' words may flow through."""
+    """CommonMark with tables and `$…$`, `$$…$$`; without raw HTML and links, for students' words may flow through. Pictures are
+    those that `pictures.lifted` has named: nothing is fetched."""
     markdown = (
-        MarkdownIt("commonmark", {"html": False})
-        .enable("table")
-        .disable(["link", "image", "autolink", "reference"])
+        MarkdownIt("commonmark", {"html": False}).enable("table").disable(["link", "autolink", "reference"])
     )
+    markdown.validateLink = lambda url: url.startswith(NAME)
     dollarmath_plugin(markdown, allow_labels=False, allow_space=False, allow_digits=False, double_inline=True)
     markdown.inline.ruler.at("math_inline", _at_the_beginning_too)
     return markdown
@@ -36,15 +38,25 @@ def parser() -> MarkdownIt:
     return markdown
 
 
-@lru_cache(maxsize=1024)
 def html(text: str) -> str:
     """The HTML of a text in Markdown, ready to stand in a page."""
+    words = lifted(text)
+    return put_back(_html(words.text), words.addresses)
+
+
+def inline(text: str) -> str:
+    """The HTML of one line in Markdown, without a paragraph around it."""
+    words = lifted(text)
+    return put_back(_inline_html(words.text), words.addresses)
+
+
+@lru_cache(maxsize=1024)
+def _html(text: str) -> str:
     return parser().render(text)
 
 
 @lru_cache(maxsize=1024)
-def inline(text: str) -> str:
-    """The HTML of one line in Markdown, without a paragraph around it."""
+def _inline_html(text: str) -> str:
     return parser().renderInline(text)
 
 

@@ -11,7 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from corollary.figure.paper import on_paper
-from corollary.figure.svg import safe_svg
+from corollary.figure.svg import alone, safe_svg
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise
 from corollary.render.markdown import html, inline
@@ -86,14 +86,22 @@ def environment() -> Environment:
         loader=templates, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     found.filters |= {
-        "markdown": lambda text: Markup(html(text)),
-        "inline": lambda text: Markup(inline(text)),
+        "markdown": _markdown,
+        "inline": _inline,
         "points": points,
         "earned": earned,
         "percent": percent,
     }
     found.globals |= {"_": _, "plural": _.plural, "points_of": points_earned}  # pyright: ignore[reportAttributeAccessIssue]
     return found
+
+
+def _markdown(text: str) -> Markup:
+    return Markup(html(text))
+
+
+def _inline(text: str) -> Markup:
+    return Markup(inline(text))
 
 
 def drawing(exercise: Exercise) -> Markup:
@@ -103,10 +111,14 @@ def drawing(exercise: Exercise) -> Markup:
     return Markup(safe_svg(exercise.figure, prefix=exercise.problem.prefix + "-", label=exercise.figure_alt))
 
 
+def drawing_file(exercise: Exercise) -> bytes:
+    """The exercise's figure as a file, readable on any background. Raises NotADrawing."""
+    return on_paper(alone(str(drawing(exercise)))).encode()
+
+
 def drawing_address(exercise: Exercise) -> str:
-    """The exercise's figure as a data URI, readable on any background."""
-    svg = on_paper(str(drawing(exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1))
-    return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
+    """The exercise's figure as a data URI, readable on any background. Raises NotADrawing."""
+    return "data:image/svg+xml;base64," + base64.b64encode(drawing_file(exercise)).decode()
 
 
 @lru_cache(maxsize=1)

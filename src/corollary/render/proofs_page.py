@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.figure.paper import on_paper
+from corollary.figure.svg import alone
 from corollary.problem.problem import Problem
 from corollary.render.page import page
 from corollary.verify.checked import Checked
@@ -30,7 +31,7 @@ class VerifiedProblem:
 
     def address(self, plot: AnswerPlot) -> str:
         """The plot as a data URI, readable on any background."""
-        svg = on_paper(plot.svg.replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1))
+        svg = on_paper(alone(plot.svg))
         return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
 
 

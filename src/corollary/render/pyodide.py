@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import base64
+import gzip
 import json
 import os
 import shutil
 import subprocess
-import tarfile
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from importlib.resources import as_file, files
 from pathlib import Path
+from typing import Any
+
+from corollary.render.npm import NoNpm, NotFetched, unpacked
 
 VERSION = "314.0.7"
 LOADER, PROGRAM, BINARY, LIBRARY, LOCK = (
@@ -21,10 +25,15 @@ LOADER, PROGRAM, BINARY, LIBRARY, LOCK = (
     "pyodide-lock.json",
 )
 NEEDED = (LOADER, PROGRAM, BINARY, LIBRARY, LOCK)
+LONGEST = 300.0  # seconds: node takes about ten
 
 
 class NoPyodide(LookupError):
     """Pyodide is not there and cannot be fetched; one sentence says what to do."""
+
+
+class NoSnapshot(RuntimeError):
+    """Python could not be begun beforehand; one sentence says why."""
 
 
 def fetched(cache: Path) -> Path:
@@ -32,26 +41,19 @@ def fetched(cache: Path) -> Path:
     folder = cache / f"pyodide-{VERSION}"
     if all((folder / name).is_file() for name in NEEDED):
         return folder
-    npm = shutil.which("npm")
     remedy = f"fetch it where there is one (npm pack pyodide@{VERSION}), unpack it, and name the folder with --pyodide FOLDER"
-    if npm is None:
-        raise NoPyodide(f"npm, which fetches Pyodide, is not installed: install it, or {remedy}")
     cache.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=cache) as place:
-        done = subprocess.run(
-            [npm, "pack", f"pyodide@{VERSION}", "--silent"],
-            cwd=place,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        packed = next(Path(place).glob("pyodide-*.tgz"), None)
-        if done.returncode or packed is None:
-            raise NoPyodide(f"npm cannot fetch Pyodide without a network: {remedy}")
-        with tarfile.open(packed) as archive:
-            archive.extractall(place, filter="data")
+        try:
+            found = unpacked(f"pyodide@{VERSION}", Path(place))
+        except NoNpm:
+            raise NoPyodide(
+                f"npm, which fetches Pyodide, is not installed: install it, or {remedy}"
+            ) from None
+        except NotFetched:
+            raise NoPyodide(f"npm cannot fetch Pyodide without a network: {remedy}") from None
         shutil.rmtree(folder, ignore_errors=True)
-        os.replace(Path(place) / "package", folder)
+        os.replace(found, folder)
     return folder
 
 
@@ -75,10 +77,39 @@ def scripts(folder: Path) -> Mapping[str, str]:
         .read_text(encoding="utf-8")
         .replace("//# sourceMappingURL", "// source map"),
         "program.js": program,
-        "binary.js": _data("binary", (folder / BINARY).read_bytes()),
+        "binary.js": _data("binary", gzip.compress((folder / BINARY).read_bytes(), mtime=0)),
         "library.js": _data("library", (folder / LIBRARY).read_bytes()),
         "lock.js": f"pyodideData.lock = {json.dumps({'info': lock['info'], 'packages': {}})};\n",
     }
+
+
+def snapshot(folder: Path, begin: Mapping[str, Any], asked: Sequence[Sequence[str]]) -> str:
+    """As a script: the memory of Python once it has begun and has answered what is asked, so that no browser has to do it again.
+
+    It is made by node, and fits the files of this folder only. Raises NoSnapshot.
+    """
+    node = shutil.which("node")
+    if node is None:
+        raise NoSnapshot("node is not installed")
+    with (
+        as_file(files("corollary.render") / "templates" / "snapshot.mjs") as script,
+        tempfile.TemporaryDirectory() as place,
+    ):
+        memory = Path(place) / "memory"
+        try:
+            done = subprocess.run(
+                [node, str(script), str(folder.resolve()), str(memory)],
+                input=json.dumps([begin, asked]).encode(),
+                capture_output=True,
+                timeout=LONGEST,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            raise NoSnapshot(f"node was not done after {LONGEST:g} s") from None
+        if done.returncode or not memory.is_file():
+            lines = done.stderr.decode(errors="replace").strip().splitlines()
+            raise NoSnapshot(next((line for line in reversed(lines) if "Error" in line), "node failed"))
+        return _data("snapshot", gzip.compress(memory.read_bytes(), mtime=0))
 
 
 def _data(name: str, content: bytes) -> str:

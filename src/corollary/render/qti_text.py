@@ -10,6 +10,7 @@ from corollary.render.markdown import inline as inline_html
 MATHML = "http://www.w3.org/1998/Math/MathML"
 ALLOWED = frozenset({"class", "id"})
 """Attributes of QTI's XHTML; those of formulas are MathML's own."""
+OF_PICTURES = frozenset({"src", "alt"})
 
 
 def block(text: str) -> str:
@@ -43,7 +44,9 @@ def _cleaned(element: Xml.Element) -> None:
                 element.remove(child)
             element.append(style)
         return
-    for name in [name for name in element.attrib if name not in ALLOWED]:
+    for name in [
+        name for name in element.attrib if name not in (OF_PICTURES if element.tag == "img" else ALLOWED)
+    ]:
         del element.attrib[name]
     for child in element:
         _cleaned(child)

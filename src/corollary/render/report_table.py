@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from rich.console import Group, RenderableType
 from rich.table import Table
@@ -15,13 +15,19 @@ from corollary.render.wording import BY_HAND, LOOKS, Look, points
 MOST = 15
 
 
-def terminal(report: Report) -> RenderableType:
-    """The report as tables for rich; colours disappear by themselves where there is no terminal."""
-    return Group(*_pieces(report))
+def terminal(report: Report, unmarked: Collection[str] = ()) -> RenderableType:
+    """The report as tables for rich; colours disappear by themselves where there is no terminal. `unmarked` handed in, and
+    their marks are not in the report."""
+    return Group(*_pieces(report, unmarked))
 
 
-def _pieces(report: Report) -> Iterator[RenderableType]:
-    yield Text(_headline(report))
+def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableType]:
+    if unmarked:
+        yield Text(f"{len(unmarked)} handed in what is not on record yet; on record:")
+    if report.handed_in or not unmarked:
+        yield Text(_headline(report))
+    else:
+        yield Text("nothing so far")
     if report.parts:
         yield _parts(report)
     if report.met:
@@ -64,8 +70,8 @@ def _pieces(report: Report) -> Iterator[RenderableType]:
             ),
         )
         yield from _more(len(report.shared))
-    if report.missing:
-        yield Text(f"\nNothing from {len(report.missing)}: {_some(report.missing, 12)}")
+    if missing := tuple(one for one in report.missing if one not in unmarked):
+        yield Text(f"\nNothing from {len(missing)}: {_some(missing, 12)}")
     if report.excused:
         yield Text(f"\nExcused: {_some(report.excused, 12)}")
     for line, count in report.isolation.items():

@@ -11,7 +11,11 @@ from xml.etree.ElementTree import Element
 
 from markdown_it.token import Token
 
+from corollary.messages import catalogue
 from corollary.render.markdown import parser
+from corollary.render.pictures import lifted
+
+_ = catalogue(__name__)
 
 UNBROKEN = 24  # characters of the longest formula that a line is broken before, and not within
 RAISED = dict(zip("0123456789+−-=nixyTabcdt′″∘", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼ⁿⁱˣʸᵀᵃᵇᶜᵈᵗ′″°", strict=True))
@@ -32,7 +36,7 @@ OVER = {
 def terminal_text(text: str, *, width: int = 80) -> str:
     """The text in lines of at most `width` characters; code, tables and display formulas keep their lines."""
     out, bullet, depth, cells = "", "", 0, None
-    for token in parser().parse(text):
+    for token in parser().parse(lifted(text).text):
         block, tight = "", False
         match token.type:  # pyright: ignore[reportMatchNotExhaustive]
             case "bullet_list_open" | "ordered_list_open" | "blockquote_open":
@@ -80,6 +84,8 @@ def _line(tokens: Sequence[Token]) -> str:
         match token.type:  # pyright: ignore[reportMatchNotExhaustive]
             case "text" | "code_inline" | "html_inline":
                 out += token.content
+            case "image":
+                out += _("[Picture: {alt}]", alt=token.content)
             case "math_inline":
                 formula = formula_text(token.content.strip())
                 out += formula if len(formula) > UNBROKEN else formula.replace(" ", "\N{NO-BREAK SPACE}")

@@ -10,16 +10,19 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from corollary.render.markdown import new_parser
+from corollary.render.pictures import lifted, put_back
 
 
 def tex_html(text: str) -> str:
     """The HTML of a text in Markdown."""
-    return _parser().render(text)
+    words = lifted(text)
+    return put_back(_parser().render(words.text), words.addresses)
 
 
 def tex_inline(text: str) -> str:
     """The HTML of one line in Markdown, without a paragraph around it."""
-    return _parser().renderInline(text)
+    words = lifted(text)
+    return put_back(_parser().renderInline(words.text), words.addresses)
 
 
 @lru_cache(maxsize=1)

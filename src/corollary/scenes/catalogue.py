@@ -13,7 +13,7 @@ from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
 from corollary.scenes.independent import independent
-from corollary.scenes.run import NEVER_PART, BadSetting, Run, components
+from corollary.scenes.run import NEVER_PART, BadSetting, Observed, Run, components
 
 
 class Library(Mapping[str, SceneDefinition]):
@@ -41,11 +41,17 @@ SCENES = Library()
 
 
 def run(
-    name: str, settings: Mapping[str, object], tolerance: float = 1e-12, *, second_way: bool = False
+    name: str,
+    settings: Mapping[str, object],
+    tolerance: float = 1e-12,
+    *,
+    second_way: bool = False,
+    proven: bool = False,
 ) -> Run:
     """Play a ready-made scene with the least model that answers; what confirms a formula asks for its `second_way`, which shares none.
 
-    By the second way only those values are there that it gives.
+    By the second way only those values are there that it gives. A `proven` run states bounds only: a motion that is followed in steps
+    is enclosed in balls, to the last place whatever the tolerance, where that is known how; else it is refused.
 
     Settings are in SI; those not given take the chapter's values. `tolerance` is relative to the scene's natural scale. A value that
     no double holds, or that does not exist (how long a contact lasts that never ends), is left out, and a warning says so.
@@ -66,11 +72,26 @@ def run(
         found = independent(name, settled, tolerance) if second_way else None
         if found is None:
             found = scene.play(settled, tolerance)
+        if proven and found.error_is != "bound":
+            found = _enclosed(name, scene, settled, found)
     except (OverflowError, ZeroDivisionError):
         raise BadSetting(
             f"{name}: with these settings numbers leave the range of a computer; choose milder ones."
         ) from None
     return replace(_finite(name, found), scene=name, settings=settled, seconds=time.perf_counter() - begin)
+
+
+def _enclosed(name: str, scene: SceneDefinition, settings: Mapping[str, Observed], found: Run) -> Run:
+    """The same with proven bounds. Raises BadSetting where none can be had."""
+    if scene.proven is None:
+        raise BadSetting(
+            f"{name}: its errors are estimates, and no bound can be proven for this scene; leave out --proven."
+        )
+    if found.outcome == "sticks":
+        raise BadSetting(
+            f"{name}: a contact that never ends cannot be enclosed; leave out --proven, or lower eta."
+        )
+    return scene.proven(settings).only(found.measured)
 
 
 def _finite(scene: str, found: Run) -> Run:

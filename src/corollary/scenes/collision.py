@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -59,13 +60,8 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
         ("velocities", "overlaps", "forces"), ROUNDING * len(line.masses) * max(result.openings, 1)
     )
     errors = sure | {"duration": 10.0 * sure["velocities"]}
-    # A light body between heavier ones, near or far, is thrown to and fro some sqrt(ratio) times; a rounding of momentum is much
-    # of its speed.
-    sides = (
-        (max(line.masses[:i]), m, max(line.masses[i + 1 :])) for i, m in enumerate(line.masses[1:-1], start=1)
-    )
-    caught = max((min(left, right) / m for left, m, right in sides), default=1.0)
-    errors["velocities"] *= max(1.0, caught) ** 1.5
+    # A rounding of momentum is much of the speed of a light body.
+    errors["velocities"] *= max(1.0, caught_between(line.masses)) ** 1.5
     errors["velocities"] = max(errors["velocities"], _energy_lost(line, result))
     return Collided(
         result,
@@ -74,6 +70,12 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
         "springs: from one opening to the next the motion is a sum of swings",
         0,
     )
+
+
+def caught_between(masses: Sequence[float]) -> float:
+    """How many times heavier the bodies, near or far, are that a body lies between: it is thrown to and fro some square root of that."""
+    sides = ((max(masses[:i]), m, max(masses[i + 1 :])) for i, m in enumerate(masses[1:-1], start=1))
+    return max((min(left, right) / m for left, m, right in sides), default=1.0)
 
 
 def _energy_lost(line: RowOfBodies, result: RowResult) -> float:

@@ -32,11 +32,15 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class SceneDefinition:
-    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale."""
+    """`meaning` is one line for a list of scenes; `play` takes all settings and a tolerance relative to the scene's natural scale.
+
+    `proven` finds the same with bounds where `play` only estimates them; there is none where no enclosure of the motion is known.
+    """
 
     meaning: str
     settings: tuple[Setting, ...]
     play: Callable[[Mapping[str, Observed], float], Run]
+    proven: Callable[[Mapping[str, Observed]], Run] | None = None
 
 
 def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) -> dict[str, Observed]:

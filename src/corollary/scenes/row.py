@@ -129,17 +129,6 @@ def velocities(line: RowOfBodies, state: Sequence[float]) -> Sequence[float]:
     return state[len(line.masses) :]
 
 
-def closing_speeds(line: RowOfBodies, state: Sequence[float]) -> list[float]:
-    """How fast the overlap of each contact grows."""
-    return [a - b for a, b in pairwise(state[len(line.masses) :])]
-
-
-def closing_speed(line: RowOfBodies, state: Sequence[float], contact: int) -> float:
-    """How fast the overlap of a contact grows."""
-    left = len(line.masses) + contact
-    return state[left] - state[left + 1]
-
-
 def energy(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float]) -> float:
     """Kinetic, stored and (beside a wall on the left) potential energy."""
     total = sum(0.5 * m * v * v for m, v in zip(line.masses, velocities, strict=True) if not math.isinf(m))

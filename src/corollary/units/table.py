@@ -27,12 +27,13 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
     """Makes a unit known to all that reads and writes units; a package of somebody else's calls it when it is imported.
 
     symbols: how it is written, first as it is in files (`ohm Ω`); base_units: `kg m s^-2`; size: in SI, an exact number
-    or a fraction of pi (`pi/180`), and behind a plus where its zero lies (`1 + 273.15`); prefixes: those it is used with (`u m k`); words: its names, in the singular (`ohm`).
+    or a fraction of pi (`pi/180`) or a multiple (`2*pi`), and behind a plus where its zero lies (`1 + 273.15`);
+    prefixes: those it is used with (`u m k`); words: its names, in the singular (`ohm`).
     Returns the unit. Raises ValueError when something that would be typed for it means another unit, and registers nothing.
     """
     size_alone, _plus, zero = size.partition(" + ")
     dimension, pi, offset = Dimension.of(base_units), int("pi" in size), Fraction(zero or 0)
-    factor = Fraction(size_alone.replace("pi", "1"))
+    factor = Fraction(size_alone.replace("*pi", "").replace("pi", "1"))
     name = symbols.split()[0]
     found: dict[str, Unit] = {}
     for prefix in ("", *prefixes.split()):
@@ -123,11 +124,13 @@ lb lbs  | kg                 | 0.45359237        |               | pound
 sr      |                    | 1                 |               | steradian
 arcmin  |                    | pi/10800          |               |
 arcsec  |                    | pi/648000         |               |
+gon     |                    | pi/200            |               |
+turn rev |                   | 2*pi              |               | turn revolution umdrehung omdreining omdreininger
 """
 MECHANICS = """
 g       | kg                 | 1/1000            | n u m k       | gram gramme gramm
 m       | m                  | 1                 | f p n u m c d k | meter metre mètre
-s sec secs | s               | 1                 | f p n u m     | second seconde sekunde sekund sekunder
+s sec secs | s               | 1                 | f p n u m     | second seconde sekunde sekund sekunder sek
 N       | kg m s^-2          | 1                 | u m k M G     | newton
 J       | kg m^2 s^-2        | 1                 | u m k M G T   | joule
 W       | kg m^2 s^-3        | 1                 | u m k M G T   | watt
@@ -138,9 +141,9 @@ t       | kg                 | 1000              |               | tonne
 u Da    | kg                 | 1.66053906892e-27 |               | dalton
 min     | s                  | 60                |               | minute minutt minutter
 h       | s                  | 3600              |               | hour hr heure stunde timme timer
-rad     |                    | 1                 | m             | radian radianer
+rad     |                    | 1                 | m             | radian radianer radiant
 deg ° º |                    | pi/180            |               | degree degré grad grader
-%       |                    | 1/100             |               | percent
+%       |                    | 1/100             |               | percent prozent prosent pct
 """
 REFUSED = dict.fromkeys(
     ("dB", "db", "dBA", "decibel", "Np", "phon", "mag"),

@@ -9,11 +9,12 @@ from corollary.units.dimension import DIFFERENCE
 SPEEDS = {
     "kph": "km/h", "kmph": "km/h", "kmh": "km/h", "mps": "m/s", "mph": "mi/h",
     "km/t": "km/h", "Stundenkilometer": "km/h",  # in Norwegian an hour is a time
+    "U/min": "rpm", "omdr/min": "rpm",
 }  # fmt: skip
 SPEED = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(SPEEDS)})(?![A-Za-z])")
 PER = re.compile(r"(?<![A-Za-z])(?:per|pro|par)(?![A-Za-z])")
 COMPOUND = re.compile(  # in German and Norwegian written as one word
-    r"(?<![A-Za-z])((?:kilo)?(?:newton|watt|joule))(?=(?:sekund|meter|stund|timer?)[a-z]{0,2}(?![a-z]))",
+    r"(?<![A-Za-z])((?:kilo)?(?:newton|watt|joule)|kilogramm?)(?=(?:sekund|meter|stund|timer?)[a-z]{0,2}(?![a-z]))",
     re.IGNORECASE,
 )
 JOINED = re.compile(

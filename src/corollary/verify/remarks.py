@@ -13,6 +13,7 @@ from corollary.formula.ball import Undefined
 from corollary.grading.key import Key
 from corollary.grading.replay import WhatIf, replay
 from corollary.problem.bank import Bank
+from corollary.problem.pictures import unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Tally
 
@@ -23,6 +24,10 @@ SAME = 1e-9  # relative
 def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:
     """Notes on the givens and on the mistakes; `key` is that of the problem's own numbers."""
     file, path = solution.problem.path.name, bank.solution(solution.problem).name
+    for picture in unused(solution.problem.path):
+        tally.note(
+            f"{file}:1: {picture.name} lies beside it, and no problem shows it: show it, or take it away"
+        )
     for line, sentence in (*_outside(solution.problem), *_unused(solution)):
         tally.note(f"{file}:{line}: {sentence}")
     for line, sentence in (*_few(key.solution), *_alike(key)):

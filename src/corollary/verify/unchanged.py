@@ -15,6 +15,7 @@ from typing import Any
 from corollary import plug_ins, user_cache
 from corollary.derive.load import NotDerivable, source
 from corollary.problem.bank import Bank
+from corollary.problem.pictures import packed_file, unused
 from corollary.problem.problem import Problem
 from corollary.verify.checked import Checked
 from corollary.verify.obligations.obligation import Settled
@@ -27,10 +28,11 @@ PLUG_INS = ("corollary.laws", "corollary.banks", "corollary.answers")
 
 @contextmanager
 def verify_changed(
-    todo: Todo, count: int, verify_those: VerifyEach = verify_each
+    todo: Todo, count: int, verify_those: VerifyEach = verify_each, *, anew: bool = False
 ) -> Generator[Iterator[Checked]]:
-    """As `verify_those` does it, in the same order; what held before, and is the same, is not verified again. Complaints are not kept."""
-    before = [_recalled(bank, problem, count) for bank, problem in todo]
+    """As `verify_those` does it, in the same order; what held before, and is the same, is not verified again, unless `anew`.
+    Complaints are not kept."""
+    before = [None if anew else _recalled(bank, problem, count) for bank, problem in todo]
     changed = [each for each, found in zip(todo, before, strict=True) if found is None]
     with verify_those(changed, count) as verified:
 
@@ -71,7 +73,7 @@ def origin(bank: Bank, problem: Problem, count: int) -> str:
 
     Raises NotDerivable where the solution cannot be read.
     """
-    texts = [path.read_bytes() for path in sorted(problem.path.parent.glob(f"{problem.path.stem}*.md"))]
+    texts = [packed_file(path) for path in sorted(problem.path.parent.glob(f"{problem.path.stem}*.md"))]
     own = source(bank, problem) if bank.solution(problem).is_file() else b""
     parts = (
         _programs(),
@@ -79,6 +81,7 @@ def origin(bank: Bank, problem: Problem, count: int) -> str:
         str(count).encode(),
         repr(problem).encode(),
         own,
+        repr(unused(problem.path)).encode(),
         *texts,
     )
     return hashlib.sha256(b"\0".join(parts)).hexdigest()

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from corollary.derive.derivation import Asserted
 from corollary.derive.load import NotDerivable, load
 from corollary.derive.put_back import unseen
 from corollary.derive.simulation import Seen, simulations
-from corollary.derive.statements import Confirm, Printed
+from corollary.derive.statements import Printed
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in
 from corollary.grading.replay import ancestors
@@ -25,7 +26,7 @@ def note_unchecked(bank: Bank, key: Key, tally: Tally) -> None:
         tally.note(
             f"{path.name}:{missing[0][1]}: nothing but dimensions checks the signs of "
             f"{', '.join(f'{name} (line {line})' for name, line in missing)}; "
-            "confirm(…), a scene or printed(…) would"
+            "confirm(…), limit(…), at(…), a scene or printed(…) would"
         )
 
 
@@ -37,14 +38,14 @@ def _unchecked(bank: Bank, key: Key) -> Iterator[tuple[str, int]]:
     for place, find in enumerate(solution.unknowns):
         if find.part in parts:
             seen |= {place, *ancestors(solution, place)}
-    confirmed = any(isinstance(entry, Confirm) for entry in load(bank, solution.problem).derivation.entries)
+    claimed = any(isinstance(entry, Asserted) for entry in load(bank, solution.problem).derivation.entries)
     for place, find in enumerate(solution.unknowns):
         if place in seen or not find.laws:
             continue
         line = find.statement.line
         names = (
             unseen(bank, solution.problem, line)
-            if confirmed and not solution.case
+            if claimed and not solution.case
             else [law.name for law in find.laws]
         )
         yield from ((name, line) for name in names)

@@ -62,7 +62,28 @@ READ = [
     ('<pl-number-input answers-name="F" correct-answer="3.2" suffix="N"></pl-number-input>', "", "3.2 N"),
     ('<p>…</p><pl-units-input answers-name="F" correct-answer="4.5 m/s"></pl-units-input>', "", "4.5 m/s"),
 ]
+P, C = "data['params']", "data['correct_answers']"
+DRAWN = "random.randint(1, 5)"
+READ += [
+    (PAGE, program(f"    {P}['m'] = {DRAWN}\n    {C}['F'] = 2*{P}['m']\n"), "2*m"),
+    (PAGE, program(f"    {P}['m'] = {DRAWN}\n    m = {P}['m']\n    {C}['F'] = 2*m\n    return data\n"), "2*m"),
+    (PAGE, program(f"    p = {P}\n    m = {DRAWN}\n    p['m'] = round(m, 1)\n    {C}['F'] = p['m']/2\n"), "m/2"),
+    (PAGE, program(f"    {P}['m'] = m = {DRAWN}\n    {C}.update(F=3*m)\n"), "3*m"),
+    (PAGE, program(f"    m: int = {DRAWN}\n    {P}.update({{'m': m}})\n    {C}['F'] = str(3*m)\n"), "3*m"),
+    (PAGE, program(f"    a, b = {DRAWN}, {DRAWN}\n    {P}['a'], {P}['b'] = a, b\n    {C}['F'] = a - b\n"), "a - b"),
+    (PAGE, program(f"    d = {DRAWN}\n    {P} = {{'d': d, 'who': 'a cart'}}\n    {C} = {{'F': d/2}}\n"), "d/2"),
+    (PAGE, program(f"    x = {DRAWN}/100\n    {P}['who'] = random.choice(['Ada', 'Bob'])\n    {C}['F'] = 5*x\n"), "5*x"),
+]  # fmt: skip
 NOT_READ = [
+    (PAGE, program(f"    m = 3\n    {P}['m'] = {DRAWN}\n    {C}['F'] = 2*{P}['m']\n"), "twice"),
+    (PAGE, program(f"    {P}['m'] = random.choice(['a', 'b'])\n    m = 3\n    {C}['F'] = 2*{P}['m']\n"), "does not belong"),
+    (PAGE, program(f"    {P}['m'] = 1\n    {P}['m'] = 2\n    {C}['F'] = 2*{P}['m']\n"), "set twice"),
+    (PAGE, program(f"    {C}['F'] = 2*{P}['m']\n"), "Subscript"),
+    (PAGE, program(f"    m = {DRAWN}\n    {P}['m'] = f'{{m:.1f}}'\n    {C}['F'] = 2*{P}['m']\n"), ""),
+    (PAGE, program(f"    a, b = random.sample(range(9), 2)\n    {C}['F'] = a*b\n"), "is no assignment"),
+    (PAGE, program(f"    a, b = {DRAWN}, {DRAWN}\n    a, b = b, a\n    {C}['F'] = a - b\n"), "twice"),
+    (PAGE, program(f"    {P}.update(**numbers())\n    {C}['F'] = 1\n"), "no plain name"),
+    (PAGE, program(f"    x = 9 - {DRAWN}\n    {C}['F'] = x\n"), ""),
     (PAGE, program(M + "    if m > 2:\n        m = 1\n    data['correct_answers']['F'] = m\n"), "is no assignment"),
     (PAGE, program(M + "    for i in range(3):\n        m = m + i\n    data['correct_answers']['F'] = m\n"), "is no assignment"),
     (PAGE, program(M + "    data['correct_answers']['G'] = m\n"), "no correct answer 'F'"),

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
+import subprocess
+import sys
+from html import unescape
 
 import pytest
 from click.testing import CliRunner
@@ -147,16 +151,34 @@ def test_the_command_runs_nothing_unasked(question, monkeypatch):
     (only,) = json.loads(done.stdout)
     assert (only["id"], only["finding"]) == ("push", "cannot say")
     assert "is no assignment" in only["why"]
+    assert "isolation" not in only
 
 
 @pytest.mark.whole
 def test_the_command_runs_what_it_is_asked_to(question):
     done = CliRunner().invoke(app, [*question, "--run", "--seeds", "2"])
     assert done.exit_code == 1, done.stderr
-    assert [(each["id"], each["finding"]) for each in json.loads(done.stdout)] == [
+    found = json.loads(done.stdout)
+    assert [(each["id"], each["finding"]) for each in found] == [
         ("push, seed 1", "wrong"),
         ("push, seed 2", "wrong"),
     ]
+    assert all(re.match(r"level [123] \(.*seccomp", each["isolation"]) for each in found)
+
+
+@pytest.mark.whole
+def test_the_command_says_how_well_what_it_ran_was_isolated(question, tmp_path):
+    page = tmp_path / "page.html"
+    command = [sys.executable, "-c", "from corollary.cli.main import main; main()", *question[:-1]]
+    done = subprocess.run(
+        [*command, "--run", "--seeds", "1", "--report", str(page)],
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    said = re.search(r"server\.py was run at isolation (level [123] \(.*seccomp.*\))", done.stdout)
+    assert said, done.stderr
+    assert said[1] in unescape(page.read_text(encoding="utf-8"))
 
 
 @pytest.mark.whole

@@ -31,8 +31,12 @@ READ = [
     ("$m = random(1,5,1);\n$w = $m*10;\nBEGIN_PGML\n[`F`] = [____]{Real($w)} N\nEND_PGML", "m*10", {"m": (1, 5)}),
     ("$m = random(1,5,1);\n$w = log($m);\nANS(num_cmp($w));", "ln(m)", {"m": (1, 5)}),
     ("$m = random(1,5,1);\n$w = exp(-$m)*pi;\nANS(num_cmp($w));", "exp(-m)*pi", {"m": (1, 5)}),
+    ("$l = random(1,5,1);\n$t = 2*$PI*sqrt($l/9.8);\nANS(num_cmp($t));", "2*pi*sqrt(l/9.8)", {"l": (1, 5)}),
+    ("$d = random(1,5,1);\n$v = sprintf(\"%.2f\", $d/3);\nANS(num_cmp($v));", "d/3", {"d": (1, 5)}),
+    ("$q = non_zero_random(-5,5,1);\n$v = 2*$q;\nANS(num_cmp($v));", "2*q", {"q": (-5, 5)}),
 ]  # fmt: skip
 NOT_READ = [
+    ('$d = random(1,5,1);\n$v = sprintf("%d", $d/3);\nANS(num_cmp($v));', "$v"),
     (MV + "if ($m > 3) { $v = 2; }\n$a = $m*$v;\nANS(num_cmp($a));", "conditions, loops"),
     (MV + "do { $u = random(1,5,1); } until ($u != $v);\nANS(num_cmp($u));", "conditions, loops"),
     (MV + "$m = $m + 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),

@@ -49,6 +49,21 @@ def test_beyond_some_damping_the_contact_never_ends(across, edge):
         assert follow(pair, meet(pair), 1e-12).sticks is sticks
 
 
+@pytest.mark.parametrize("tolerance", [1e-9, 1e-12, 1e-14, 1e-15])
+def test_a_force_that_rises_at_both_ends_of_a_long_step_has_its_maximum_between(tolerance):
+    """Where the drag across is most of the force the spring adds little, and the drag along pulls before the spheres part."""
+    grazing = Pair(
+        0.06666158308458792,
+        0.022565781510702362,
+        (0.1, 0.03999999996836441),
+        (-1.3679514483229138, 0.0),
+        0.04,
+        Contact(20000.0, 1.0, 0.0005033909726686724),
+    )
+    met = meet(grazing)
+    assert follow(grazing, met, tolerance).force == pytest.approx(6.886146779309877e-4, rel=1e-14)
+
+
 @given(st.floats(0.0, 9.0), st.floats(-0.039, 0.039), st.sampled_from([1.0, 1.5, 2.0, 3.0]))
 @example(0.0, 1e-12, 3.0)
 @example(1e-9, 1e-300, 3.0)

@@ -10,6 +10,7 @@ from corollary.answers.answer import Answer, Blank, Letter, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import PLACEHOLDERS, turned_away
 from corollary.answers.question import Question
+from corollary.formula.by_hand import by_hand
 from corollary.formula.characters import legible
 from corollary.formula.numerals import TO_ASCII
 from corollary.formula.value import Items, Nothing, Refused, Text, Value
@@ -20,7 +21,7 @@ _ = catalogue(__name__)
 LONGEST = 400
 AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
 LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |my )?(?:the )?"
-NAMED = r"(?:option|answer|choice|alternative|letter|svar|antwort)(?: is)?"
+NAMED = r"(?:option|answer|choice|alternative|letter|svar|alternativ|antwort|lösung)(?: is)?"
 LETTER = re.compile(
     rf"{AROUND}(?:{LEAD}(?:{NAMED}{AROUND})?)?(?P<letter>[A-Za-z]){AROUND}",
     re.IGNORECASE,
@@ -59,7 +60,7 @@ class ChoiceType(AnswerType):
             case Text(text) if len(text) <= LONGEST and (letter := _by_its_words(text, question)):
                 return Letter(letter, f"({letter})")
             case Text(text):
-                found = LETTER.fullmatch(legible(text).translate(TO_ASCII)) if len(text) <= LONGEST else None
+                found = LETTER.fullmatch(by_hand(text).translate(TO_ASCII)) if len(text) <= LONGEST else None
                 if found and (letter := found["letter"].lower()) in question.options:
                     return Letter(letter, f"({letter.upper()})")
                 return Unclear(wanted, text.strip()[:40])

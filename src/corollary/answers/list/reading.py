@@ -18,6 +18,7 @@ from corollary.units.unit import show
 _ = catalogue(__name__)
 
 LONGEST = 400
+PARTED = re.compile(r"[,;\n|(\[{]")
 MOST = 12  # numbers of one list
 AND = re.compile(r"\s+(?:and|or|und|oder|og|eller)\s+", re.IGNORECASE)
 
@@ -43,7 +44,7 @@ class ListType(AnswerType):
             return Blank()
         if isinstance(value, Text) and len(value.text) <= LONGEST and AND.search(value.text):
             value = Text(re.sub(r"\s*,\s+", "; ", AND.sub("; ", value.text)))
-        found = vector(value, _unnamed(question, len(question.components)))
+        found = _of(value, _wanted(value, len(question.components)), question)
         if isinstance(found, Unclear) and not found.readings:
             for count in _counts(value):
                 other = _of(value, count, question)
@@ -65,6 +66,17 @@ def _of(value: Value, count: int, question: Question) -> Answer:
 def _unnamed(question: Question, count: int) -> Question:
     """The same question for so many numbers without names of their own."""
     return replace(question, components=tuple(str(place + 1) for place in range(count)))
+
+
+def _wanted(value: Value, count: int) -> int:
+    """As many as are asked for, unless the value says how many there are: nothing but blanks (`2 5 s`) parts no numbers."""
+    match value:
+        case Text(text) if not PARTED.search(text):
+            return 1
+        case Items(items) if items and not any(isinstance(item, Items) for item in items):
+            return len(items)
+        case _:
+            return count
 
 
 def _counts(value: Value) -> range:

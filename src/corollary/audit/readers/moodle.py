@@ -8,11 +8,13 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 from corollary.audit.readers.safe_xml import words_of, xml_of
-from corollary.audit.readers.straight_line import NotRead, StraightLine
+from corollary.audit.readers.straight_line import NotRead, StraightLine, arguments_at
 from corollary.audit.record import ExerciseRecord
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 WILDCARD = re.compile(r"\{([A-Za-z]\w*)\}")
+RAISED = re.compile(r"<sup>\s*([-+]?\d+)\s*</sup>")
+ROUNDED = re.compile(r"round\s*\(")
 NOT_QUESTIONS = {"category", "description"}
 
 
@@ -35,6 +37,8 @@ def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
         match question.get("type"):
             case "numerical":
                 return replace(bare, published=(_number(question),))
+            case "shortanswer":
+                return replace(bare, published=(_with_digits(_right(question)),))
             case "calculated" | "calculatedsimple":
                 return _calculated(bare, question)
             case "multichoice":
@@ -48,7 +52,7 @@ def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
 def _right(question: Element) -> str:
     """The text of the one answer with full marks. Raises NotRead."""
     full = [each for each in question.findall("answer") if float(each.get("fraction") or 0) == 100]
-    texts = {words_of(each.findtext("text") or "") for each in full}
+    texts = {words_of(RAISED.sub(r"^\1", each.findtext("text") or "")) for each in full}
     if len(texts) != 1:
         raise NotRead(f"{len(texts)} different answers earn full marks")
     (text,) = texts
@@ -84,6 +88,9 @@ def _calculated(bare: ExerciseRecord, question: Element) -> ExerciseRecord:
     key = _right(question)
     if "^" in key:
         raise NotRead("^ is no power in a formula of Moodle's, pow is")
+    if rounded := ROUNDED.match(key):  # for the page only: the formula is compared
+        inside, end = arguments_at(key, rounded.end())
+        key = inside[0] if inside and not key[end:].strip() else key
     formula, drawn = program.key(WILDCARD.sub(r"\1", key))
     return replace(bare, given=drawn, published=(formula,))
 
@@ -91,7 +98,10 @@ def _calculated(bare: ExerciseRecord, question: Element) -> ExerciseRecord:
 def _choice(question: Element) -> str:
     if (question.findtext("single") or "true").strip() not in {"true", "1"}:
         raise NotRead("several options may be chosen")
-    text = _right(question)
+    return _with_digits(_right(question))
+
+
+def _with_digits(text: str) -> str:
     if not re.search(r"\d", text):
-        raise NotRead(f"the right option, {text!r}, is no number")
+        raise NotRead(f"the right answer, {text!r}, is no number")
     return text

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Mapping
 from html.parser import HTMLParser
 from pathlib import Path
 
+from corollary.audit.readers.generate_body import DRAWN, GenerateBody, called, unrounded
 from corollary.audit.readers.safe_xml import words_of
 from corollary.audit.readers.straight_line import NotRead, StraightLine
 from corollary.audit.record import ExerciseRecord
@@ -18,7 +20,7 @@ ARITHMETIC = (
     ast.Constant, ast.Name, ast.Attribute, ast.Call, ast.BinOp, ast.UnaryOp, ast.Load,
     ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow, ast.USub, ast.UAdd,
 )  # fmt: skip
-DRAWN = {"randint", "uniform", "randrange", "choice"}
+SIGNS: Mapping[type[ast.operator], str] = {ast.Mult: "*", ast.Div: "/", ast.Add: "+", ast.Sub: "-"}
 
 
 class InputElements(HTMLParser):
@@ -86,22 +88,21 @@ def _program(path: Path) -> tuple[StraightLine, dict[str, str]]:
     functions = [each for each in tree.body if isinstance(each, ast.FunctionDef) and each.name == "generate"]
     if len(functions) != 1:
         raise NotRead("server.py has no function generate(data)")
-    program, keys = StraightLine(), dict[str, str]()
-    for statement in (*_constants(tree), *functions[0].body):
-        match statement:
-            case ast.Assign([ast.Name(letter)], value):
-                _assign(program, letter, value)
-            case ast.Assign([ast.Subscript(ast.Subscript(_, ast.Constant("params")), ast.Constant())]):
-                continue  # what the statement shows; keys are worked out from the letters themselves
-            case ast.Assign(
-                [ast.Subscript(ast.Subscript(_, ast.Constant("correct_answers")), ast.Constant(str(name)))],
-                value,
-            ):
-                keys[name] = _arithmetic(_unrounded(value))
-            case ast.Expr(ast.Constant()) | ast.Return(None) | ast.Pass():
-                continue
-            case _:
-                raise NotRead(f"line {statement.lineno} of server.py is no assignment")
+    program, keys, unread = StraightLine(), dict[str, str](), dict[str, str]()
+    for each in GenerateBody().settings([*_constants(tree), *functions[0].body]):
+        if each.where == "answer":
+            keys[each.name] = _arithmetic(unrounded(each.value))
+            continue
+        if each.where == "shown":
+            program.refuse_again(each.name)  # else a key could mean either
+        elif each.name in unread:
+            raise NotRead(unread[each.name])
+        try:
+            _assign(program, each.name, unrounded(each.value))
+        except NotRead as error:
+            if each.where == "letter":
+                raise
+            unread[each.name] = str(error)  # it counts only where the key needs it
     return program, keys
 
 
@@ -113,23 +114,20 @@ def _constants(tree: ast.Module) -> list[ast.stmt]:
 
 
 def _assign(program: StraightLine, letter: str, value: ast.expr) -> None:
-    value = _unrounded(value)
-    called = value.func if isinstance(value, ast.Call) else None
-    name = (
-        called.attr
-        if isinstance(called, ast.Attribute)
-        else called.id
-        if isinstance(called, ast.Name)
-        else ""
-    )
+    scale = ""
+    if isinstance(value, ast.BinOp) and (sign := SIGNS.get(type(value.op))) is not None:
+        drawn = unrounded(value.left)
+        if called(drawn) in DRAWN and isinstance(value.right, ast.Constant):
+            value, scale = drawn, f"{sign}({value.right.value})"
+    name = called(value)
     if not isinstance(value, ast.Call) or name not in DRAWN:
         program.assign(letter, _arithmetic(value))
         return
     inside = value.args
     if name == "choice" and len(inside) == 1 and isinstance(inside[0], ast.List | ast.Tuple):
-        program.draw_among(letter, [ast.unparse(each) for each in inside[0].elts])
+        program.draw_among(letter, [f"({ast.unparse(each)}){scale}" for each in inside[0].elts])
     elif name in {"randint", "uniform", "randrange"} and len(inside) in {2, 3}:
-        program.draw(letter, ast.unparse(inside[0]), ast.unparse(inside[1]))
+        program.draw(letter, *(f"({ast.unparse(each)}){scale}" for each in inside[:2]))
     else:
         raise NotRead(f"line {value.lineno} of server.py draws {letter} in a way that is not read")
 
@@ -140,14 +138,3 @@ def _arithmetic(value: ast.expr) -> str:
         if not isinstance(node, ARITHMETIC):
             raise NotRead(f"line {value.lineno} of server.py has what no formula has ({type(node).__name__})")
     return ast.unparse(value)
-
-
-def _unrounded(value: ast.expr) -> ast.expr:
-    """What is rounded for the page, before it is: the formula is compared, not its figures."""
-    match value:
-        case ast.Call(ast.Name("round"), [inside, *_]):
-            return inside
-        case ast.Call(ast.Attribute(_, "round"), [inside, *_]):
-            return inside
-        case _:
-            return value

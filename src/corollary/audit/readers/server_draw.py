@@ -41,11 +41,15 @@ def numbers_at(seed):
 
 @dataclass(frozen=True, slots=True)
 class ServerDraw:
-    """What stands in `params` and `correct_answers` at one seed, by name; `trouble` is "" or why nothing does."""
+    """What stands in `params` and `correct_answers` at one seed, by name; `trouble` is "" or why nothing does.
+
+    `isolation` is the level at which the program ran, and the layers in force.
+    """
 
     seed: int
     params: Mapping[str, Value]
     answers: Mapping[str, Value]
+    isolation: str
     trouble: str = ""
 
 
@@ -93,9 +97,10 @@ class ServerRuns:
 
 def _draw(seed: int, result: ExecutionResult) -> ServerDraw:
     (cell,), call = result.cells, result.calls[str(seed)]
+    isolation = f"level {result.isolation.level} ({result.isolation.line})"
     match call.value:
         case Items((Items() as params, Items() as answers)) if not call.trouble:
-            return ServerDraw(seed, _by_name(params), _by_name(answers))
+            return ServerDraw(seed, _by_name(params), _by_name(answers), isolation)
         case _:
             ended = _ended(result.trouble) if result.trouble else ""
             its_own = "its time was up" if cell.status == "timeout" else cell.error
@@ -105,7 +110,8 @@ def _draw(seed: int, result: ExecutionResult) -> ServerDraw:
                 or call.trouble.replace("the function", "generate", 1)
                 or "what it gave could not be read"
             )
-            return ServerDraw(seed, {}, {}, f"server.py was run and gave no numbers: {why[:LONGEST]}")
+            trouble = f"server.py was run and gave no numbers: {why[:LONGEST]}"
+            return ServerDraw(seed, {}, {}, isolation, trouble)
 
 
 def _ended(trouble: str) -> str:

@@ -21,6 +21,8 @@ QUOTED = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
 VARIABLE = re.compile(r"\$\{?(\w+)\}?")
 WRAPPED = re.compile(r"(?:Real|Compute|Formula|NumberWithUnits|num_cmp|NumberWithUnits_cmp)\s*\(")
 IN_PGML = re.compile(r"\[_+\]\*?\{(.*?)\}", re.DOTALL)
+CONSTANT = re.compile(r"\$PI\b")
+PRINTED = re.compile(r"""sprintf\s*\(\s*["']%[\d.]*l?[feg]["']\s*,""", re.IGNORECASE)
 ANSWERED = re.compile(r"\bANS\s*\(")
 UNIT_BEHIND = re.compile(r"""^["']\s*\$(\w+)\s+([^"'$]+)["']$""")
 
@@ -37,6 +39,8 @@ def webwork_records(path: Path) -> tuple[ExerciseRecord, ...]:
 
 def _read(source: str) -> tuple[tuple[StatedGiven, ...], str]:
     answers = [found[1] for block in TEXT_BLOCK.finditer(source) for found in IN_PGML.finditer(block[0])]
+    answers = [CONSTANT.sub("pi", each) for each in answers]
+    source = CONSTANT.sub("pi", source)
     program_text = COMMENT.sub("", TEXT_BLOCK.sub("", source))
     program_text = QUOTED.sub(lambda found: found[0].replace(";", " "), program_text)
     for found in ANSWERED.finditer(program_text):
@@ -80,7 +84,7 @@ def _assign(program: StraightLine, letter: str, expression: str) -> None:
         raise NotRead("what is drawn is changed at once")
     if call[1] == "list_random":
         program.draw_among(letter, inside)
-    elif len(inside) in {2, 3} and call[1] == "random":
+    elif len(inside) in {2, 3}:
         program.draw(letter, inside[0], inside[1])
     else:
         raise NotRead(f"{call[1]} with {len(inside)} arguments is not read")
@@ -89,7 +93,9 @@ def _assign(program: StraightLine, letter: str, expression: str) -> None:
 def _key(answer: str) -> tuple[str, str]:
     """The expression inside of what compares it, and the unit that it is followed by."""
     text = re.sub(r"->\s*(?:cmp|with|evaluator)\b.*$", "", answer.strip(), flags=re.DOTALL).strip()
-    while (wrapped := WRAPPED.match(text)) is not None:
+    while (
+        wrapped := WRAPPED.match(text) or PRINTED.match(text)
+    ) is not None:  # rounding is for the page only
         inside, end = arguments_at(text, wrapped.end())
         rest = text[end:].strip()
         if rest or not inside:

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from corollary.figure.paper import VIEW
+from corollary.figure.svg import alone
 from corollary.messages import catalogue
 from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
 from corollary.problem.dates import in_words
@@ -91,7 +92,7 @@ def typst_figure(exercise: Exercise) -> str:
     where there is none."""
     if not exercise.figure:
         return ""
-    svg = str(drawing(exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
+    svg = alone(str(drawing(exercise)))
     view = VIEW.search(svg)
     width = f"{float(view[3]) / LETTERING:.4g}em" if view else "30em"
     return f"#figure-of({literal(svg)}, {literal(exercise.figure_alt)}, {width})"

@@ -2,27 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
+from typing import Final
 
 from markdown_it.tree import SyntaxTreeNode
 
 from corollary.render.markdown import parser
 from corollary.render.paper.typst_formula import literal, typst_formula
+from corollary.render.pictures import as_svg, lifted
 
+POINT: Final = 0.75  # of a pixel of 1/96 inch
 AROUND = {"em": "emph", "strong": "strong", "s": "strike"}
 
 
-@lru_cache(maxsize=4096)
 def typst_text(markdown: str, level: int = 4) -> str:
-    """Paragraphs, lists, tables, formulas; headings in the text are of this level."""
+    """Paragraphs, lists, tables, formulas, pictures; headings in the text are of this level."""
+    words = lifted(markdown)
+    return _with_pictures(_text(words.text, level), words.addresses)
+
+
+def typst_line(markdown: str) -> str:
+    """One line, without a paragraph around it."""
+    words = lifted(markdown)
+    return _with_pictures(_line(words.text), words.addresses)
+
+
+@lru_cache(maxsize=4096)
+def _text(markdown: str, level: int) -> str:
     return _blocks(SyntaxTreeNode(parser().parse(markdown)).children, level).strip()
 
 
 @lru_cache(maxsize=4096)
-def typst_line(markdown: str) -> str:
-    """One line, without a paragraph around it."""
+def _line(markdown: str) -> str:
     return _words(SyntaxTreeNode(parser().parseInline(markdown)).children)
+
+
+def _with_pictures(markup: str, addresses: Mapping[str, str]) -> str:
+    for name, address in addresses.items():
+        svg, width = as_svg(address)
+        markup = markup.replace(
+            f"#picture-of({literal(name)}, ", f"#picture-of({literal(svg)}, {width * POINT:.4g}pt, "
+        )
+    return markup
 
 
 def words_of(text: str) -> str:
@@ -83,6 +105,8 @@ def _word(node: SyntaxTreeNode) -> str:
             return " "
         case "hardbreak":
             return "#linebreak();"
+        case "image":
+            return f"#picture-of({literal(str(node.attrGet('src')))}, {literal(node.content)});"
         case "em" | "strong" | "s":
             return f"#{AROUND[node.type]}[{_words(node.children)}];"
         case _:

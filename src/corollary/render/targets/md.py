@@ -1,7 +1,8 @@
-"""Markdown with formulas in dollars; figures come along as references at the end of their exercise."""
+"""Markdown with formulas in dollars; figures and pictures come along as references at the end of their exercise."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from corollary.messages import catalogue
@@ -9,9 +10,11 @@ from corollary.notebook.worksheet import Exercise, Worksheet
 from corollary.problem.roster import Student
 from corollary.render.exports import Target
 from corollary.render.page import drawing_address
+from corollary.render.pictures import NAME, lifted
 from corollary.render.wording import facts, wanted
 
 _ = catalogue(__name__)
+IN_TEXT = re.compile(rf"\]\(({NAME}\w+)\)")
 
 
 def write_exercise(exercise: Exercise, student: Student, solution: str) -> str:
@@ -40,9 +43,12 @@ def _written(exercise: Exercise, solution: str, level: str, label: str) -> str:
         pieces.append(f"*{wanted(prompt)}*")
     if solution:
         pieces += [f"{level}# " + _("Worked solution"), solution]
+    words = lifted("\n\n".join(filter(None, pieces)))
+    text = IN_TEXT.sub(r"][\1]", words.text)
+    text = "\n\n".join([text, *(f"[{name}]: {address}" for name, address in words.addresses.items())])
     if exercise.figure:
-        pieces.append(f"[{label}]: {drawing_address(exercise)}")
-    return "\n\n".join(filter(None, pieces)) + "\n"
+        text += f"\n\n[{label}]: {drawing_address(exercise)}"
+    return text + "\n"
 
 
 TARGET = Target(ending="md", exercise=write_exercise, worksheet=write_worksheet)

@@ -7,15 +7,15 @@ numbers. Its fields take numbers in the unit beside them. `apart` makes each par
 from __future__ import annotations
 
 import base64
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from xml.sax.saxutils import escape
 
-from corollary.figure.paper import on_paper
 from corollary.messages import catalogue
 from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
 from corollary.render.moodle_fields import answers_in, cloze, size_of_points
-from corollary.render.page import drawing
+from corollary.render.page import drawing_file
+from corollary.render.pictures import as_files, lifted
 from corollary.render.tex_html import tex_html, tex_inline
 from corollary.render.typed_units import typed_units
 
@@ -45,6 +45,8 @@ GRADES = (
     5,
     0,
 )
+NO_ROOM = "an option is a picture, for which a field has no room; --apart sends it as a question of its own"
+PLACE = "@@PLUGINFILE@@/"  # of the files that come with a text
 WRONG_UNIT = 0.5  # what a slip costs
 LOST = (
     "an answer that follows from the student's own earlier one is wrong",
@@ -75,9 +77,12 @@ def _grades_lost(items: Sequence[LmsItem], apart: bool) -> Iterator[str]:
 
 def _carried(items: Sequence[LmsItem], apart: bool) -> Iterator[CarriedPart]:
     for item in items:
-        alone = apart or len(_asked(item)) == 1
+        together = _asked(item)
+        alone = apart or len(together) == 1
         for asked in item.parts:
-            yield CarriedPart(item.exercise.problem.code, asked.prompt.part.id, *_how(asked, alone))
+            no_room = not apart and _shows_pictures(asked) and asked not in together
+            how = ("", NO_ROOM) if no_room else _how(asked, alone)
+            yield CarriedPart(item.exercise.problem.code, asked.prompt.part.id, *how)
 
 
 def _how(asked: PartAsked, alone: bool) -> tuple[str, str]:
@@ -103,8 +108,16 @@ def _how(asked: PartAsked, alone: bool) -> tuple[str, str]:
 def _asked(item: LmsItem) -> Sequence[PartAsked]:
     """What can stand in one question; prose only where there is nothing else."""
     fields = [each for each in item.parts if isinstance(each, NumbersAsked | ChoiceAsked)]
+    if len(fields) > 1:
+        fields = [each for each in fields if not _shows_pictures(each)] or fields[:1]
     prose = [each for each in item.parts if isinstance(each, ProseAsked)]
     return fields or prose[:1]
+
+
+def _shows_pictures(asked: PartAsked) -> bool:
+    return isinstance(asked, ChoiceAsked) and any(
+        lifted(each.option.text).addresses for each in asked.options
+    )
 
 
 def _questions(name: str, item: LmsItem, apart: bool) -> Iterator[str]:
@@ -118,16 +131,16 @@ def _questions(name: str, item: LmsItem, apart: bool) -> Iterator[str]:
     for each in item.parts:
         if not isinstance(each, NotAsked):
             letter = each.prompt.part.heading_letter
-            yield _category_text(name, pool, f"({letter})")
+            yield category(name, pool, f"({letter})")
             yield _question(item, [each], f"({letter}), {item.number}")
 
 
 def _category(item: LmsItem, name: str, pool: str) -> Iterator[str]:
     if item.number == 1:
-        yield _category_text(name, pool)
+        yield category(name, pool)
 
 
-def _category_text(*path: str) -> str:
+def category(*path: str) -> str:
     text = escape("/".join(("$course$", "top", "Corollary", *path)))
     return f'<question type="category"><category><text>{text}</text></category></question>'
 
@@ -136,32 +149,39 @@ def _question(item: LmsItem, asked: Sequence[PartAsked], number: str) -> str:
     problem = item.exercise.problem
     head = [
         f"<name><text>{escape(f'{problem.code} {problem.title}, {number}')}</text></name>",
-        f'<generalfeedback format="html">{_text(tex_html(item.solution))}</generalfeedback>',
+        f'<generalfeedback format="html">{cdata(tex_html(item.solution))}</generalfeedback>',
     ]
-    stem = f"{tex_html(item.exercise.statement)}{_figure(item)}"
+    stem = f"{tex_html(item.exercise.statement)}{figure(item)}"
     match asked:
         case [NumbersAsked(components=("",)) as one]:
             kind, text, rest = (
                 "numerical",
-                f"{_words(one)}<p>{escape(_number_and_unit())}</p>",
+                f"{words(one)}<p>{escape(_number_and_unit())}</p>",
                 _numerical(one),
             )
         case [ChoiceAsked() as one]:
-            kind, text, rest = "multichoice", _words(one), _multichoice(one)
+            kind, text, rest = "multichoice", words(one), _multichoice(one)
         case [ProseAsked() as one]:
-            kind, text, rest = "essay", _words(one), _essay(one)
+            kind, text, rest = "essay", words(one), _essay(one)
         case _:
             size = size_of_points(asked)
-            fields = "".join(_words(each) + cloze(each, size) for each in asked)
+            fields = "".join(words(each) + cloze(each, size) for each in asked)
             kind, text, rest = "multianswer", f"<p>{escape(_numbers_only())}</p>{fields}", []
     if kind != "multianswer":
         rest = [f"<defaultgrade>{asked[0].prompt.out_of:g}</defaultgrade>", *rest]
-    question = f'<questiontext format="html">{_text(stem + text)}{_figure_file(item)}</questiontext>'
+    question = question_text(item, stem + text)
     penalty = "<penalty>0</penalty>"
     return "\n".join([f'<question type="{kind}">', *head, question, penalty, *rest, "</question>"])
 
 
-def _words(asked: PartAsked) -> str:
+def question_text(item: LmsItem, html: str) -> str:
+    """The text of a question, with the figure and the pictures that it shows."""
+    text, pictures = as_files(html, PLACE)
+    figure_file = {item.figure_name: drawing_file(item.exercise)} if item.figure_name else {}
+    return f'<questiontext format="html">{cdata(text)}{_files(figure_file | pictures)}</questiontext>'
+
+
+def words(asked: PartAsked) -> str:
     part = asked.prompt.part
     return f"<h4>({part.heading_letter}) {tex_inline(part.title)}</h4>{tex_html(asked.prompt.text)}"
 
@@ -197,18 +217,20 @@ def _numerical(asked: NumbersAsked) -> list[str]:
 
 
 def _multichoice(asked: ChoiceAsked) -> list[str]:
-    answers = [
-        f'<answer fraction="{_grade(each.share):g}" format="html">{_text(tex_inline(each.option.text))}'
-        f"{_feedback(each.feedback)}</answer>"
-        for each in asked.options
-    ]
+    answers: list[str] = []
+    for each in asked.options:
+        text, files = as_files(tex_inline(each.option.text), PLACE)
+        answers.append(
+            f'<answer fraction="{_grade(each.share):g}" format="html">{cdata(text)}{_files(files)}'
+            f"{_feedback(each.feedback)}</answer>"
+        )
     rest = "<single>true</single><shuffleanswers>false</shuffleanswers><answernumbering>abc</answernumbering>"
     return [rest, *answers]
 
 
 def _essay(asked: ProseAsked) -> list[str]:
     rubric = "".join(f"<li>{tex_inline(each)}</li>" for each in asked.rubric)
-    info = f'<graderinfo format="html">{_text(f"<ul>{rubric}</ul>" if rubric else "")}</graderinfo>'
+    info = f'<graderinfo format="html">{cdata(f"<ul>{rubric}</ul>" if rubric else "")}</graderinfo>'
     return ["<responseformat>editor</responseformat><responserequired>1</responserequired>", info]
 
 
@@ -218,28 +240,24 @@ def _grade(share: float) -> float:
 
 
 def _feedback(text: str) -> str:
-    return f'<feedback format="html">{_text(tex_html(text))}</feedback>' if text else ""
+    return f'<feedback format="html">{cdata(tex_html(text))}</feedback>' if text else ""
 
 
-def _figure(item: LmsItem) -> str:
+def figure(item: LmsItem) -> str:
     if not item.exercise.figure:
         return ""
     alt = escape(item.exercise.figure_alt, {'"': "&quot;"})
-    return f'<p><img src="@@PLUGINFILE@@/{_figure_name(item)}" alt="{alt}"></p>'
+    return f'<p><img src="{PLACE}{item.figure_name}" alt="{alt}"></p>'
 
 
-def _figure_name(item: LmsItem) -> str:
-    return f"{item.exercise.problem.name}-{item.number}.svg"
+def _files(files: Mapping[str, bytes]) -> str:
+    return "".join(
+        f'<file name="{name}" path="/" encoding="base64">{base64.b64encode(raw).decode()}</file>'
+        for name, raw in files.items()
+    )
 
 
-def _figure_file(item: LmsItem) -> str:
-    if not item.exercise.figure:
-        return ""
-    svg = on_paper(str(drawing(item.exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1))
-    return f'<file name="{_figure_name(item)}" path="/" encoding="base64">{base64.b64encode(svg.encode()).decode()}</file>'
-
-
-def _text(html: str) -> str:
+def cdata(html: str) -> str:
     return f"<text><![CDATA[{html.replace(']]>', ']]&gt;')}]]></text>"
 
 

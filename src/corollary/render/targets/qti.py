@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
-from corollary.figure.paper import on_paper
 from corollary.messages import catalogue
 from corollary.render.exports import CarriedPart, ItemFiles, Target
 from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
-from corollary.render.page import drawing
+from corollary.render.page import drawing_file
+from corollary.render.pictures import as_files
 from corollary.render.qti_processing import float_text, processing
 from corollary.render.qti_text import block, inline
 from corollary.render.targets.feedback_zip import write_archive
@@ -32,6 +32,7 @@ LOST = (
     "figures are not counted: what is rounded to fewer than three is right or wrong as its value is",
     "a decimal comma is not a number in QTI; the question says so",
     "units that are typed: a field takes a number",
+    "a field left blank is 0 in some players, right where 0 is",
 )
 """What no item carries."""
 
@@ -41,16 +42,15 @@ def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
     files: dict[str, bytes] = {}
     sections: dict[str, list[str]] = {}
     for item in items:
-        figure = _figure_name(item)
-        if figure:
-            svg = str(drawing(item.exercise)).replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
-            files[figure] = on_paper(svg).encode()
+        if item.figure_name:
+            files[item.figure_name] = drawing_file(item.exercise)
         problem = item.exercise.problem
         asked = [each for each in item.parts if not isinstance(each, NotAsked)]
         for parts, end in [([each], f"-{each.prompt.part.id}") for each in asked] if apart else [(asked, "")]:
             if parts:
                 file = f"{problem.name}{end}-{item.number}.xml"
-                files[file] = _item(item, parts, file.removesuffix(".xml")).encode()
+                text, pictures = as_files(_item(item, parts, file.removesuffix(".xml")))
+                files |= {file: text.encode()} | pictures
                 sections.setdefault(f"{problem.code} {problem.title}{end}", []).append(file)
     files["test.xml"] = _test(name, sections).encode()
     files["imsmanifest.xml"] = _manifest(name, files).encode()
@@ -159,12 +159,8 @@ def _asked(asked: PartAsked) -> str:
             return f'{words}<extendedTextInteraction responseIdentifier="{names[0]}" expectedLines="8"/>'
 
 
-def _figure_name(item: LmsItem) -> str:
-    return f"{item.exercise.problem.name}-{item.number}.svg" if item.exercise.figure else ""
-
-
 def _figure(item: LmsItem) -> str:
-    name = _figure_name(item)
+    name = item.figure_name
     return f"<p><img src={quoteattr(name)} alt={quoteattr(item.exercise.figure_alt)}/></p>" if name else ""
 
 
@@ -186,7 +182,7 @@ def _test(name: str, sections: Mapping[str, Sequence[str]]) -> str:
 
 def _manifest(name: str, files: Mapping[str, bytes]) -> str:
     items = [file for file in files if file.endswith(".xml") and file != "test.xml"]
-    figures = [file for file in files if file.endswith(".svg")]
+    figures = [file for file in files if not file.endswith(".xml")]
     resources = "".join(
         f'<resource identifier="item-{at}" type="imsqti_item_xmlv2p1" href="{file}"><file href="{file}"/></resource>'
         for at, file in enumerate(items, 1)

@@ -18,48 +18,61 @@ function bytes(text) {
   for (let i = 0; i < found.length; i += 1) found[i] = letters.charCodeAt(i);
   return found;
 }
+const unpacked = text => new Blob([bytes(text)]).stream().pipeThrough(new DecompressionStream("gzip"));
 let python = null;
+// Python goes on from a memory in which it has begun already, where there is one beside the page; else it begins here.
 function reader() {
   python ??= (async () => {
-    await Promise.all(["pyodide.js", "program.js", "binary.js", "library.js", "lock.js", "reading.js"].map(name => load(`pyodide/${name}`)));
-    const given = {"pyodide.asm.wasm": [pyodideData.binary, "application/wasm"], "python_stdlib.zip": [pyodideData.library, "application/zip"]};
+    const memory = load("pyodide/snapshot.js").then(() => new Response(unpacked(pyodideData.snapshot)).arrayBuffer()).catch(() => null);
+    await Promise.all(["pyodide.js", "program.js", "binary.js", "library.js", "lock.js"].map(name => load(`pyodide/${name}`)));
     globalThis.fetch = async address => {
-      const [text, type] = given[String(address.url || address).split("/").pop()] || [];
-      return text ? new Response(bytes(text), {headers: {"Content-Type": type}}) : new Response("", {status: 404});
+      const name = String(address.url || address).split("/").pop();
+      if (name === "pyodide.asm.wasm") return new Response(unpacked(pyodideData.binary), {headers: {"Content-Type": "application/wasm"}});
+      if (name === "python_stdlib.zip") return new Response(bytes(pyodideData.library), {headers: {"Content-Type": "application/zip"}});
+      return new Response("", {status: 404});
     };
-    const made = await loadPyodide({indexURL: "memory:/", stdLibURL: "memory:/python_stdlib.zip", createPyodideModule: pyodideProgram, lockFileContents: pyodideData.lock, checkAPIVersion: false});
-    pyodideData.binary = pyodideData.library = null;
+    const options = {indexURL: "memory:/", stdLibURL: "memory:/python_stdlib.zip", createPyodideModule: pyodideProgram, lockFileContents: pyodideData.lock, checkAPIVersion: false};
+    const found = await memory;
+    if (found) try {
+      return (await loadPyodide({...options, _loadSnapshot: found})).globals.get("answered");
+    } catch (error) { console.warn(error); } // a browser that cannot go on from it
+    await load("pyodide/reading.js");
+    const made = await loadPyodide(options);
     made.runPython(pyodideData.reading.start);
     return made.globals.get("begin")(JSON.stringify(pyodideData.reading));
   })();
   return python;
 }
-const escaped = text => { const node = document.createElement("p"); node.textContent = text; return node.outerHTML; };
+setTimeout(reader, 50); // while the reader still reads
+const escaped = text => { const node = document.createElement("p"); node.textContent = text; return node.innerHTML; };
+
+// What an author says stands in the file as HTML; the rest of a sentence is text, in which *a word* may be stressed.
+function shown(text, said) {
+  const found = Object.keys(said).filter(each => each && text.includes(each)).sort((one, two) => two.length - one.length)[0];
+  if (!found) return escaped(text).replace(/\*([^*]+)\*/g, "<em>$1</em>");
+  const at = text.indexOf(found);
+  return shown(text.slice(0, at), said) + said[found] + shown(text.slice(at + found.length), said);
+}
 
 async function ask(what) {
   await load(`exercises/${what.code}.js`);
   const all = exercises[what.code], its = all[what.turn % all.length];
-  const part = its.parts[what.part];
+  const python = async (kind, given) => JSON.parse((await reader())(kind, its.key, what.part, JSON.stringify(given)));
   switch (what.ask) {
-    case "exercise":
-      setTimeout(reader, 50);
-      return {html: its.html, judged: its.judged};
+    case "exercise": return {html: its.html, judged: its.judged};
     case "motion": return {html: its.motion};
     case "step": return {html: its.steps[what.place], last: what.place + 1 >= its.steps.length};
     case "hint": {
-      const order = Object.keys(its.parts), known = order.findIndex(each => !what.right.includes(each));
-      const hints = part.hints[known < 0 ? order.length : known];
-      return {html: hints[what.place] || ""};
+      const hints = its.hints[what.part], order = Object.keys(its.hints), known = order.findIndex(each => !what.right.includes(each));
+      return {html: hints[known < 0 ? order.length : known][what.place] || ""};
     }
-    case "read": {
-      if (!part.asked) return {ok: true, text: ""};
-      return JSON.parse((await reader())("read", JSON.stringify(part.asked), JSON.stringify(what.answer)));
-    }
+    case "read": return its.read.includes(what.part) ? python("read", what.answer) : {ok: true, text: ""};
     case "judge": {
-      if (!part.asked) return {html: verdicts.compare, right: false, person: true};
-      const got = JSON.parse((await reader())("judge", JSON.stringify(part.asked), JSON.stringify(what.answers[what.part] ?? "")));
-      const said = got.word === "right" ? "" : part.said[got.text] || escaped(got.text);
-      return {html: verdicts[got.word].replace("</div>", `${said}</div>`), right: got.word === "right", person: got.word === "unmarked"};
+      if (!its.judged.includes(what.part)) return {html: verdicts.compare, right: false, person: true};
+      const got = await python("judge", what.answers);
+      const advice = got.word === "wrong" && its.advice[what.part] || "";
+      const said = got.word === "right" ? "" : `<p>${shown(got.text, its.said)} ${advice}</p>`;
+      return {html: verdicts[got.word].replace("</div>", `${said}</div>`), right: got.known, person: got.word === "unmarked"};
     }
   }
 }

@@ -178,6 +178,8 @@ async function showStep() {
     now.helped = true;
     if (got.last) {
       button.hidden = true;
+      step.tabIndex = -1;
+      step.focus({preventScroll: true}); // where the button was that goes: a keyboard begins no page anew
       showMotion();
       const mine = stored()[now.code] || {};
       keep(now.code, {box: 0, due: Date.now() + REST[0], shown: (mine.shown || 0) + 1});
@@ -204,6 +206,7 @@ function next() {
   begin(chosen.dataset.code);
 }
 
+addEventListener("beforeprint", () => { for (const words of sheet.querySelectorAll(".motion details")) words.open = true; }); // paper moves nothing
 for (const button of problems) button.addEventListener("click", () => begin(button.dataset.code));
 document.getElementById("next").addEventListener("click", next);
 document.getElementById("forget").addEventListener("click", () => {

@@ -1,7 +1,6 @@
 """One notebook from first cell to last: run each, collect its outputs, send the answers it changed; then call its functions."""
 
 import getpass
-import importlib
 import os
 import signal
 import sys
@@ -18,6 +17,7 @@ MOST_PICTURES = 40  # of one notebook: each figure is kept until it is drawn
 _MOST_CALL_OUTPUT = 10_000
 _NEARLY = 0.95  # the two clocks, the grader's and this one, do not start at the same moment
 _now = time.monotonic
+_library_folders = set()  # looked into before any notebook ran: no notebook can write there
 _set_handler = signal.signal
 
 
@@ -86,12 +86,13 @@ def warm_up(shell, outputs, sources):
     for index, source in enumerate(sources):
         pack(_run_cell(session, index, source)[0])
     figures.on_show.clear()
+    _library_folders.update(sys.path_importer_cache)
 
 
 def _run_cell(session, index, source):
     session.outputs.start()
     session.figures = []
-    importlib.invalidate_caches()  # a module that the cell before wrote can be imported at once
+    _forget_folders()
     error = ""
     values = {}
     _restore_streams(session)
@@ -124,6 +125,14 @@ def _run_cell(session, index, source):
     without_outputs = {**frame, "outputs": []}
     bare = {**without_outputs, "figures": [], "error": "the cell's error cannot be shown", "values": {}}
     return frame, without_outputs, {**without_outputs, "figures": []}, bare
+
+
+def _forget_folders():
+    """A module that the cell before wrote can then be imported at once. (importlib.invalidate_caches goes through all folders.)"""
+    for folder in sys.path_importer_cache.keys() - _library_folders:
+        forget = getattr(sys.path_importer_cache[folder], "invalidate_caches", None)
+        if forget is not None:
+            forget()
 
 
 def _changed(session):

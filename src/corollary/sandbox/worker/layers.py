@@ -42,6 +42,7 @@ class Layers:
         self.ruleset = None
         self.filter = None
         self.signals_scoped = False
+        self.address_space = 0  # bytes of it that the zygote takes, and with it every worker at its birth
         self._status = self.maps = None
 
     def status(self, field):
@@ -99,7 +100,8 @@ def prepare(isolation, config):
     try:
         if "seccomp" in config["without"]:
             raise seccomp.NoSeccomp(_LEFT_OUT)
-        isolation.filter = seccomp.compile_filter(isolation.namespaces or isolation.signals_scoped)
+        harmless = isolation.namespaces or isolation.signals_scoped
+        isolation.filter = libc.Filter(seccomp.compile_filter(harmless))
         why = _why_not(lambda: (libc.prctl(libc.PR_SET_NO_NEW_PRIVS, 1), libc.load_filter(isolation.filter)))
         if why is not None:
             raise seccomp.NoSeccomp(why)

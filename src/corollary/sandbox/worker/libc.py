@@ -76,14 +76,18 @@ def drop_capabilities():
     _checked(_libc.capset(header, (ctypes.c_uint32 * 6)()), "dropping capabilities")
 
 
-def load_filter(program):
-    """Puts a compiled seccomp program (bytes of 8-byte instructions) in force, for good."""
+class Filter(ctypes.Structure):
+    """A compiled seccomp program (bytes of 8-byte instructions), laid out once as the kernel reads it."""
 
-    class FilterProgram(ctypes.Structure):
-        _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_void_p))
+    _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_void_p))
 
-    instructions = ctypes.create_string_buffer(program, len(program))
-    compiled = FilterProgram(len(program) // 8, ctypes.addressof(instructions))
+    def __init__(self, program):
+        self._instructions = ctypes.create_string_buffer(program, len(program))
+        super().__init__(len(program) // 8, ctypes.addressof(self._instructions))
+
+
+def load_filter(compiled):
+    """Puts a `Filter` in force, for good."""
     prctl(PR_SET_SECCOMP, _SECCOMP_MODE_FILTER, ctypes.addressof(compiled))
 
 

@@ -51,6 +51,7 @@ def serve(config):
     if isolation.maps is not None:
         memory.use_huge_pages(isolation.maps)
         os.close(isolation.maps)
+    isolation.address_space = isolation.status("VmSize") * 1024
     ready = {
         "t": "ready",
         "missing": isolation.missing,

@@ -28,7 +28,7 @@ ROOM = STAGES + 2
 # The first step goes with the eighth root of the tolerance, the order of the method: two runs that began alike would share the errors
 # of their first steps, and their difference would not show them.
 FIRST_STEP, LONGEST_FIRST = 5.6, 0.5
-# Into so many parts a step is divided in which a force may rise between two falls.
+# Into so many parts a step is divided in which a force may rise between two falls, or fall between two rises.
 PARTS = 4
 # Centres nearer than this share of the reach: no contact law means anything there, and the turning, which grows as the inverse
 # square of the distance, would leave doubles less than the twelve digits that are promised.
@@ -159,8 +159,9 @@ def follow(y, groups, tolerance, most, room):
         if max(top_overlap, whole(after[W], s)) * thickness > 1.0 - NEAREST:
             return TOO_SOFT, top_overlap, top_force, spent
         rising, falling, parts = force_growth(y, groups), force_growth(after, groups), 1
-        if y[P] > 0.0 >= max(rising, falling):
-            # The drag fades first and the spring takes over: within one long step the force may fall, rise, and fall again.
+        if y[P] > 0.0 and (max(rising, falling) <= 0.0 or (min(rising, falling) > 0.0 > after[P])):
+            # The drag fades first and the spring takes over: within one long step the force may fall, rise, and fall again; or it rises
+            # to its maximum and falls until the drag pulls.
             parts = PARTS
         for i in range(1, parts + 1):
             here, growth = i * length / parts, falling

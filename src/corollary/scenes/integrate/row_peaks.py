@@ -10,7 +10,7 @@ push, slope, step, TIME = law.push, law.slope, law.step, law.TIME
 whole, falls_through_zero = stages.whole, stages.falls_through_zero
 EVALUATIONS, STAGES = stages.EVALUATIONS, stages.STAGES
 
-# Into so many parts a step is divided in which a force may rise between two falls.
+# Into so many parts a step is divided in which a force may rise between two falls, or fall between two rises.
 PARTS = 4
 
 
@@ -79,8 +79,10 @@ def largest_force(j, variable, power, x, h, start, y, after, base, first, last, 
     slope(TIME, 1, 0.0, after, here, first, last, touching, row)
     begins, ends, spent = force_growth(y, base, j, row), force_growth(after, here, j, row), 1
     parts, hardest = 1, 0.0
-    if y[2 * j] - y[2 * j + 2] > 0.0 >= max(begins, ends):
-        # The dashpot fades first and the spring takes over: within one long step the force may fall, rise, and fall again.
+    closing, opening = y[2 * j] - y[2 * j + 2] > 0.0, after[2 * j] - after[2 * j + 2] < 0.0
+    if closing and (max(begins, ends) <= 0.0 or (opening and min(begins, ends) > 0.0)):
+        # The dashpot fades first and the spring takes over: within one long step the force may fall, rise, and fall again; or it rises
+        # to its maximum and falls until the dashpot pulls.
         parts = PARTS
     for i in range(1, parts + 1):
         rising, falling = begins, ends

@@ -12,6 +12,7 @@ from corollary.scenes.definition import SceneDefinition, Setting, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.bounce import bounce, depth_of
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found
+from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import BETA, CONSERVED, FADES, damped, swings, undamped
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import NEVER_PART, BadSetting, Model, Observed, Run, by_relative_errors
@@ -104,6 +105,20 @@ def stepped(settings: Mapping[str, Observed], tolerance: float) -> Run | None:
     return _damped(m, Contact(k, q, eta), math.sqrt(square), g, tolerance)
 
 
+def proven(settings: Mapping[str, Observed]) -> Run:
+    """A damped contact enclosed in balls, every value with a bound."""
+    contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
+    mass, g = one(settings, "m"), one(settings, "g")
+    fall = one(settings, "y0") - one(settings, "R")
+    deep = depth_of(contact, mass, math.sqrt(one(settings, "v0") ** 2 + 2.0 * g * fall), g)
+
+    def enclosed() -> Evaluated:
+        r, y0, v0 = balls(settings, "R", "y0", "v0")
+        return collisions.on_a_floor(mass, contact, y0 - r, v0, g, deep)
+
+    return found(enclosed, collisions.PRECISIONS)
+
+
 def _damped(m: float, contact: Contact, speed: float, g: float, tolerance: float) -> Run:
     if not math.isfinite(speed):
         raise OverflowError
@@ -168,4 +183,6 @@ def _overdamped(m: float, contact: Contact, speed: float, g: float, change: floa
     return replace(overdamped, warnings=(NEVER_PART,))
 
 
-SCENE = SceneDefinition("a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play)
+SCENE = SceneDefinition(
+    "a ball meets the floor: contact force k overlap^q, weight included", SETTINGS, play, proven
+)

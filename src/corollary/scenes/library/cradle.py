@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.scenes.collision import collide
+from corollary.scenes.collision import caught_between, collide
 from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.certain import found
+from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import collision
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import BadSetting, Observed, Run, by_relative_errors
@@ -23,6 +24,18 @@ SETTINGS = (
     Setting("balls_in", "number of balls that come in together", "1", 1.0, least=1.0, whole=True),
 )
 
+# What can be enclosed in some ten seconds: so many balls, none so many times lighter than those that it lies between (benchmarks/proven.py).
+MOST_PROVEN, MOST_THROWN = 6, 20.0
+
+
+def _row(settings: Mapping[str, Observed]) -> tuple[tuple[float, ...], int]:
+    """The masses, and how many balls come in. Raises BadSetting."""
+    count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
+    masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
+    if coming >= count:
+        raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
+    return masses, coming
+
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     """Velocities after the last opening, time from the first touch until then, the largest overlap and force of any pair.
@@ -30,10 +43,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     The cradle is scaled to mass, force constant and speed one, so cradles that differ only in these share one collision.
     """
     q, k, v0 = (one(settings, name) for name in ("q", "k", "v0"))
-    count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
-    masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
-    if coming >= count:
-        raise BadSetting(f"cradle: balls_in = {coming}, but of {count} balls at least one must be hit.")
+    masses, coming = _row(settings)
+    count = len(masses)
     if count == 2:
         row(settings, "gaps", 1, "gaps")  # however far apart, the collision is the same
         pair = found(lambda: collision((masses[0], masses[1]), (v0, 0.0), Contact(k, q)))
@@ -69,4 +80,23 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     )
 
 
-SCENE = SceneDefinition("Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play)
+def proven(settings: Mapping[str, Observed]) -> Run:
+    """The same enclosed in balls, every value with a bound. Raises BadSetting for long rows, and for light balls between heavy ones."""
+    masses, coming = _row(settings)
+    count, v0 = len(masses), one(settings, "v0")
+    if count > MOST_PROVEN:
+        raise BadSetting(
+            f"cradle: --proven takes minutes for {count} balls; ask for {MOST_PROVEN} at most, or leave it out."
+        )
+    if caught_between(masses) > MOST_THROWN:
+        raise BadSetting(
+            "cradle: a light ball thrown to and fro between heavier ones cannot be enclosed; leave out --proven, or make it heavier."
+        )
+    velocities, gaps = (v0,) * coming + (0.0,) * (count - coming), row(settings, "gaps", count - 1, "gaps")
+    k, q = one(settings, "k"), one(settings, "q")
+    return found(lambda: collisions.row(masses, velocities, gaps, k, q), collisions.PRECISIONS)
+
+
+SCENE = SceneDefinition(
+    "Newton's cradle: N balls in a row, contact force k overlap^q", SETTINGS, play, proven
+)

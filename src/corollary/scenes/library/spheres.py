@@ -7,9 +7,11 @@ from collections.abc import Mapping
 
 from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
-from corollary.scenes.integrate.single_contact import follow
+from corollary.scenes.integrate.single_contact import follow, groups_of
 from corollary.scenes.models.certain import found
-from corollary.scenes.models.pair import Pair, Parting, Touching, Vector, after_parting, collision, meet
+from corollary.scenes.models.pair import Pair, Parting, Touching, Vector, after_parting, meet
+from corollary.scenes.models.pair_outcome import collision
+from corollary.scenes.models.proven import collisions
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
 SETTINGS = (
@@ -34,15 +36,29 @@ def play(settings: Mapping[str, Observed], tolerance: float, *, in_steps: bool =
 
     Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step.
     """
+    return collided(*_bodies(settings), tolerance, in_steps=in_steps).only(NAMES)
+
+
+def _bodies(settings: Mapping[str, Observed]) -> tuple[float, float, float, Contact, Vector, Vector, Vector]:
+    """Masses, reach, contact, B seen from A, velocities. Raises BadSetting."""
     ma, mb, reach = one(settings, "mA"), one(settings, "mB"), 2.0 * one(settings, "R")
     va, vb = row(settings, "vA", 2, "components"), row(settings, "vB", 2, "components")
     contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
     apart = one(settings, "dx"), one(settings, "dy")
     if apart == (0.0, 0.0):
         raise BadSetting("spheres: dx = dy = 0 puts one centre on the other; start them apart.")
-    return collided(
-        ma, mb, reach, contact, apart, (va[0], va[1]), (vb[0], vb[1]), tolerance, in_steps=in_steps
-    ).only(NAMES)
+    return ma, mb, reach, contact, apart, (va[0], va[1]), (vb[0], vb[1])
+
+
+def proven(settings: Mapping[str, Observed]) -> Run:
+    """The same enclosed in balls, every value with a bound."""
+    ma, mb, reach, contact, apart, va, vb = _bodies(settings)
+    pair = Pair(ma, mb, apart, (vb[0] - va[0], vb[1] - va[1]), reach, contact, (va, vb))
+    met = meet(pair)
+    assert met is not None  # what never touches is known without steps
+    _, depth, speed = groups_of(pair, met)
+    enclosed = found(lambda: collisions.spheres(pair, (va, vb), depth, speed), collisions.PRECISIONS)
+    return enclosed.only(NAMES)
 
 
 def stepped(settings: Mapping[str, Observed], tolerance: float) -> Run:
@@ -122,4 +138,4 @@ def _twice(pair: Pair, met: Touching, tolerance: float) -> tuple[Parting, float,
     return fine, SAFE * max(*seen, 5e-15, LUCK * tolerance), coarse.evaluations + fine.evaluations
 
 
-SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play)
+SCENE = SceneDefinition("two spheres collide in a plane, with or without damping", SETTINGS, play, proven)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import acb, arb
+from flint import acb, acb_poly, arb
 
 from corollary.scenes.forces.contact import Contact, smoothing_power
 from corollary.scenes.models.certain import double_of, geometric, integral, root
@@ -52,9 +52,17 @@ def bounce(contact: Contact, mass: arb, speed: arb, weight: arb) -> Hit:
     top = deepest(contact, mass, speed, weight)
     square, fall = acb(speed * speed), acb(2 * weight * top)
 
+    powers = s * (q + 1.0), s * q
+    whole = all(each == round(each) for each in powers)
+    sums = acb_poly([square] * round(powers[0])) + acb_poly([0] * s + [fall] * round(powers[1]))
+
     def per_y(y: acb, analytic: bool) -> acb:
         w = 1 - y * y
-        rate = square * geometric(w, s * (q + 1.0), analytic) + fall * w**s * geometric(w, s * q, analytic)
+        if whole:
+            rate = sums(w)
+        else:
+            rate = square * geometric(w, powers[0], analytic)
+            rate += fall * w**s * geometric(w, powers[1], analytic)
         return w ** (s - 1) / rate.sqrt(analytic=analytic)
 
     duration = 4 * s * top * integral(per_y, arb(0), arb(1))

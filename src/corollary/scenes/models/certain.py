@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from flint import acb, arb, ctx
@@ -40,13 +40,14 @@ class Evaluated:
     warnings: tuple[str, ...] = ()
 
 
-def found(compute: Callable[[], Evaluated]) -> Run:
+def found(compute: Callable[[], Evaluated], precisions: Iterable[int] | None = None) -> Run:
     """The values as the doubles next to them, each with a proven bound. `compute` works at the precision that is set.
 
-    A value beyond the doubles is left out, and a warning says what it is. Raises GuardFailed when no precision decides what happens.
+    `precisions` (bits) are tried in turn; twice as many each time, if none are named. A value beyond the doubles is left out, and a
+    warning says what it is. Raises GuardFailed when no precision decides what happens.
     """
-    bits, last = FIRST_BITS, None
-    while bits <= MOST_BITS:
+    last = None
+    for bits in _doubled() if precisions is None else precisions:
         with precision_of(bits):
             try:
                 last = compute()
@@ -54,7 +55,8 @@ def found(compute: Callable[[], Evaluated]) -> Run:
                 last = None
             if last is not None and all(_known(each, bits) for each in last.values.values()):
                 break
-        bits *= 2
+    if last is None and precisions is not None:
+        raise GuardFailed("So many digits do not enclose this motion, which hangs strongly on its start.")
     if last is None:
         raise GuardFailed(
             "These settings lie on the very edge between two outcomes; move one of them by a little."
@@ -71,22 +73,26 @@ def found(compute: Callable[[], Evaluated]) -> Run:
     return Run(measured, 0, last.outcome, tuple(warnings))
 
 
-def double_of(compute: Callable[[], arb]) -> float:
-    """One number as the double next to it. Raises GuardFailed when no precision tells it, OverflowError when no double holds it."""
+def _doubled() -> Iterator[int]:
     bits = FIRST_BITS
     while bits <= MOST_BITS:
+        yield bits
+        bits *= 2
+
+
+def double_of(compute: Callable[[], arb]) -> float:
+    """One number as the double next to it. Raises GuardFailed when no precision tells it, OverflowError when no double holds it."""
+    for bits in _doubled():
         with precision_of(bits):
             try:
                 ball = compute()
             except MoreDigits:
-                bits *= 2
                 continue
             if _known(ball, bits):
                 value = float(ball.mid())
                 if not math.isfinite(value):
                     raise OverflowError
                 return value
-        bits *= 2
     raise GuardFailed("No precision tells this number; move one of the settings by a little.")
 
 

@@ -12,8 +12,6 @@ from corollary.scenes.forces.contact import Contact, smoothing_power
 from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.models.certain import (
     FIRST_BITS,
-    Balls,
-    Evaluated,
     MoreDigits,
     double_of,
     geometric,
@@ -21,13 +19,9 @@ from corollary.scenes.models.certain import (
     root,
     sign,
 )
-from corollary.scenes.run import BadSetting, GuardFailed, Model, Outcome
+from corollary.scenes.run import BadSetting, GuardFailed
 
 Vector = tuple[float, float]
-
-PASS = "the spheres pass each other"
-NO_DAMPING = "no damping: energy and angular momentum of the pair leave two integrals"
-CONSERVATION: tuple[Model, str] = "conservation", "no damping: momentum and energy are as at the start"
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +171,7 @@ def deepest(pair: Pair, met: Touching) -> float:
 def _deepest(pair: Pair, inward: arb, spin: arb) -> arb:
     """The root x of inward^2 = 2 k x^(q+1) / ((q+1) mass) + spin^2 (1/(D-x)^2 - 1/D^2)."""
     d, p = arb(pair.reach), arb(pair.contact.q) + 1
-    stiff, turning = 2 * arb(pair.contact.k) / (p * _mass(pair)), spin * spin
+    stiff, turning = 2 * arb(pair.contact.k) / (p * reduced_mass(pair)), spin * spin
     high = (inward * inward / stiff) ** (1 / p)
     nearest = d * (1 - arb(2) ** -20)
     if not sign(turning):
@@ -193,7 +187,8 @@ def _deepest(pair: Pair, inward: arb, spin: arb) -> arb:
     return root(lacking, high.lower() / 8, most) if lacking(most) > 0 else d
 
 
-def _mass(pair: Pair) -> arb:
+def reduced_mass(pair: Pair) -> arb:
+    """The reduced mass, in balls."""
     return 1 / (1 / arb(pair.mass_a) + 1 / arb(pair.mass_b))
 
 
@@ -217,7 +212,7 @@ def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb
     top = _deepest(pair, inward, spin)
     refuse_too_soft(float(top), pair.reach)
     near = acb(d - top)
-    stiff = acb(2 * arb(pair.contact.k) / ((arb(q) + 1) * _mass(pair)) * top ** (arb(q) + 1))
+    stiff = acb(2 * arb(pair.contact.k) / ((arb(q) + 1) * reduced_mass(pair)) * top ** (arb(q) + 1))
     turning = acb(spin * spin * top)
 
     def pace(y: acb, analytic: bool) -> tuple[acb, acb]:
@@ -235,55 +230,3 @@ def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb
     lasted = 4 * s * top * integral(lambda y, analytic: pace(y, analytic)[0], arb(0), arb(1))
     turned = 4 * s * top * spin * integral(turning_rate, arb(0), arb(1)) if sign(spin) else arb(0)
     return top, turned, lasted
-
-
-def collision(pair: Pair, va: Vector, vb: Vector) -> Evaluated:
-    """Everything observed of two spheres that meet from outside without damping, or pass each other; `va`, `vb` are their velocities.
-
-    Raises BadSetting when the centres all but meet, MoreDigits for more digits.
-    """
-    a, b = tuple(map(arb, va)), tuple(map(arb, vb))
-    met = touch(pair)
-    if met is None:
-        return _seen(pair, "missed", (a, b), (arb(0), arb(0)), (arb(0), arb(0), arb(0)), PASS, "conservation")
-    top, turned, lasted = turned_and_lasted(pair, met.inward, met.spin)
-    c, s = turned.cos(), turned.sin()
-    x, y = met.direction
-    length = (x * x + y * y).sqrt()
-    nx, ny = (x * c - y * s) / length, (x * s + y * c) / length
-    across = met.spin / arb(pair.reach)
-    u, v = b[0] - a[0], b[1] - a[1]
-    change = met.inward * nx - across * ny - u, met.inward * ny + across * nx - v
-    force = arb(pair.contact.k) * top ** arb(pair.contact.q)
-    return _seen(pair, "released", (a, b), change, (top, force, lasted), NO_DAMPING, "quadrature")
-
-
-def _seen(
-    pair: Pair,
-    outcome: Outcome,
-    before: tuple[tuple[arb, ...], tuple[arb, ...]],
-    change: tuple[arb, arb],
-    contact: tuple[arb, arb, arb],
-    why: str,
-    model: Model,
-) -> Evaluated:
-    (ma, mb), mass, (a, b) = (arb(pair.mass_a), arb(pair.mass_b)), _mass(pair), before
-    impulse = tuple(mass * c for c in change)
-    then_a = tuple(v - j / ma for v, j in zip(a, impulse, strict=True))
-    then_b = tuple(v + j / mb for v, j in zip(b, impulse, strict=True))
-    had = (ma * (a[0] ** 2 + a[1] ** 2) + mb * (b[0] ** 2 + b[1] ** 2)) / 2
-    values: dict[str, Balls] = {
-        "velocities": (*then_a, *then_b),
-        "duration": contact[2],
-        "largest_overlap": contact[0],
-        "peak_force": contact[1],
-        "impulse": impulse,
-        # An undamped contact gives back what it took, whatever the quadratures say.
-        "energy_ratio": arb(1),
-        "impulses": (-impulse[0], -impulse[1], *impulse),
-        "momentum": tuple(ma * p + mb * q for p, q in zip(a, b, strict=True)),
-        "energy": had,
-    }
-    return Evaluated(
-        outcome, values, model, why, dict.fromkeys(("energy_ratio", "momentum", "energy"), CONSERVATION)
-    )

@@ -66,13 +66,13 @@ def certainly_positive(series: Array) -> NDArray[np.bool_]:
     return series[..., 0] > np.abs(series[..., 1:]).sum(axis=-1)
 
 
-def first_fall(value: Callable[[float], float], values: Array) -> tuple[float, float] | None:
-    """The first part of a step (0 to 1) on which `value` falls from above zero to zero or below, monotonously; none if it never does.
+def first_fall(values_at: Callable[[Array], Array], values: Array) -> tuple[float, float] | None:
+    """The first part of a step (0 to 1) on which a function falls from above zero to zero or below, monotonously; none if it never does.
 
-    `values` are those at POINTS. One that begins at or below zero and falls, falls at once: (0, 0). One that begins there and rises
+    `values` are those at POINTS, `values_at` gives them anywhere. One that begins at or below zero and falls, falls at once: (0, 0). One that begins there and rises
     is waited for until it is above.
     """
-    return _in_piece(value, coefficients(values), 0.0, 1.0, 0)
+    return _in_piece(values_at, coefficients(values), 0.0, 1.0, 0)
 
 
 def root_of(value: Callable[[float], float], left: float, right: float) -> float:
@@ -81,7 +81,7 @@ def root_of(value: Callable[[float], float], left: float, right: float) -> float
 
 
 def _in_piece(
-    value: Callable[[float], float], series: Array, left: float, right: float, resampled: int
+    values_at: Callable[[Array], Array], series: Array, left: float, right: float, resampled: int
 ) -> tuple[float, float] | None:
     largest = np.abs(series).max()
     if largest == 0.0:
@@ -89,8 +89,8 @@ def _in_piece(
     if abs(series[-1]) + abs(series[-2]) > RESOLVED * largest and resampled < MOST_RESAMPLED:
         middle = 0.5 * (left + right)
         for low, high in ((left, middle), (middle, right)):
-            values = np.array([value(low + (high - low) * x) for x in POINTS])
-            found = _in_piece(value, coefficients(values), low, high, resampled + 1)
+            values = values_at(low + (high - low) * POINTS)
+            found = _in_piece(values_at, coefficients(values), low, high, resampled + 1)
             if found:
                 return found
         return None

@@ -83,8 +83,10 @@ def _inside(scene: Scene, stretch: Stretch, along: Value) -> list[Turn]:
     while True:
         span = 1.0 - left
         scaled = lambda x, left=left, span=span, sign=sign: sign * along(stretch.at(left + x * span))  # noqa: E731
-        sampled = np.array([scaled(x) for x in POINTS.tolist()]) if left else sign * values
-        fall = first_fall(scaled, sampled)
+        several = lambda x, left=left, span=span, sign=sign: (  # noqa: E731
+            sign * np.array([along(y) for y in stretch.states(left + x * span)])
+        )
+        fall = first_fall(several, several(POINTS) if left else sign * values)
         if fall is None or fall[1] <= 0.0:
             return found
         low, high = fall

@@ -39,10 +39,17 @@ class Stretch:
         state: list[float] = self.dense(self.offset + part * self.lasts).tolist()
         return state
 
+    def states(self, parts: Array) -> list[list[float]]:
+        """The states after several parts of it, worked out at once."""
+        inside: list[list[float]] = self.dense(self.offset + parts * self.lasts).T.tolist()
+        return [
+            self.before if part <= 0.0 else self.after if part >= 1.0 else state
+            for part, state in zip(parts.tolist(), inside, strict=True)
+        ]
+
     def sampled(self) -> list[list[float]]:
         """The states at the points where events are looked for."""
-        inner: list[list[float]] = self.dense(self.offset + POINTS[1:-1] * self.lasts).T.tolist()
-        return [self.before, *inner, self.after]
+        return self.states(POINTS)
 
 
 @dataclass(frozen=True, slots=True)

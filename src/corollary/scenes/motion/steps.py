@@ -152,8 +152,13 @@ class Stepper:
             if ahead == 0.0:
                 break
             within = lambda x, one=one, ahead=ahead: one(begin + ahead * x * lasts, stretch.at(ahead * x))  # noqa: E731
-            sampled = values[i] if ahead == 1.0 else np.array([within(x) for x in POINTS.tolist()])
-            found = first_fall(within, sampled)
+            several = lambda x, one=one, ahead=ahead: np.array(  # noqa: E731
+                [
+                    one(begin + part * lasts, y)
+                    for part, y in zip((ahead * x).tolist(), stretch.states(ahead * x), strict=True)
+                ]
+            )
+            found = first_fall(several, values[i] if ahead == 1.0 else several(POINTS))
             if found is None:
                 continue
             left, right = found

@@ -24,7 +24,7 @@ from corollary.formula.exact import constant
 
 WORDS = (
     "as at by cofix do else end exists exists2 fix for forall fun if IF in let match mod open or return Set Prop SProp Type "
-    "then using where with R I E PI sqrt pow Rabs sin cos tan exp ln positive nonzero equations solved"
+    "then using where with R I E PI sqrt pow Rabs sin cos tan exp ln positive nonnegative nonzero equations solved"
 )
 RESERVED = frozenset(WORDS.split())  # by Coq, its library of real numbers, and our tactics
 HALF = Fraction(1, 2)
@@ -53,6 +53,12 @@ class Roots:
                 return self._root(inner)
             case Power(inner, exponent) if constant(exponent) == HALF:
                 return self._root(inner)
+            case Call("sin", (angle,)) if (half := _half(angle)) is not None:
+                parts = (self.without(Call(name, (half,))) for name in ("sin", "cos"))
+                return Product((Number(Fraction(2)), *parts))
+            case Call("cos", (angle,)) if (half := _half(angle)) is not None:
+                sine, cosine = (self.without(Call(name, (half,))) for name in ("sin", "cos"))
+                return Sum((Product((cosine, cosine)), Negative(Product((sine, sine)))))
             case Call("sin" | "cos", (angle,)):
                 sine, cosine = (self._letter(Call(name, (angle,))) for name in ("sin", "cos"))
                 circle = Relation(
@@ -86,6 +92,16 @@ class Roots:
             self.names.add(name)
             self.made[tree] = name
         return Name(self.made[tree])
+
+
+def _half(angle: Expr) -> Expr | None:
+    """Half of an angle that is written as a double one."""
+    two = Number(Fraction(2))
+    if not isinstance(angle, Product) or two not in angle.factors:
+        return None
+    place = angle.factors.index(two)
+    rest = (*angle.factors[:place], *angle.factors[place + 1 :])
+    return rest[0] if len(rest) == 1 else Product(rest)
 
 
 def coq_name(name: str) -> str:

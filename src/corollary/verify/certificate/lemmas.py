@@ -8,13 +8,14 @@ from fractions import Fraction
 from typing import Any
 
 from corollary.derive.solution import Solution, Unknown
-from corollary.formula.ast import Expr, Name, Relation, names, substitute
+from corollary.formula.ast import Expr, Name, Number, Product, Quotient, Relation, names, substitute, walk
 from corollary.formula.errors import Undefined
 from corollary.formula.text import text
 from corollary.polynomials.polynomial import TooLarge
 from corollary.polynomials.rational_function import RationalFunction
 from corollary.polynomials.translate import Translation
 from corollary.verify.certificate.coq import NotAlgebraic, Roots, coq, coq_name, number, polynomial
+from corollary.verify.certificate.from_roots import combined, zero
 from corollary.verify.obligations.box import Box
 from corollary.verify.obligations.obligation import Equations
 from corollary.verify.obligations.roots import only_roots
@@ -41,17 +42,21 @@ def lemmas(solution: Solution) -> Iterator[tuple[Unknown, list[Lemma]]]:
         try:
             if owed.equations is None:
                 raise NotAlgebraic(owed.open or "its laws are no algebraic equations")
-            step, (one, two) = StepInCoq(box, owed.equations), claims
-            yield find, [Lemma(*one, step.holds(one[0])), Lemma(*two, step.only(two[0]))]
+            step, put_in = StepInCoq(box, owed.equations), StepInCoq(box, owed.equations, put_in=True)
+            one, two = claims
+            yield find, [Lemma(*one, put_in.holds(one[0])), Lemma(*two, step.only(two[0]))]
         except (NotAlgebraic, TooLarge, Undefined, ValueError) as error:
             why = str(error) or "its polynomials are too large"
             yield find, [Lemma(*claim, why=why) for claim in claims]
 
 
 class StepInCoq:
-    """The equations of one step in letters of Coq, and what may be taken for granted about these. Raises NotAlgebraic."""
+    """The equations of one step in letters of Coq, and what may be taken for granted about these. Raises NotAlgebraic.
 
-    def __init__(self, box: Box, equations: Equations) -> None:
+    `put_in`: with what is found in place of the unknowns, in the laws.
+    """
+
+    def __init__(self, box: Box, equations: Equations, put_in: bool = False) -> None:
         every = [
             *equations.laws,
             *equations.where,
@@ -64,13 +69,15 @@ class StepInCoq:
         self.unknowns = [name for name in equations.unknowns if name in in_laws]
         self.roots = Roots(letters)
         put = self.roots.without
-        self.laws = [_of(put(each)) for each in equations.laws]
+        laws = [substitute(each, equations.meant) for each in equations.laws] if put_in else equations.laws
+        self.laws = [_of(put(each)) for each in laws]
         self.where = [_of(put(each)) for each in equations.where]
         self.meant = {name: put(tree) for name, tree in equations.meant.items() if name in self.unknowns}
         self.rejected = [
             {name: put(tree) for name, tree in each.items() if name in self.unknowns}
             for each in equations.rejected
         ]
+        self.by_division = ""
         self.bounds: list[str] = []
         self.low: dict[str, Fraction] = {}
         self.high: dict[str, Fraction] = {}
@@ -98,15 +105,10 @@ class StepInCoq:
         """The laws with what is found put in."""
         if set(self.unknowns) - self.meant.keys():
             raise NotAlgebraic("a letter of its laws is found nowhere")
-        goals = [
-            Relation("=", substitute(each.left, self.meant), substitute(each.right, self.meant))
-            for each in self.laws
-        ]
-        proof = [f"  {{ {self._identity(goal)} }}" for goal in goals]
-        split = "  repeat match goal with |- _ /\\ _ => split end.\n" if len(goals) > 1 else ""
-        return self._lemma(
-            name, [], " /\\\n    ".join(map(coq, goals)), split + "\n".join(proof), unknowns=()
-        )
+        proof = [f"  {{ {self._identity(goal)} }}" for goal in self.laws]
+        split = "  repeat match goal with |- _ /\\ _ => split end.\n" if len(self.laws) > 1 else ""
+        goal = " /\\\n    ".join(map(coq, self.laws))
+        return self._lemma(name, [], goal, split + "\n".join(proof), unknowns=())
 
     def only(self, name: str) -> str:
         """Whatever fulfils the laws and the conditions is what is found, or a root that is rejected in words."""
@@ -114,7 +116,7 @@ class StepInCoq:
             raise NotAlgebraic("it has several roots that are rejected in words")
         if not self.unknowns:
             raise NotAlgebraic("it was found with an earlier step")
-        given = [coq(each) for each in (*self.laws, *self.where)]
+        given = [coq(each) for each in (*self.laws, *self.where, *self._divided_by())]
         meanings = [self.meant, *self.rejected]
         if any(set(self.unknowns) - each.keys() for each in meanings):
             raise NotAlgebraic("a letter of its laws is found nowhere")
@@ -123,6 +125,15 @@ class StepInCoq:
             for each in meanings
         )
         return self._lemma(name, given, goal, self._uniqueness(), unknowns=self.unknowns)
+
+    def _divided_by(self) -> list[Relation]:
+        """The laws say nothing where they divide an unknown by zero; in Coq a quotient by zero is some number."""
+        bottoms = dict.fromkeys(
+            node.bottom for law in self.laws for node in walk(law) if isinstance(node, Quotient)
+        )
+        return [
+            Relation("!=", each, Number(Fraction(0))) for each in bottoms if names(each) & set(self.unknowns)
+        ]
 
     def _lemma(self, name: str, given: Sequence[str], goal: str, proof: str, unknowns: Sequence[str]) -> str:
         letters = [
@@ -139,10 +150,37 @@ class StepInCoq:
             + " "
             + " ".join(f"L{place}" for place in range(len(given)))
         )
+        proof = self._roots_as_polynomials(len(self.bounds) + len(self.conditions)) + proof
         return f"{remarks}Lemma {name} : {binder}{premises}    {goal}.\nProof.\n  intros {' '.join(letters)} {labels}.\n{proof}\nQed.\n"
 
-    def _identity(self, goal: Relation) -> str:
-        """That two sides are the same: as fractions, or for the squares of the roots."""
+    def _roots_as_polynomials(self, place: int) -> str:
+        """What is known of the squares of roots without quotients, of which nsatz makes nothing; `place` is the first one's."""
+        lines = [f"  subst {coq_name(name)}.\n" for name in self._put_into_roots()]
+        for at, known, gap in self._equations_of_roots():
+            lines.append(f"  {zero(f'R{at}', gap, coq(known.left), coq(known.right))}\n")
+            if not gap.bottom.is_constant():
+                lines.append(f"  clear K{place + at}.\n")
+        return "".join(lines)
+
+    def _put_into_roots(self) -> dict[str, Expr]:
+        """Unknowns that stand in a root, and that a law states outright."""
+        inside = frozenset[str]().union(*map(names, self.roots.known))
+        found = {name: self._stated_outright(name) for name in self.unknowns if name in inside}
+        return {name: self.laws[place].right for name, place in found.items() if place is not None}
+
+    def _equations_of_roots(self) -> Iterator[tuple[int, Relation, RationalFunction]]:
+        """What is known of the squares of roots, and of sines and cosines: its place, the equation, and left side less right side."""
+        put_in = self._put_into_roots()
+        for place, known in enumerate(self.roots.known):
+            if known.sign == "=":
+                each = _of(substitute(known, put_in))
+                yield place, each, self._fraction(each.left) - self._fraction(each.right)
+
+    def _from_roots(self, top: Any) -> str:
+        return combined(top, list(self._equations_of_roots()))
+
+    def _identity(self, goal: Relation, squared: bool = False) -> str:
+        """That two sides are the same: as fractions, for the squares of the roots, or because both are positive and their squares the same."""
         try:
             gap = self.translation.fraction(goal.left) - self.translation.fraction(goal.right)
         except KeyError:
@@ -151,8 +189,15 @@ class StepInCoq:
         if gap.top.is_zero() and not self.roots.made:
             return f"first [ ring | {as_fractions} ]."
         top, bottom = polynomial(gap.top), polynomial(gap.bottom)
+        by_roots = self._from_roots(gap.top)
+        if not by_roots and not squared and not gap.top.is_zero():
+            sides = Relation("=", Product((goal.left, goal.left)), Product((goal.right, goal.right)))
+            difference = self._fraction(sides.left) - self._fraction(sides.right)
+            if difference.top.is_zero() or self._from_roots(difference.top):
+                inner = self._identity(sides, squared=True).rstrip(".")
+                return f"apply Rsqr_inj; [ nonnegative | nonnegative | unfold Rsqr; {inner} ]."
         return (
-            f"first [ ring | {as_fractions} | apply Rminus_diag_uniq; assert (E : {top} = 0) by equations; "
+            f"first [ ring | {as_fractions} | apply Rminus_diag_uniq; assert (E : {top} = 0) by ({by_roots or 'equations'}); "
             f"replace ({coq(goal.left)} - {coq(goal.right)}) with ({top} / {bottom}) by (field; nonzero); rewrite E; "
             "unfold Rdiv; ring ]."
         )
@@ -166,21 +211,21 @@ class StepInCoq:
             lines += ["  repeat match goal with |- _ /\\ _ => split end."] if len(self.meant) > 1 else []
             for name, place in outright.items():
                 goal = Relation("=", self.laws[place].right, self.meant[name])
-                lines.append(f"  {{ rewrite L{place}. {self._identity(goal)} }}")
+                lines.append(f"  {{ try rewrite L{place}. {self._identity(goal)} }}")
             return "\n".join(lines)
         for place, law in enumerate(self.laws):
             gap = self._fraction(law.left) - self._fraction(law.right)
             tops.append(gap.top)
-            top, bottom = polynomial(gap.top), polynomial(gap.bottom)
-            left, right = coq(law.left), coq(law.right)
-            lines.append(
-                f"  assert (P{place} : {top} = 0).\n"
-                f"  {{ replace {top} with (({left} - {right}) * {bottom}) by (field; nonzero). replace ({left} - {right}) with 0 by lra. ring. }}"
-            )
-        for place, name in enumerate(self._divisors(tops)):
-            lines.append(
-                f"  assert (exists i, i * {name} = 1) as [i{place} J{place}] by (exists (/ {name}); apply Rinv_l; nonzero)."
-            )
+            lines.append(f"  {zero(f'P{place}', gap, coq(law.left), coq(law.right))}")
+        inverses = [
+            f"assert (exists i, i * {name} = 1) as [i{place} J{place}] by (exists (/ {name}); apply Rinv_l; nonzero)"
+            for place, name in enumerate(self._divisors(tops))
+        ]
+        self.by_division = ""
+        if len(self.unknowns) > 1:
+            lines += [f"  {each}." for each in inverses]
+        elif self.roots.made:  # else an equation can be solved without a division
+            self.by_division = "; ".join(inverses)
         if self.rejected:
             first = self.unknowns[0]
             meant, other = (self._off(first, each[first]) for each in (self.meant, self.rejected[0]))
@@ -204,9 +249,7 @@ class StepInCoq:
         return None
 
     def _divisors(self, tops: Sequence[Any]) -> list[str]:
-        """Givens that are never zero, and stand in the equations of more than one unknown: one may divide by them."""
-        if len(self.unknowns) < 2:
-            return []
+        """Givens that are never zero, and stand in the equations: one may divide by them."""
         used = {
             name
             for top in tops
@@ -222,15 +265,16 @@ class StepInCoq:
         off = self._off(name, tree)
         top, bottom = polynomial(off.top), polynomial(off.bottom)
         sides = f"{coq_name(name)} - {coq(tree)}"
+        solved = f"first [ solved | {self.by_division}; solved ]" if self.by_division else "solved"
         by_sign = ""
         if self.where:
             turned = self._fraction(Name(name)) + self._fraction(tree)
             by_sign = (
-                f" | assert (T : {top} * {polynomial(turned.top)} = 0) by solved; "
+                f" | assert (T : {top} * {polynomial(turned.top)} = 0) by {solved}; "
                 "destruct (Rmult_integral _ _ T) as [U | U]; [ exact U | first [ lra | nra ] ]"
             )
         return (
-            f"  {{ assert (Z : {top} = 0) by (first [ solved{by_sign} ]). apply Rminus_diag_uniq.\n"
+            f"  {{ assert (Z : {top} = 0) by (first [ {solved}{by_sign} ]). apply Rminus_diag_uniq.\n"
             f"    replace ({sides}) with ({top} / {bottom}) by (field; nonzero). rewrite Z. unfold Rdiv. ring. }}"
         )
 

@@ -14,7 +14,9 @@ Open Scope R_scope.
 
 Ltac positive := first [ lra | nra | apply Rmult_lt_0_compat; positive | apply Rplus_lt_0_compat; positive
   | apply Rdiv_lt_0_compat; positive ].
-Ltac nonzero := repeat split; try (first [ apply Rgt_not_eq; solve [ positive ] | apply Rlt_not_eq; solve [ positive ]
+Ltac nonnegative := first [ lra | nra | apply Rmult_le_pos; nonnegative | apply Rplus_le_le_0_compat; nonnegative
+  | apply Rle_mult_inv_pos; [ nonnegative | positive ] | left; positive ].
+Ltac nonzero := repeat split; try (first [ assumption | apply Rgt_not_eq; solve [ positive ] | apply Rlt_not_eq; solve [ positive ]
   | intro; nra ]).
 (* nsatz stumbles over inequalities among the hypotheses, and does not fail where it proves nothing *)
 Ltac equations := repeat match goal with

@@ -1,0 +1,45 @@
+"""Rest and motion in words, for one body or several: `A stops, B moves at 4 m/s`, `he is at rest`."""
+
+from __future__ import annotations
+
+import re
+
+NO: str = "not never neither nobody longer nicht kein nie ikke aldri ingen"
+DENIED = "".join(rf"(?<!\b{word} )" for word in NO.split())
+VERB = r"\b(?:is|are|was|be|stays?|remains?|keeps|comes? to|came to|comes|lies|has|gets|ist|sind|bleibt|bleiben|kommt|liegt|hat|er|blir|kommer|ligger|har)\s+"
+STILL = (  # in English, German and Norwegian
+    "at rest|to rest|stationary|motionless|zero velocity|no velocity|zero speed|stopped|in Ruhe|zur Ruhe|stehen|liegen|i ro|til ro|stille"
+)
+HALTS = "stops|stops dead|stands? still|does(?: not|n['’]t) move|(?:is )?not moving|isn['’]t moving|no motion|steht still|steht|ruht|ruhen|bewegt sich nicht"
+HALTS_NB = "stopper|står stille|står i ro|ligger stille|beveger seg ikke|er ikke i bevegelse"
+REST = re.compile(
+    rf"{DENIED}(?:(?:{VERB})(?:(?:still|immer noch|fortsatt)\s+)?)?\b(?:{HALTS}|{HALTS_NB}|{STILL})(?![^\W\d_])(?:\s+(?:yet|still))?",
+    re.IGNORECASE,
+)
+SUBJECT = re.compile(
+    r"\s*(?!not\b|no\b|never\b|both\b|all\b|neither\b)[^\W\d_]{1,12}(?: (?!not\b|never\b)[^\W\d_]{1,12})?\s+0\s*[.!]?\s*",
+    re.IGNORECASE,
+)
+MOVES = re.compile(
+    rf"\s+{DENIED}(?:(?:moves?|starts|goes|go|travels?|flies|runs?|rolls?|slides?|swings?|leaves|continues|recoils|bewegt sich|fliegt|rollt|läuft|fährt|gleitet|geht"
+    r"|beveger seg|går|fortsetter|ruller|glir|flyr)"
+    r"(?:\s+(?:on|off|away|back|weiter|zurück|videre|tilbake))?(?:\s+(?:at|with|by|mit|med))?(?:\s+(?:a |the )?(?:velocity|speed) of)?"
+    r"|(?:has|gets|keeps|hat|bekommt|behält|har|får)(?:\s+(?:a |the )?(?:velocity|speed)(?: of)?)?)\s+(?=[-+]?\s*[0-9.,])",
+    re.IGNORECASE,
+)
+
+
+def motion_in_numbers(text: str) -> str:
+    """The components of several bodies: `A stops, B moves at 4 m/s` as `A 0, B = 4 m/s`."""
+    return MOVES.sub(" = ", REST.sub(_zero, text))
+
+
+def _zero(found: re.Match[str]) -> str:
+    """`A stops` as `A = 0`, so that the name is seen to be one wherever it stands."""
+    return "= 0" if found.string[: found.start()].rstrip()[-1:].isalpha() else "0"
+
+
+def motion_in_number(text: str) -> str:
+    """One number: `at rest`, `he does not move` as `0`, `the ball moves at 4 m/s` as `the ball = 4 m/s`."""
+    zero = REST.sub("0", text)
+    return "0" if zero != text and SUBJECT.fullmatch(zero) else MOVES.sub(" = ", zero)

@@ -1,0 +1,206 @@
+"""Questions as Canvas imports them, into Classic and New Quizzes: a quiz in QTI 1.2, with a question for each part.
+
+Canvas refuses an item of QTI 2.1 that has several fields, and marks no number of QTI 2.1; of QTI 1.2 both kinds of quizzes read
+what Canvas itself writes (instructure/qti `lib/qti/v1`, instructure/canvas-lms `lib/cc/qti/qti_items.rb`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from xml.sax.saxutils import escape, quoteattr
+
+from corollary.messages import catalogue
+from corollary.render.canvas_question import LONGEST, CanvasOption, CanvasQuestion
+from corollary.render.exports import CarriedPart, ItemFiles, Target
+from corollary.render.item import ChoiceAsked, LmsItem, NotAsked, NumbersAsked, PartAsked, ProseAsked
+from corollary.render.page import drawing_file
+from corollary.render.pictures import as_files
+from corollary.render.qti_text import block, inline
+from corollary.render.targets.feedback_zip import write_archive
+from corollary.render.tex_html import tex_html
+from corollary.render.typed_scale import TypedScale, typed_scale
+
+_ = catalogue(__name__)
+
+QTI = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
+FOLDER = "figures/"
+PACKAGE = "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1"
+LOST = (
+    "a known mistake, a slip and an option that is worth a share earn nothing: Canvas gives all of the points or none",
+    "what is said of a mistake in a number; of a wrong option it is said",
+    "an answer that follows from the student's own earlier one is wrong",
+    "figures are not counted: what is rounded to fewer than three is right or wrong as its value is",
+    "a decimal comma is read where Canvas speaks a language that has one; the question says so",
+    "units that are typed: a field takes a number",
+)
+"""What no question carries."""
+POOLED = "each part is a question with a pool of its own: a student gets other numbers in each"
+
+
+def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
+    """One archive with a quiz, which draws one variant of each part, and the figures; parts are always apart."""
+    first = [item for item in items if item.number == 1]
+    asked_as = {_named(item, asked): _how(item, asked) for item in first for asked in item.parts}
+    pools: dict[str, list[CanvasQuestion]] = {}
+    for item in items:
+        for asked in item.parts:
+            if asked_as[_named(item, asked)][0]:
+                for pool, question in _questions(item, asked):
+                    pools.setdefault(pool, []).append(question)
+    quiz, pictures = as_files(_quiz(name, pools), FOLDER)
+    figures = {
+        FOLDER + item.figure_name: drawing_file(item.exercise) for item in items if item.exercise.figure
+    }
+    figures |= {FOLDER + picture: content for picture, content in pictures.items()}
+    files = {
+        "imsmanifest.xml": _manifest(name, sorted(figures)).encode(),
+        f"{name}/{name}.xml": quiz.encode(),
+        **figures,
+    }
+    carried = tuple(CarriedPart(*part, *how) for part, how in asked_as.items())
+    lost = (*LOST, POOLED) if len(items) > len(first) else LOST
+    return ItemFiles({f"{name}-canvas.zip": write_archive(dict(sorted(files.items())))}, carried, lost)
+
+
+def scale_of(asked: NumbersAsked) -> TypedScale:
+    """The unit that the numbers of a part are asked for in, the same for all components."""
+    return typed_scale(asked.unit, asked.marks[0].values, asked.marks[0].reach)
+
+
+def _named(item: LmsItem, asked: PartAsked) -> tuple[str, str]:
+    return item.exercise.problem.code, asked.prompt.part.id
+
+
+def _how(item: LmsItem, asked: PartAsked) -> tuple[str, str]:
+    """How a part is asked ("" where it is not), and what is lost of it."""
+    if not all(question.fits for _pool, question in _questions(item, asked)):
+        return "", "the question is longer than a text that Canvas takes"
+    solution = _solution(item)
+    if not solution:
+        without = "the worked solution is longer than a text that Canvas takes"
+    elif solution != block(item.solution):
+        without = "the worked solution has its formulas in TeX, since MathML is longer than a text that Canvas takes"
+    else:
+        without = ""
+    match asked:
+        case NumbersAsked(components=("",)):
+            how, lost = "number", ""
+        case NumbersAsked():
+            how, lost = (
+                "a number for each component",
+                "each component is a question, which earns its share by itself",
+            )
+        case ChoiceAsked():
+            how, lost = "multiple choice", ""
+        case ProseAsked():
+            how, lost = "essay", "a person marks it; the rubric"
+        case NotAsked(why=why):
+            return "", why
+    return how, "; ".join(filter(None, (lost, without)))
+
+
+def _questions(item: LmsItem, asked: PartAsked) -> Iterator[tuple[str, CanvasQuestion]]:
+    """The pool that a question belongs to, and the question: one for each field."""
+    problem, part = item.exercise.problem, asked.prompt.part
+    pool, title = f"{problem.name}_{part.id}", f"{problem.code} {problem.title}, ({part.heading_letter})"
+    words = f"<h4>({part.heading_letter}) {inline(part.title)}</h4>{block(asked.prompt.text)}"
+    stem, comments, points = (
+        f"{block(item.exercise.statement)}{_figure(item)}{words}",
+        _solution(item),
+        asked.prompt.out_of,
+    )
+    match asked:
+        case NumbersAsked(components=components, marks=marks):
+            scale = scale_of(asked)
+            for place, component in enumerate(components):
+                ranges = [
+                    (scale.typed(low), scale.typed(mark.values[place]), scale.typed(high))
+                    for mark in marks
+                    if mark.share == 1
+                    for low, high in [mark.ranges()[place]]
+                ]
+                one = f"{pool}_{place + 1}" if component else pool
+                yield (
+                    one,
+                    CanvasQuestion(
+                        f"{one}_{item.number}",
+                        f"{title} {component}".strip(),
+                        points / len(components),
+                        f"{stem}<p>{escape(_number(component, scale))}</p>",
+                        comments,
+                        ranges=ranges,
+                    ),
+                )
+        case ChoiceAsked(options=options):
+            choices = [
+                CanvasOption(inline(each.option.text), each.share == 1, block(each.feedback))
+                for each in options
+            ]
+            yield (
+                pool,
+                CanvasQuestion(f"{pool}_{item.number}", title, points, stem, comments, options=choices),
+            )
+        case ProseAsked():
+            yield pool, CanvasQuestion(f"{pool}_{item.number}", title, points, stem, comments)
+        case NotAsked():
+            return
+
+
+def _number(component: str, scale: TypedScale) -> str:
+    if scale.text:
+        asked = _(
+            "Write the number alone, in {unit}, with three significant figures or more.", unit=scale.text
+        )
+    else:
+        asked = _("Write the number with three significant figures or more.")
+    point = _("Decimals stand behind a point, not behind a comma.")
+    return f"{component + ': ' if component else ''}{asked} {point}"
+
+
+def _solution(item: LmsItem) -> str:
+    """Of the whole problem, for everybody to read afterwards. TeX is shorter than MathML; "" where it is too long, too."""
+    written = (write(item.solution) for write in (block, tex_html))
+    return next((html for html in written if len(html) <= LONGEST), "")
+
+
+def _quiz(name: str, pools: Mapping[str, Sequence[CanvasQuestion]]) -> str:
+    drawn = "".join(
+        _drawn(pool, questions) if len(questions) > 1 else questions[0].xml()
+        for pool, questions in pools.items()
+    )
+    return (
+        f'<?xml version="1.0" encoding="UTF-8"?>\n<questestinterop xmlns="{QTI}"><assessment ident="{name}" title={quoteattr(name)}>'
+        f'<section ident="root_section">{drawn}</section></assessment></questestinterop>\n'
+    )
+
+
+def _drawn(pool: str, questions: Sequence[CanvasQuestion]) -> str:
+    """A group of which a student gets one."""
+    points = f"<selection_extension><points_per_item>{questions[0].points:.12g}</points_per_item></selection_extension>"
+    selection = f"<selection_ordering><selection><selection_number>1</selection_number>{points}</selection></selection_ordering>"
+    items = "".join(each.xml() for each in questions)
+    return f'<section ident="{pool}" title={quoteattr(questions[0].title)}>{selection}{items}</section>\n'
+
+
+def _manifest(name: str, figures: Sequence[str]) -> str:
+    resources = "".join(
+        f'<resource identifier="figure_{at}" type="webcontent" href="{file}"><file href="{file}"/></resource>'
+        for at, file in enumerate(figures, 1)
+    )
+    quiz = f'<resource identifier="{name}" type="imsqti_xmlv1p2" href="{name}/{name}.xml"><file href="{name}/{name}.xml"/></resource>'
+    return (
+        f'<?xml version="1.0" encoding="UTF-8"?>\n<manifest xmlns="{PACKAGE}" identifier="{name}_manifest">'
+        "<metadata><schema>IMS Content</schema><schemaversion>1.1.3</schemaversion></metadata>"
+        f"<organizations/><resources>{quiz}{resources}</resources></manifest>\n"
+    )
+
+
+def _figure(item: LmsItem) -> str:
+    if not item.exercise.figure:
+        return ""
+    return (
+        f"<p><img src={quoteattr(FOLDER + item.figure_name)} alt={quoteattr(item.exercise.figure_alt)}/></p>"
+    )
+
+
+TARGET = Target(ending="zip", items=write_items)

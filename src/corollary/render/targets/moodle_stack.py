@@ -1,0 +1,145 @@
+"""Questions for a Moodle that has STACK: those of the target `moodle`, and each part that asks for a formula as a STACK question.
+
+Maxima compares what is typed with the formula that follows from the laws, then with what each known misconception makes of it.
+A Moodle without STACK leaves such questions out, with a warning.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from xml.sax.saxutils import escape
+
+from corollary.render.exports import CarriedPart, ItemFiles, Target
+from corollary.render.item import LmsItem, NotAsked
+from corollary.render.stack_formula import NotInStack, stack_formula
+from corollary.render.targets import moodle
+from corollary.render.tex_html import tex_html, tex_inline
+
+FORMULA_LOST = "the dimension of what is typed is not looked at; a constant off by a root, by pi/180 or by rounding is wrong"
+
+
+@dataclass(frozen=True, slots=True)
+class StackNode:
+    """One comparison: the formula in Maxima's words, the share of the points, the note in the statistics, HTML for the student."""
+
+    formula: str
+    share: float
+    note: str
+    feedback: str
+
+
+def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
+    """The file of the target `moodle`, with STACK questions after the others."""
+    made = moodle.write_items(name, items, apart)
+    stack = "\n".join(text for item in items for asked in item.parts for text in _question(name, item, asked))
+    (text,) = (content.decode() for content in made.files.values())
+    questions = text.replace("</quiz>", f"{stack}\n</quiz>")
+    asked_of = {
+        (item.exercise.problem.code, asked.prompt.part.id): asked for item in items for asked in item.parts
+    }
+    carried = tuple(_carried(each, asked_of[each.code, each.part]) for each in made.parts)
+    return replace(made, files={f"{name}-moodle-stack.xml": questions.encode()}, parts=carried)
+
+
+def _carried(part: CarriedPart, asked: object) -> CarriedPart:
+    if not isinstance(asked, NotAsked) or not asked.formulas:
+        return part
+    try:
+        _nodes(asked)
+    except NotInStack as why:
+        return replace(part, lost=str(why))
+    return replace(part, how="STACK", lost=FORMULA_LOST)
+
+
+def _question(name: str, item: LmsItem, asked: object) -> Iterator[str]:
+    """The category of its own, before the first variant, and the question; nothing for what STACK cannot hold."""
+    if not isinstance(asked, NotAsked) or not asked.formulas:
+        return
+    try:
+        nodes = _nodes(asked)
+    except NotInStack:
+        return
+    part, problem = asked.prompt.part, item.exercise.problem
+    title = f"{problem.code} {problem.title}, ({part.heading_letter})"
+    if item.number == 1:
+        pool = f"{problem.code} {problem.title}".replace("/", "//")
+        yield moodle.category(name, pool, f"({part.heading_letter})")
+    fields = [f"ans{at}" for at in range(1, len(part.components or ("",)) + 1)]
+    typed = "".join(
+        f"<p>{escape(f'{component}: ' if component else '')}[[input:{field}]] [[validation:{field}]]</p>"
+        for component, field in zip(part.components or ("",), fields, strict=True)
+    )
+    words = f"{moodle.words(asked)}{typed}"
+    stem = f"{tex_html(item.exercise.statement)}{moodle.figure(item)}"
+    sans = fields[0] if len(fields) == 1 else f"[{', '.join(fields)}]"
+    yes = int(asked.positive)
+    yield "\n".join(
+        [
+            f'<question type="stack"><name><text>{escape(f"{title}, {item.number}")}</text></name>',
+            moodle.question_text(item, _harmless(stem + words)),
+            f'<generalfeedback format="html">{_text(tex_html(item.solution))}</generalfeedback>',
+            f"<defaultgrade>{asked.prompt.out_of:g}</defaultgrade><penalty>0</penalty><hidden>0</hidden>",
+            "<stackversion><text></text></stackversion>",
+            f"<questionvariables><text>{escape(_variables(nodes))}</text></questionvariables>",
+            '<specificfeedback format="html"><text>[[feedback:prt1]]</text></specificfeedback>',
+            '<questionnote format="html"><text></text></questionnote>',
+            '<questiondescription format="html"><text></text></questiondescription>',
+            f"<questionsimplify>1</questionsimplify><assumepositive>{yes}</assumepositive><assumereal>1</assumereal>",
+            *(f'<{kind} format="html"><text></text></{kind}>' for kind in ("prtcorrect", "prtpartiallycorrect", "prtincorrect")),
+            *(_input(field, "ta1" if len(fields) == 1 else f"ta1[{at}]") for at, field in enumerate(fields, 1)),
+            "<prt><name>prt1</name><value>1</value><autosimplify>1</autosimplify><feedbackstyle>1</feedbackstyle>",
+            "<feedbackvariables><text></text></feedbackvariables>",
+            *(_node(at, len(nodes), sans, node) for at, node in enumerate(nodes)),
+            "</prt></question>",
+        ]
+    )  # fmt: skip
+
+
+def _nodes(asked: NotAsked) -> list[StackNode]:
+    """Raises NotInStack."""
+    nodes: list[StackNode] = []
+    for each in asked.formulas:
+        formulas = [stack_formula(tree) for tree in each.trees]
+        formula = formulas[0] if len(formulas) == 1 else f"[{', '.join(formulas)}]"
+        if formula not in (node.formula for node in nodes):
+            note = f"{each.verdict}-{len(nodes)}"
+            nodes.append(StackNode(formula, each.share, note, tex_inline(each.feedback)))
+    return nodes
+
+
+def _variables(nodes: Sequence[StackNode]) -> str:
+    return "\n".join(f"ta{at}: {node.formula};" for at, node in enumerate(nodes, 1))
+
+
+def _input(name: str, right: str) -> str:
+    return (
+        f"<input><name>{name}</name><type>algebraic</type><tans>{right}</tans><boxsize>30</boxsize><strictsyntax>1</strictsyntax>"
+        "<insertstars>1</insertstars><syntaxhint></syntaxhint><syntaxattribute>0</syntaxattribute><forbidwords></forbidwords>"
+        "<allowwords></allowwords><forbidfloat>0</forbidfloat><requirelowestterms>0</requirelowestterms>"
+        "<checkanswertype>0</checkanswertype><mustverify>1</mustverify><showvalidation>1</showvalidation><options></options></input>"
+    )
+
+
+def _node(at: int, count: int, sans: str, node: StackNode) -> str:
+    following = at + 1 if at + 1 < count else -1
+    return (
+        f"<node><name>{at}</name><description></description><answertest>AlgEquiv</answertest><sans>{sans}</sans><tans>ta{at + 1}</tans>"
+        "<testoptions></testoptions><quiet>1</quiet>"
+        f"<truescoremode>=</truescoremode><truescore>{node.share:.6g}</truescore><truepenalty>0</truepenalty><truenextnode>-1</truenextnode>"
+        f'<trueanswernote>{node.note}</trueanswernote><truefeedback format="html">{_text(node.feedback)}</truefeedback>'
+        f"<falsescoremode>=</falsescoremode><falsescore>0</falsescore><falsepenalty>0</falsepenalty><falsenextnode>{following}</falsenextnode>"
+        f'<falseanswernote>not-{node.note}</falseanswernote><falsefeedback format="html"><text></text></falsefeedback></node>'
+    )
+
+
+def _text(html: str) -> str:
+    return moodle.cdata(_harmless(html))
+
+
+def _harmless(html: str) -> str:
+    """Without what STACK's own language would take for a command, save for fields."""
+    return html.replace("{@", "{ @").replace("{#", "{ #")
+
+
+TARGET = Target(ending="xml", items=write_items)

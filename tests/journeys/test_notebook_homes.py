@@ -1,0 +1,104 @@
+"""A student's sheet in the programs that open notebooks: run, answered, checked, saved, handed in, and marked right."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.browser
+COROLLARY = Path(sys.executable).with_name("corollary")
+
+
+@dataclass(frozen=True)
+class Home:
+    """Where a notebook is opened, what is clicked to run all of it, and how cells and what is scrolled are found."""
+
+    path: str
+    run_all: tuple[str, ...]
+    cell: str
+    editor: str
+    output: str
+    scrolled: str
+
+
+JUPYTER = Home(
+    "/{kind}/sheet.ipynb",
+    (".lm-MenuBar-itemLabel:text-is('Run')", ".lm-Menu-itemLabel:text-is('Run All Cells')"),
+    ".jp-CodeCell",
+    ".cm-content",
+    ".jp-OutputArea-output",
+    ".jp-WindowedPanel-outer",
+)
+CLASSIC = Home(
+    "/nbclassic/notebooks/sheet.ipynb",
+    ("#celllink", "#run_all_cells a"),
+    ".code_cell",
+    ".CodeMirror-lines",
+    ".output_subarea",
+    "#site",
+)
+HOMES = {"lab": ("lab/tree", JUPYTER), "notebook": ("notebooks", JUPYTER), "nbclassic": ("", CLASSIC)}
+
+
+@pytest.mark.parametrize("kind", HOMES)
+def test_a_sheet_is_answered_there_and_marked_right(kind: str, tmp_path: Path, jupyter, chromium):
+    roster = tmp_path / "roster.csv"
+    roster.write_text("id,name\nada,Ada\n", encoding="utf-8")
+    course = tmp_path / "course"
+    corollary("generate", "momentum_1", "--roster", roster, "--course", course)
+    for folder in ("work", "own"):
+        (tmp_path / folder).mkdir()
+    sheet = tmp_path / "work" / "sheet.ipynb"
+    shutil.copy(course / "release" / "ada" / "momentum_1" / "momentum_1.ipynb", sheet)
+    right = corollary("key", "X12.5", "--student", "ada", "--course", course)["parts"]["a"]["value"]
+    typed = f"{right:.4f} kg m/s".replace(".", ",")
+    place, home = HOMES[kind]
+    with jupyter(kind, sheet.parent, tmp_path / "own") as address:
+        page = chromium.new_page(viewport={"width": 1200, "height": 900})
+        page.goto(address + home.path.format(kind=place))
+        answer_cell = page.locator(home.cell, has_text="X12_5_a = None")
+        check_cell = page.locator(home.cell, has_text='check("X12_5_a")')
+        answer_cell.wait_for(timeout=120_000)
+        for click in home.run_all:
+            page.click(click)
+        # JupyterLab goes to the last cell and lets go of those far above it.
+        page.wait_for_function(
+            """([scrolled, cell, output]) => {
+                const panel = document.querySelector(scrolled);
+                if (panel) panel.scrollTo(0, 0);
+                return [...document.querySelectorAll(cell)].some(each =>
+                    each.textContent.includes('check("X12_5_a")') && each.querySelector(output)?.textContent.includes("no answer yet"));
+            }""",
+            arg=[home.scrolled, home.cell, home.output],
+            polling=500,
+            timeout=120_000,
+        )
+        answer_cell.locator(home.editor).click()
+        page.keyboard.press("Control+a")
+        page.keyboard.insert_text(f'X12_5_a = "{typed}"')
+        page.keyboard.press("Shift+Enter")
+        page.keyboard.press("Shift+Enter")
+        check_cell.locator(home.output, has_text="read as").wait_for(timeout=60_000)
+        with page.expect_response(lambda got: got.request.method == "PUT", timeout=60_000):
+            page.keyboard.press("Control+s")
+        assert "read as" in sheet.read_text(encoding="utf-8")
+        page.close()
+    handed_in = course / "submitted" / "ada" / "momentum_1" / "momentum_1.ipynb"
+    handed_in.parent.mkdir(parents=True)
+    shutil.copy(sheet, handed_in)
+    part = corollary("grade", "momentum_1", "--course", course)["students"]["ada"]["parts"]["X12_5_a"]
+    assert (part["verdict"], part["points"]) == ("right", 1.0)
+
+
+def corollary(*arguments: object) -> dict:
+    done = subprocess.run(
+        [COROLLARY, *map(str, arguments), "--json"], capture_output=True, text=True, encoding="utf-8"
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
