@@ -69,7 +69,7 @@ def axe(tmp_path_factory) -> str:
     assert npm is not None, "npm is missing: it fetches axe-core, which looks for what shuts readers out"
     folder = tmp_path_factory.mktemp("axe")
     subprocess.run(
-        [npm, "install", "--no-audit", "--no-fund", "--prefix", folder, AXE], check=True, timeout=120
+        [npm, "install", "--no-audit", "--no-fund", "--prefix", folder, AXE], check=True, timeout=600
     )
     return (folder / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
 
