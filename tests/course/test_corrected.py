@@ -207,6 +207,11 @@ def test_nbgraders_autograde_in_a_corrected_course_gives_the_same_marks(ball: Ch
         check=False,
     )
     assert done.returncode == 0, done.stderr
+    with sqlite3.connect(ball.course / "gradebook.db") as book:
+        maxima = book.execute(
+            "select max_score from grade_cells g join base_cell b on b.id = g.id where b.name = 'X1_1_a'"
+        )
+        assert maxima.fetchall() == [(2.0,)]
     found = scores(ball.course)
     assert {key: score for key, (score, _) in found.items()} == {
         ("ada", "X1_1_a"): 2.0,

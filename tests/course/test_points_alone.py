@@ -6,6 +6,7 @@ import sqlite3
 from functools import partial
 from pathlib import Path
 
+import nbformat
 import pytest
 
 pytest.importorskip("nbgrader")
@@ -52,7 +53,7 @@ class Course:
         assert before in text
         path.write_text(text.replace(before, after) if before else text + after)
 
-    def grade(self, *, regrade: bool = False, dry_run: bool = False) -> Outcome:
+    def grade(self, *, regrade: bool = False, dry_run: bool = False, agree: bool = True) -> Outcome:
         self.ran = False
 
         def begin() -> None:
@@ -60,7 +61,7 @@ class Course:
 
         return grade_set(
             open_course(self.ball.course), self.ball.problem_set, Solutions(self.ball.bank), partial(Runner, require=0),
-            jobs=1, regrade=regrade, dry_run=dry_run, begin=begin,
+            jobs=1, regrade=regrade, dry_run=dry_run, begin=begin, ask=lambda changed: agree,
         )  # fmt: skip
 
     @staticmethod
@@ -114,6 +115,28 @@ def test_the_points_of_a_part(course: Course) -> None:
             "select g.auto_score from grade g join base_cell b on b.id = g.cell_id where b.name = 'X1_1_a'"
         ).fetchall()
     assert sorted(found_scores) == [(2.0,), (4.0,)]
+
+
+def test_nbgrader_has_them_out_of_what_was_agreed_to(course: Course) -> None:
+    """Its maximum is one number for everybody: it stays while anybody's mark is out of the points of before."""
+
+    def maxima() -> tuple[float, float]:
+        source = nbformat.read(course.ball.course / "source/week/week.ipynb", as_version=4)
+        (cell,) = (cell for cell in source.cells if cell.id == "X1_1_a")
+        with gradebook(open_course(course.ball.course)) as book:
+            return book.find_grade_cell("X1_1_a", "week", "week").max_score, cell.metadata.nbgrader.points
+
+    course.edit("problems/topic/ball0.md", 'unit="kg*m/s" points=1', 'points=4 unit="kg*m/s"')
+    made = course.ball.generate("ada", "ben", "cyd")
+    assert maxima() == (1.0, 1.0)
+    course.ball.hand_in(made, "cyd")
+    course.grade(dry_run=True)
+    assert maxima() == (1.0, 1.0)
+    found = course.grade(agree=False)
+    assert (found.held, maxima()) == (("ada", "ben"), (1.0, 1.0))
+    assert course.points(found) == {"ada": (3.0, 5.0), "ben": (2.5, 5.0), "cyd": (6.0, 8.0)}
+    course.grade()
+    assert maxima() == (4.0, 4.0)
 
 
 @pytest.mark.whole

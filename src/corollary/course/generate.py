@@ -14,6 +14,7 @@ from corollary.course.renew import Renewal
 from corollary.course.roster import check_folders
 from corollary.grading.solutions import Solutions
 from corollary.nbgrader.gradebook import NoNbgrader, need_nbgrader
+from corollary.nbgrader.source import source_notebook
 from corollary.notebook.notebook import file_text, notebook
 from corollary.notebook.worksheet import worksheet
 from corollary.problem.problem import Problem
@@ -30,8 +31,6 @@ from corollary.records.settings import write_settings
 
 if TYPE_CHECKING:
     from nbformat import NotebookNode
-
-NOBODY = Student("everybody", "Chapter's own", "numbers")
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,11 +156,6 @@ def _in_use(record: Assigned, problem: Problem) -> Iterator[int]:
                 values = values_now(problem, edition, numbers.exact)
                 if (place := index_of(problem, values)) is not None:
                     yield place
-
-
-def source_notebook(problem_set: ProblemSet) -> NotebookNode:
-    """The notebook that nbgrader knows the set by: with the chapter's own numbers."""
-    return notebook(worksheet(problem_set, NOBODY, map(chapter, problem_set.problems)))
 
 
 def _register(

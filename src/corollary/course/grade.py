@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
 from corollary.course.batches import together
-from corollary.course.generate import source_notebook
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
@@ -21,6 +20,8 @@ from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission
 from corollary.nbgrader.marks import current_manual, stale_pages, synchronized, write_graded
+from corollary.nbgrader.register import follow_points, register
+from corollary.nbgrader.source import source_notebook
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.assigned import read_assigned
 from corollary.records.causes import dependencies, is_extended, is_handed_in_anew, why
@@ -221,6 +222,8 @@ def grade_set(
                 for several in together(held):
                     write_graded(course, problem_set, several, given, book)
             held = []
+    if not dry_run:
+        follow_points(course, problem_set)
     if todo and not dry_run:
         manual = synchronized(course)  # a person may have given some meanwhile
     unwritten = {one.marked.student.id for one in held}
@@ -278,8 +281,8 @@ def _written(
     }
     if not has_nbgrader() or dry_run:
         return there
-    from corollary.nbgrader.record import in_gradebook, is_registered
-    from corollary.nbgrader.register import register
+    from corollary.nbgrader.record import in_gradebook
+    from corollary.nbgrader.registered import is_registered
 
     with gradebook(course) as book:
         known = is_registered(book, problem_set)

@@ -31,6 +31,7 @@ from corollary.nbgrader.assignment import Assignment, assignment_of
 from corollary.nbgrader.graded import GradedSubmission, grade_submission
 from corollary.nbgrader.marked_notebook import restored
 from corollary.nbgrader.marks import write_graded
+from corollary.nbgrader.register import follow_points
 from corollary.records.assigned import is_assigned
 from corollary.records.deadlines import read_deadlines
 from corollary.records.hand_in_time import guessed_time, settle_time, why_guessed
@@ -145,6 +146,8 @@ def _with_times(run: Autograde, convert: Callable[[], None]) -> None:
             if guess is not None and (why := why_guessed(name, student, guess)):
                 run.log.warning("%s: %s", student, why)
     convert()
+    if course is not None and is_assigned(course, name):
+        follow_points(course, read_origin(course, name)[1])
 
 
 def _without_links(run: Autograde, init: Callable[[str, str], None], assignment: str, student: str) -> None:

@@ -1,6 +1,7 @@
 """A set that was corrected after work on it was recorded: nbgrader takes no cell more or less then, so both sides are met.
 
-Parts that are new get their cells in the gradebook, and parts that are gone stay in the source: their marks hold.
+Parts that are new get their cells in the gradebook, and parts that are gone stay in the source: their marks hold. What a part is
+out of, which is one number for everybody there, stays until somebody agrees to other marks.
 """
 
 # nbgrader declares its tables in the old style, which a type checker takes for columns instead of values.
@@ -8,6 +9,7 @@ Parts that are new get their cells in the gradebook, and parts that are gone sta
 
 from __future__ import annotations
 
+from copy import deepcopy
 from typing import TYPE_CHECKING
 
 from nbformat import NotebookNode
@@ -20,8 +22,11 @@ if TYPE_CHECKING:
 GONE = "This part is not asked any more; marks that it was given stay."
 
 
-def brought_together(book: Gradebook, set_name: str, source: NotebookNode) -> NotebookNode:
-    """The source with the cells of parts that are gone, once the gradebook has the cells of those that are new.
+def brought_together(
+    book: Gradebook, set_name: str, source: NotebookNode, *, agreed: bool = False
+) -> NotebookNode:
+    """The source with the cells of parts that are gone, once the gradebook has the cells of those that are new; parts are out of
+    what the gradebook has them out of, or of what they are out of now if that is `agreed` to.
 
     As it is when nothing has been handed in: then nbgrader makes its cells anew itself.
     """
@@ -34,7 +39,7 @@ def brought_together(book: Gradebook, set_name: str, source: NotebookNode) -> No
     if not notebook.submissions:
         return source
     _add_new(book, notebook, source)
-    return _with_gone(notebook, source)
+    return _with_gone(notebook, source if agreed else _as_agreed(notebook, source))
 
 
 def _add_new(book: Gradebook, notebook: Notebook, source: NotebookNode) -> None:
@@ -63,6 +68,15 @@ def _add_new(book: Gradebook, notebook: Notebook, source: NotebookNode) -> None:
         if name not in marks and name not in grades and name not in solutions:
             book.db.delete(cell)  # words only: a figure that is gone, a question
     book.db.commit()
+
+
+def _as_agreed(notebook: Notebook, source: NotebookNode) -> NotebookNode:
+    maxima, found = {cell.name: cell.max_score for cell in notebook.grade_cells}, deepcopy(source)
+    for cell in found.cells:
+        mark = cell.metadata["nbgrader"]
+        if mark["grade"]:
+            mark["points"] = maxima.get(cell.id, mark["points"])
+    return found
 
 
 def _with_gone(notebook: Notebook, source: NotebookNode) -> NotebookNode:

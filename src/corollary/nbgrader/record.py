@@ -35,22 +35,6 @@ if TYPE_CHECKING:
     from nbgrader.api import Assignment, Grade, Gradebook, SubmittedAssignment, SubmittedNotebook
 
 
-def is_registered(book: Gradebook, problem_set: ProblemSet) -> bool:
-    """Whether the gradebook has the set, with every part of it and its points."""
-    from nbgrader.api import MissingEntry
-
-    try:
-        notebooks = book.find_assignment(problem_set.name).notebooks
-    except MissingEntry:
-        return False
-    points = {cell.name: cell.max_score for notebook in notebooks for cell in notebook.grade_cells}
-    return all(
-        points.get(problem.answer_name(part)) == part.points * problem_set.weight(problem)
-        for problem in problem_set.problems
-        for part in problem.parts
-    )
-
-
 def in_gradebook(
     course: Course, book: Gradebook, problem_set: ProblemSet, records: Mapping[str, Record]
 ) -> set[str]:

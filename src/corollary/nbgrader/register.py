@@ -19,18 +19,22 @@ from corollary.nbgrader.gradebook import (
     NotRegistered,
     directory,
     gradebook,
+    has_nbgrader,
     need_nbgrader,
     programs_on_path,
 )
+from corollary.nbgrader.source import source_notebook
 from corollary.notebook.notebook import file_text
 from corollary.problem.problem_set import ProblemSet
 from corollary.records.files import Course, students
+from corollary.records.marks import read_records
 
 
-def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookNode) -> None:
+def register(course: Course, problem_set: ProblemSet, source: NotebookNode, *, agreed: bool = False) -> None:
     """Makes the set an assignment of the course, or brings it up to date: config, source, release, gradebook, students, date.
 
-    Parts that are gone stay in it once somebody's work is recorded. Raises NoNbgrader, NotOurs, GradebookLocked, and
+    Once somebody's work is recorded, parts that are gone stay in it, and what a part is out of follows the set only when the
+    marks that this moves are `agreed` to. Raises NoNbgrader, NotOurs, GradebookLocked, and
     NotRegistered when nbgrader refuses.
     """
     need_nbgrader()
@@ -50,9 +54,24 @@ def register(course: Course, problem_set: ProblemSet, source_notebook: NotebookN
             }
             book.db.merge(Student(id=each.id, **about))
         book.db.commit()
-        source_notebook = brought_together(book, name, source_notebook)
-    write_whole(course.notebook("source", ".", name), file_text(source_notebook))
+        source = brought_together(book, name, source, agreed=agreed)
+    write_whole(course.notebook("source", ".", name), file_text(source))
     _generate(course, name)
+
+
+def follow_points(course: Course, problem_set: ProblemSet) -> None:
+    """Once all marks are out of the points of now, so are nbgrader's parts; nothing without nbgrader."""
+    if not has_nbgrader():
+        return
+    from corollary.nbgrader.registered import may_follow_points
+
+    everybody = [student.id for student in students(course)]
+    with gradebook(course) as book:
+        follows = may_follow_points(
+            book, problem_set, lambda: read_records(course, problem_set, everybody).values()
+        )
+    if follows:
+        register(course, problem_set, source_notebook(problem_set), agreed=True)
 
 
 def _generate(course: Course, name: str) -> None:
