@@ -196,7 +196,7 @@ def test_the_formula_sheet_has_general_laws_and_no_step_of_a_solution(run: Print
 
 def test_files_are_tagged_and_say_language_and_title(run: PrintRun):
     with language("de"):
-        file = run.printed(run.sheets[0]).files["momentum_1-ada.pdf"]
+        file = run.printed(run.sheets[0])["momentum_1-ada.pdf"]
     about = catalogue_of(file)
     assert re.search(rb"/Lang ?\(de", about)
     assert b"/StructTreeRoot" in about
@@ -207,7 +207,7 @@ def test_files_are_tagged_and_say_language_and_title(run: PrintRun):
 def test_the_same_run_gives_the_same_bytes(run: PrintRun):
     first, again = (run.printed(run.sheets[1]) for _ in range(2))
     assert first == again
-    assert set(first.files) == {"momentum_1-bo.pdf", "keys/momentum_1-bo-key.pdf"}
+    assert set(first) == {"momentum_1-bo.pdf", "keys/momentum_1-bo-key.pdf"}
 
 
 def test_a_code_can_be_told_from_another(run: PrintRun):
@@ -236,7 +236,7 @@ def text_of(file: bytes) -> str:
 @pytest.mark.client
 def test_poppler_reads_the_students_numbers_pages_and_no_key(run: PrintRun):
     sheet = run.sheets[0]
-    files = run.printed(sheet).files
+    files = run.printed(sheet)
     text, key = text_of(files["momentum_1-ada.pdf"]), text_of(files["keys/momentum_1-ada-key.pdf"])
     pages = text.count("\f")
     assert f"{pages} of {pages}" in text
@@ -248,7 +248,7 @@ def test_poppler_reads_the_students_numbers_pages_and_no_key(run: PrintRun):
     long = [answer for answer in answers if len(answer.strip("−0.").replace(".", "")) >= 4]
     assert len(long) > 5
     assert not [answer for answer in long if answer in flat]
-    both = text_of(run.together([run.printed(each).pages for each in run.sheets])["momentum_1.pdf"])
+    both = text_of(run.together()["momentum_1.pdf"])
     first = [at for at, each in enumerate(both.split("\f")) if re.search(rf"\b1 of {pages}", each)]
     assert len(first) == 2
     assert all(at % 2 == 0 for at in first), "each sheet begins on the front of a leaf"

@@ -13,14 +13,12 @@ from corollary.answers.common_errors import slips
 from corollary.answers.expected import FollowThrough, Quantity, Values
 from corollary.answers.question import Question
 from corollary.answers.remade import remade
-from corollary.answers.tolerance import NEAR, coarse, coarse_polar, same_signs, within
+from corollary.answers.tolerance import NEAR, ROUNDING_NOISE, coarse, coarse_polar, same_signs, within
 from corollary.answers.verdict import Follows, Mistaken, Right, Slip, Unmarked, Verdict, Wrong
 from corollary.messages import catalogue
 from corollary.units.unit import Unit, called, show
 
 _ = catalogue(__name__)
-
-ROUNDING_NOISE = 1e-9  # of the scale: what is left where large doubles cancel
 
 
 def judge_numbers(answer: Numbers, wanted: Quantity, question: Question) -> Verdict:

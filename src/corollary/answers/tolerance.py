@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from corollary.answers.answer import Numbers
 
+ROUNDING_NOISE = 1e-9  # of the scale: what is left where large doubles cancel
 NEAR = 0.1  # of the tolerance: a component so near the target is not rounded too far
 
 

@@ -10,7 +10,7 @@ from corollary.derive.solution import ClosedForms, Rule
 from corollary.formula.ast import Call, Expr, children, rebuilt, substitute
 from corollary.formula.ball import RationalPi, Undefined
 from corollary.grading.key import Key, Truth
-from corollary.grading.replay import WhatIf, ancestors, replay
+from corollary.grading.replay import WhatIf, ancestors, without_noise
 from corollary.messages import catalogue
 from corollary.problem.given import Given
 from corollary.problem.variant import Variant
@@ -68,7 +68,7 @@ def _replayed(
     key: Key, truth: Truth, what_if: WhatIf, givens: Mapping[str, RationalPi], sentence: str
 ) -> Iterator[tuple[Values, str]]:
     try:
-        yield replay(key.solution, givens, what_if, truth.place)[truth.place], sentence
+        yield without_noise(key.solution, givens, what_if, truth.place, truth.scale), sentence
     except Undefined:
         return
 

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from corollary.answers.evaluation import BITS, Letters, ball_of, balls, number, numbers
 from corollary.answers.expected import Values
+from corollary.answers.tolerance import ROUNDING_NOISE
 from corollary.derive.solution import ClosedForms, Rule, SceneOutcome, Solution, Unknown, once
 from corollary.formula.ast import names
 from corollary.formula.ball import Ball, Undefined, precision_of
 from corollary.scenes.run import BadSetting, GuardFailed, components
+
+STABLE = 1e-3  # of a value: more than the last bits of what it is made of move it
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,14 +41,11 @@ def replay(
     found: list[Values] = []
     with precision_of(BITS):
         for place, find in enumerate(solution.unknowns):
-            answer = what_if.held.get(place)
+            answer, rule = what_if.held.get(place), what_if.rules.get(place, find.local)
             if answer is None:
-                match what_if.rules.get(place, find.local):
-                    case ClosedForms(trees):
-                        answer = numbers(trees, values)
-                    case rule:
-                        answer = compute(rule, values)
-                if what_if.rounding is not None and isinstance(find.local, ClosedForms):
+                as_formula = isinstance(rule, ClosedForms)
+                answer = numbers(rule.trees, values) if as_formula else compute(rule, values)
+                if what_if.rounding is not None and as_formula:
                     answer = tuple(map(what_if.rounding, answer))
             for name, value in zip(find.names, answer, strict=True):
                 values[name] = ball_of(value)
@@ -52,6 +53,25 @@ def replay(
             if place == until:
                 break
     return found
+
+
+def without_noise(solution: Solution, givens: Letters, what_if: WhatIf, place: int, scale: float) -> Values:
+    """The value of the find at a place, 0 for what is left of the `scale` where doubles cancel. Raises Undefined.
+
+    What is tiny for another reason, as an energy without its c², moves no more than the doubles on the way to it do.
+    """
+    values = replay(solution, givens, what_if, place)[place]
+    if all(abs(value) > ROUNDING_NOISE * scale or not value for value in values):
+        return values
+    above = replay(solution, givens, replace(what_if, rounding=_next_double), place)[place]
+    return tuple(
+        0.0 if abs(value) <= ROUNDING_NOISE * scale and abs(moved - value) > STABLE * abs(value) else value
+        for value, moved in zip(values, above, strict=True)
+    )
+
+
+def _next_double(value: float) -> float:
+    return math.nextafter(value, math.inf)
 
 
 def exchanged(

@@ -12,7 +12,7 @@ from corollary.answers.choice.judging import judge as judge_choice
 from corollary.answers.common_errors import RATIOS, slips
 from corollary.answers.expected import Expected, Quantity, Values
 from corollary.answers.judge_numbers import may_be_guessed
-from corollary.answers.tolerance import same_signs
+from corollary.answers.tolerance import ROUNDING_NOISE, same_signs
 from corollary.answers.verdict import Mistaken, Right, Slip, Verdict, word
 from corollary.formula.ast import Expr, Number, Product
 from corollary.grading.expected import expected_of
@@ -26,7 +26,6 @@ from corollary.problem.problem_set import Scheme
 from corollary.problem.variant import Variant
 from corollary.units.unit import Unit
 
-ZERO = 1e-9  # of the scale: what a misconception that gives zero takes for zero, as grading does
 NOT_ASKED = {
     "table": "the answer is a table, of which every entry earns its share, and is numbers in units of their own",
     "expression": "the answer is a formula; --to moodle-stack sends it to a Moodle that has STACK",
@@ -226,7 +225,7 @@ def _marks(wanted: Quantity, unit: Unit, scheme: Scheme) -> Iterator[Credit]:
             nothing = not any(values)
             verdict = Mistaken(text, nothing=nothing)
             if all(map(math.isfinite, values)):
-                yield mark(values, verdict, ZERO * wanted.scale if nothing else None)
+                yield mark(values, verdict, ROUNDING_NOISE * wanted.scale if nothing else None)
     for way in ways:
         above = tuple(value - zero for value in way.values)
         general = [(tuple(x + zero for x in values), text) for values, text in slips(above, moved)]

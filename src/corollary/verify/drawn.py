@@ -15,7 +15,7 @@ from corollary.formula.text import text
 from corollary.grading.assign import admitted, visible_mistakes
 from corollary.grading.free_body import as_answered, as_people_say, free_body
 from corollary.grading.key import Key, make_key
-from corollary.grading.replay import WhatIf, replay
+from corollary.grading.replay import WhatIf, without_noise
 from corollary.problem.part import Part
 from corollary.problem.sampling import spread
 from corollary.problem.variant import Variant, chapter, first_broken
@@ -126,7 +126,8 @@ def _foreseen(key: Key, part: Part) -> Iterator[Foreseen]:
             continue
         what_if = WhatIf(rules={each.place: each.mistake.rule})
         try:
-            values = replay(solution, key.variant.exact, what_if, each.at)[each.at]
+            scale = key.truths[part.id].scale
+            values = without_noise(solution, key.variant.exact, what_if, each.at, scale)
         except Undefined:
             yield Foreseen(each.mistake.text, "")
         else:

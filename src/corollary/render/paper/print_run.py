@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.grading.solutions import Solutions
@@ -14,14 +14,6 @@ from corollary.render.paper.key_sheet import typst_key
 from corollary.render.paper.sheet import PaperSheet, typst_sheet
 
 _ = catalogue(__name__)
-
-
-@dataclass(frozen=True, slots=True)
-class PrintedSheet:
-    """The files of one sheet by name, and its pages in Typst's markup, to stand among others."""
-
-    files: Mapping[str, bytes]
-    pages: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +42,8 @@ class PrintRun:
             return ""
         return typst_formulas([self.solutions.of(problem) for problem in self.problem_set.problems])
 
-    def printed(self, sheet: PaperSheet) -> PrintedSheet:
-        """One sheet and, in a file of its own in another folder, its marking scheme. Raises CannotTypeset."""
-        pages = typst_sheet(sheet, self.formula_sheet())
+    def printed(self, sheet: PaperSheet) -> dict[str, bytes]:
+        """The files of one sheet by name: the sheet and, in another folder, its marking scheme. Raises CannotTypeset."""
         exercises = sheet.worksheet.exercises
         keys = {each.problem.code: self.solutions.key(each.variant) for each in exercises}
         worked = (
@@ -61,22 +52,23 @@ class PrintRun:
             else {}
         )
         key = typst_key(sheet, keys, worked)
-        name = self.name(sheet)
-        files = {
-            f"{name}.pdf": pdf([pages], sheet.title, large=self.large),
-            f"keys/{name}-key.pdf": pdf(
-                [key], _("Marking scheme: {title}", title=sheet.title), large=self.large
-            ),
+        name, of_key = self.name(sheet), _("Marking scheme: {title}", title=sheet.title)
+        return {
+            f"{name}.pdf": pdf([self.pages(sheet)], sheet.title, large=self.large),
+            f"keys/{name}-key.pdf": pdf([key], of_key, large=self.large),
         }
-        return PrintedSheet(files, pages)
+
+    def pages(self, sheet: PaperSheet) -> str:
+        """One sheet in Typst's markup. Raises CannotTypeset."""
+        return typst_sheet(sheet, self.formula_sheet())
 
     def name(self, sheet: PaperSheet) -> str:
         """What the files of a sheet are called; ids are names of folders, on every disk."""
         return f"{self.problem_set.name}-{sheet.mark}" if sheet.mark else self.problem_set.name
 
-    def together(self, pages: Sequence[str]) -> dict[str, bytes]:
-        """All sheets in one file, each beginning on the front of a leaf; none where there is one only."""
-        if len(pages) < 2:
+    def together(self) -> dict[str, bytes]:
+        """All sheets in one file, each beginning on the front of a leaf; none where there is one only. Raises CannotTypeset."""
+        if len(self.sheets) < 2:
             return {}
-        turned = [each.replace("#sheet(", "#sheet(front: true, ", 1) for each in pages]
-        return {f"{self.problem_set.name}.pdf": pdf(turned, self.problem_set.title, large=self.large)}
+        pages = [self.pages(sheet).replace("#sheet(", "#sheet(front: true, ", 1) for sheet in self.sheets]
+        return {f"{self.problem_set.name}.pdf": pdf(pages, self.problem_set.title, large=self.large)}
