@@ -76,6 +76,8 @@ def judged(typed, heading=HEADING, truth=TRUTH):
         "8 | 16\n8 | 6,4",
         r"8 & 16 \\ 8 & 6.4",
         "[[8, 16], [8, 6.4]]",
+        "| | momentum | energy |\n|---|--:|---|\n| after | 8 | 6.4 |\n| before | 8 | 16 |",
+        "| energy (J) | momentum / kg m/s |\n|---|---|\n| 16 | 8 |\n| 6.4 | 8 |",
         {"after": [8, 6.4], "before": [8, 16]},
         {"Energy": [16, 6.4], "Momentum": [8, 8]},
         {"before": {"energy": 16, "momentum": 8}, "after": {"momentum": 8, "energy": 6.4}},
@@ -96,6 +98,8 @@ def test_a_table_is_read_row_by_row(typed):
         ("some", "2 rows with 2"),
         (8.0, "2 rows"),
         ({"early": [1, 2], "late": [1, 2]}, "the rows are before, after"),
+        ("| p | K |\n|---|---|\n| 8 | 16 |\n| 8 | 6.4 |", "your names are p, K"),
+        ("| energy [kJ] | momentum |\n|---|---|\n| 16 | 8 |\n| 6.4 | 8 |", "your names are energy [kJ]"),
     ],
 )
 def test_another_shape_is_said(typed, words):

@@ -47,6 +47,11 @@ def test_a_wrong_answer_is_not(key, question: dict[str, Any]):
         ("X12.10", "b", "20.58 J (heat)"),
         ("X12.6", "a", "100 kN gegen die Fahrtrichtung"),
         ("T12.3", "c", "3465 N (as far as we can tell)"),
+        ("S12.5el", "b", "B goes back at 3.2 m/s"),
+        ("S12.5el", "e", "A stops, B moves to the left at 4 m/s"),
+        ("X12.8", "c2", "1.57 m/s away from me"),
+        ("X12.2", "c", "2 m/s towards object 1"),
+        ("X12.11", "b", "3 m/s downward (away from the ball)"),
     ],
 )
 def test_words_that_may_be_a_sign_are_read_by_a_person(key, code: str, part: str, answer: str):

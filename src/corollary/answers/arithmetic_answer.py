@@ -32,7 +32,7 @@ WORD = re.compile(r"π|(?P<short>(?P<letters>[A-Za-z]+)[0-9]*)[A-Za-z]*")
 EXPONENT = re.compile(r"[0-9]")
 RAISED = re.compile(r"\^|\*\*|[⁻⁺]?[⁰¹²³⁴-⁹]")
 BRACKET = re.compile(
-    r"\((?=\s*[^()\s][^()]*[-+*/])"
+    r"\((?=\s*[^()\s][^()]*[-+*/]|[0-9.,]+\s*\)\s*[*/])"
 )  # with a number alone in it, it says something twice: `0.4 (40 %)`
 ANGLE = re.compile(r"\s*(°|º|deg(?:rees?)?(?![A-Za-z])|rad(?![A-Za-z]))")
 UNIT_POWER = r"[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9]+|[({][+-]?[0-9./]+[)}])|-?[0-9](?![0-9.,])"
@@ -178,7 +178,9 @@ def _sign(text: str, at: int, before: list[Token], units: dict[str, Unit]) -> Fo
         ):  # `cos30°`, but not `cosh` cut short
             return [Token("function", spellings[known], at, tight)], at + len(known)
     twice = text[at] in "+-" and before and before[-1].text in ("+", "-") and not _factor_before_sign(before)
-    beside = last in FACTOR_ENDS and (text[at] in VULGAR or (text[at] == "(" and not BRACKET.match(text, at)))
+    beside = last in FACTOR_ENDS and (
+        text[at] in VULGAR or (text[at] == "(" and last != "close" and not BRACKET.match(text, at))
+    )
     tower = (
         last == "number" and RAISED.match(text, at) and RAISED.search(before[-1].text)
     )  # 10^10^9 is not (10^10)^9

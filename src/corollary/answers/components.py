@@ -30,7 +30,13 @@ DIRECTIONS = {
 LETTERS = r"k̂|x̂|ŷ|ẑ|[îĵijk]|e_?[xyz](?![A-Za-z])"
 ALONG = re.compile(rf"(?P<letter>{LETTERS})(?=\s*(?:[+\-)]|$))|(?<![A-Za-z(])(?P<last>{LETTERS})\s+(?=\D)")
 BRACKETS = {"(": ")", "[": "]", "{": "}", "<": ">", "⟨": "⟩"}
-MARKS = (r"\s*[;|]\s*", r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*", r",", r"(?<=[0-9.])\s+(?=[+\-]?[0-9])")
+MARKS = (
+    r"\s*[;|]\s*",
+    r",\s+(?:and\s+)?|\s+and\s+|\s*&\s*",
+    r",",
+    r"(?<=[0-9.])\s+(?=[+\-]?[0-9])",
+    r"\s+(?=[^\W\d]\w{0,7}['*]?\s*[=≈]\s*[-+]?[0-9.,])",  # `K1=3 K2=4`
+)
 LED = re.compile(r"\s*[=≈~]\s*|\s*(?:[Δ∆]\s*)?[^\W\d][^\s=≈~()\[\],;:+*/-]{0,7}\s*[=≈~]\s*(?=[(\[<{⟨])")
 LEFT = re.compile(r"\s*[(\[<{]([^()\[\]<>{}=≈]*)[)\]>}]\s*[=≈]\s*(?=[(\[<{⟨])")
 OF = r"(?:for|in|along|of|für|entlang|langs|i)\s+(?:the |ball |block |body )*"
@@ -39,6 +45,7 @@ NAMED = re.compile(r"\s*(?P<name>[^\W\d][^\s=:]{0,11})\s*[=:≈]")
 BULLET = re.compile(r"^\s*[-*•–]\s+(?=[^\W\d])")
 LEVEL = re.compile(r"\b(?:horizontal(?:ly)?|waagerecht|horisontalt?)\b(?! (?:to|up|down))", re.IGNORECASE)
 UPRIGHT = re.compile(r"\b(?:vertical(?:ly)?|senkrecht|vertikalt?)\b(?! (?:up|down))", re.IGNORECASE)
+TRANSPOSED = re.compile(r"(?<=[)\]])\s*(?:\^\s*(?:T|\{T\}|\(T\))|ᵀ|\.T)(?=\s|$)")
 IN_SLASHES = re.compile(r"\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*/\s*([-+]?[0-9]+(?:,[0-9]+)?)\s*")
 
 
@@ -62,7 +69,7 @@ def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[st
         if isinstance(found, ParseError) or sorted(map(str, places)) != sorted(map(str, range(count))):
             return found
         return [found[places.index(place)] for place in range(count)]
-    inside, unit, factor = _unwrapped(normalized)
+    inside, unit, factor = _unwrapped(TRANSPOSED.sub("", normalized))
     along = [found for found in ALONG.finditer(inside) if _axis(found) < count]
     if along and (not names or are_axes(names)):  # in a plane k is no direction, but may be a letter
         return _directed(inside, unit, count)
@@ -71,7 +78,7 @@ def pieces_of(normalized: str, count: int, names: Sequence[str] = ()) -> list[st
     found = _listed(_parted(inside, names), unit, count)
     if isinstance(found, ParseError):
         return found
-    found = _in_order([_labelled(piece, names) for piece in found], names)
+    found = _in_order([labelled(piece, names) for piece in found], names)
     return (
         found if isinstance(found, ParseError) or not factor else [f"{factor}*({piece})" for piece in found]
     )
@@ -100,9 +107,9 @@ def _parted(inside: str, names: Sequence[str]) -> str:
     return "; ".join(ends)
 
 
-def _labelled(piece: str, names: Sequence[str]) -> str:
+def labelled(piece: str, names: Sequence[str]) -> str:
     """`sphere 3 m/s`, `x-component: 3`, `3 (x)` as `x = 3`."""
-    if not names:
+    if not all(name[:1].isalpha() for name in names) or not names:  # in `2 5 s` 2 is no name
         return piece
     if are_axes(names):
         for way, axis in zip((LEVEL, UPRIGHT), names, strict=False):

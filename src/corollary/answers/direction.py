@@ -8,8 +8,10 @@ from dataclasses import dataclass, replace
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
 from corollary.answers.gain import gain_in
+from corollary.answers.motion_words import way_behind
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in
+from corollary.answers.sign_words import AXIS_OF, SIGNS
 from corollary.formula.ast import Negative
 from corollary.formula.value import Text, Value
 from corollary.messages import catalogue
@@ -28,25 +30,6 @@ AXES = re.compile(
 )
 # x points to the right and y up, as in every figure of the chapter.
 USUAL = frozenset({"right", "up", "upward", "upwards"})
-ALONG_X: str = "left leftward leftwards links gauche venstre right rightward rightwards rechts droite høyre"
-ALONG_Y: str = (
-    "up upward upwards oben aufwärts haut opp oppover down downward downwards unten abwärts bas ned nedover"
-)
-AXIS_OF: dict[str, str] = {
-    word: axis for axis, words in (("x", ALONG_X), ("y", ALONG_Y)) for word in words.split()
-}
-# To the right, up and forwards are positive in every figure of the chapter; where they are not, a person decides.
-POSITIVE: str = (
-    "right rightward rightwards rechts droite høyre up upward upwards oben aufwärts haut opp oppover "
-    "forward forwards vorn vorne vorwärts framover fremover positive positiver positiven positiv"
-)
-NEGATIVE: str = (
-    "left leftward leftwards links gauche venstre down downward downwards unten abwärts bas ned nedover "
-    "backward backwards back hinten rückwärts bakover negative negativer negativen negativ opposite"
-)
-SIGNS: dict[str, int] = {
-    word: sign for sign, words in ((1, POSITIVE), (-1, NEGATIVE)) for word in words.split()
-}
 ALONG = re.compile(
     r"[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?(?:(?:and )?(?:is )?(?:pointing|directed|moving|moves|going|goes|acting|acts|pushing|straight) )?"
     rf"(?:(?:(?:in|along|to|towards|nach|vers|mot|til|i|im) )?(?:the |la |le |der |den )?(?P<way>{'|'.join(sorted(SIGNS, key=len, reverse=True))})(?:[ -](?P<axis>[xyz]))?"
@@ -69,7 +52,8 @@ DOWNWARDS = "down|downwards?|below|under|abwärts|nach unten|unter|unterhalb|ned
 TURNED = re.compile(rf"[\s,;(]+(?:(?P<up>{UPWARDS})|(?:{DOWNWARDS})){REFERENCE}\)?\.?\s*$", re.IGNORECASE)
 TOWARDS = re.compile(
     r"(?<=[A-Za-z0-9²)])[\s,;(]+(?:i\.e\.,? |that is,? |meaning |so )?"
-    r"(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:the|my|his|its|our|your) [a-z' ]{2,60})\)?\.?\s*$",
+    r"(?P<words>(?:in|towards?|away from|against|from|opposite to|along) (?:(?:the|my|his|its|our|your) [a-z' ]{2,60}|me|him|her|it|us|you)(?: [0-9A-Z])?"
+    r"|(?:towards?|away from) (?:[a-z]{2,20} ?[0-9A-Z]|[A-Z]))\)?\.?\s*$",
     re.IGNORECASE,
 )
 
@@ -117,11 +101,13 @@ def with_direction(
     if gain := gain_in(value.text, question):
         return _signed(read(Text(gain.text)), gain.sign, gain.word)
     angle = question.unit.text in ("rad", "deg")
-    found = turn_of(value.text) if angle else direction_of(value.text, directed(question), component)
-    if found is None:
-        answer = read(value)
-        return _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
-    answer = read(Text(found.text))
+    text = value.text if angle else way_behind(value.text)
+    found = turn_of(text) if angle else direction_of(text, directed(question), component)
+    answer = read(value if found is None else Text(found.text))
+    if found is None or _is_unread(answer):  # `-0.4 m/s (so I move backwards)`
+        remarked = _remarked(value.text, answer, question, read, component) if _is_unread(answer) else answer
+        if found is None or not _is_unread(remarked):
+            return remarked
     return _either(answer, found.words) if found.sign is None else _signed(answer, found.sign, found.words)
 
 
@@ -139,9 +125,8 @@ def _remarked(
         return unread
     if remark.harmless or not isinstance(answer, Numbers):
         return answer
-    if answer.in_words:  # `85.3 J lost by the block and gained by the bullet`
-        return unread
-    return _either(answer, remark.words) if answer.values[0] > 0 else answer
+    # The sign may be given in words: `85.3 J lost by the block and gained by the bullet`.
+    return _either(answer, remark.words) if answer.values[0] > 0 or answer.in_words else answer
 
 
 def _is_unread(answer: Answer) -> bool:

@@ -25,8 +25,13 @@ VERB = re.compile(
 )
 OF_ENERGY = re.compile(rf"\s+(?:of|in)\s+{WHAT}\s*$", re.IGNORECASE)
 BEHIND = re.compile(
-    rf"(?<=[A-Za-z0-9²)%])[\s,;(]+(?:(?:{WHAT}|is|are|was|were|has|have|been|got|a|geht|gehen|ging|gingen|går|gikk|er)\s+)*"
+    rf"(?<=[A-Za-z0-9²)%])[\s,;(]+(?:(?:{WHAT}|is|are|was|were|has|have|been|gets?|got|a|geht|gehen|ging|gingen|går|gikk|er)\s+)*"
     rf"(?P<word>{WORDS})(?:\s+(?:{WHAT}|(?:to|as|into) (?:heat|friction|sound)))?\)?\.?\s*$",
+    re.IGNORECASE,
+)
+INTO_HEAT = re.compile(
+    r"(?<=[A-Za-z0-9²)%])[\s,;(]+(?P<word>(?:(?:of energy|of kinetic energy|is|are|was|were|has been|have been)\s+)*"
+    r"(?:becomes?|became|goes|go|went|turns?|turned|changed|converted|transformed|dissipated)(?: in)?(?: ?to| as)? (?:heat|thermal energy|internal energy))\)?\.?\s*$",
     re.IGNORECASE,
 )
 # The loss itself is asked for: then what is lost is positive.
@@ -46,7 +51,7 @@ class Gain:
 
 def gain_in(text: str, question: Question) -> Gain | None:
     """What a text of bounded length says is gained or lost, if anything. A loss is negative, unless the loss is asked for."""
-    found = BEFORE.search(text) or VERB.search(text) or BEHIND.search(text)
+    found = BEFORE.search(text) or VERB.search(text) or BEHIND.search(text) or INTO_HEAT.search(text)
     if found is None:
         return None
     word = found["word"].lower()

@@ -9,7 +9,7 @@ from dataclasses import replace
 from corollary.answers.answer import Blank, Formulas, Numbers, Unclear
 from corollary.answers.formula import as_typed, dimension_in, fitting, formula, formulas, other_dimension
 from corollary.answers.machine_number import exact, machine, sure
-from corollary.answers.quantity import Reading, read_quantity
+from corollary.answers.quantity import TABLE, Reading, read_quantity
 from corollary.answers.question import Question
 from corollary.formula.errors import ParseError, sentence
 from corollary.formula.value import (
@@ -36,7 +36,7 @@ FORMULA, OWN_NUMBER = re.compile(r"[*^/()·√]"), re.compile(r"^\W*[0-9]")
 INVERSE = re.compile(
     r"\\?(?P<of>sin|cos|tan|cot)\s*(?:\^\s*(?:-\s*1|[({]\s*-\s*1\s*[)}])|\*\*\s*\(-1\)|⁻¹)(?=\s*(?:\\left\s*)?[({\[])"
 )
-AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)+")
+AMBIGUOUS = re.compile(r"[0-9]+(?:[.,][0-9]+)?\([0-9]+\)|[0-9]+(?:[.,][0-9]+)+")
 
 
 def scalar(value: Value, question: Question) -> Numbers | Formulas | Blank | Unclear:
@@ -95,7 +95,7 @@ def typed(text: str, question: Question) -> Numbers | Formulas | Blank | Unclear
         tree = fitting(text, question) or tree
     if isinstance(tree, Unclear):
         return tree
-    looks_like_one = FORMULA.search(text) and not OWN_NUMBER.search(text)
+    looks_like_one = FORMULA.search(text) and not OWN_NUMBER.search(text) and not TABLE.search(text)
     if not isinstance(tree, ParseError):
         dimension = dimension_in(tree, question)
         if dimension == unit.dimension:

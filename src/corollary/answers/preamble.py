@@ -13,7 +13,7 @@ ABOUT = (  # in English, and as German, French and Nordic students say
 TALK = (
     "the it its this that is was are be becomes equals answer ans. ans result value so thus hence therefore we get of in by to with momentum "
     "velocity speed force impulse energy height angle distance work power change changes average mean total net kinetic final common "
-    "he she they "
+    "he she they still again "
     "der die das den dem er sie es ist sind wird beträgt betragen um mit von antwort ergebnis lösung impuls impulsänderung kraftstoß änderung ändert "
     "sich geschwindigkeit kraft mittlere mittleren durchschnittliche energie höhe winkel betrag "
     "det blir ble er svaret svar på med bevegelsesmengden bevegelsesmengde endringen endring endres impulsen farten fart hastigheten kraften "
@@ -30,7 +30,9 @@ COUNTED = re.compile(
 LEADING = (
     LABEL,
     COUNTED,
-    re.compile(r"I (?:get|got|find|found|have) ", re.IGNORECASE),
+    re.compile(
+        r"I (?:get|got|find|found|have) |(?:the )?same as (?:before|in \(?[a-z]\)?)[,:]\s*", re.IGNORECASE
+    ),
     re.compile(rf"[=≈~:]\s*|(?:{WORDS})(?![A-Za-z0-9_^*/(]|\s+ganger)\s*", re.IGNORECASE),
     re.compile(rf"(?:{NAME})\s*(?:[=≈](?!=)|[:~](?=\s*[-+0-9.,√(]))\s*"),
 )

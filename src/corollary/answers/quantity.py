@@ -15,7 +15,7 @@ from corollary.answers.motion_words import motion_in_number, motion_in_numbers
 from corollary.answers.number_words import in_digits
 from corollary.answers.polar import length_and_angle
 from corollary.answers.preamble import SIDES, answer_in
-from corollary.answers.spread import WIDEST, without_spread
+from corollary.answers.spread import WIDEST, in_brackets, without_spread
 from corollary.answers.unit_meant import unit_meant
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused
@@ -26,6 +26,8 @@ from corollary.units.unit import ONE, PURE, Unit, called, show
 _ = catalogue(__name__)
 
 MOST_SIDES = 5
+ROUND = str.maketrans("[]{}", "()()")
+TABLE = re.compile(r"^\s*\|[^|]*\|[^|]+\|\s*$|\|\s*:?-{3,}", re.MULTILINE)  # of Markdown
 TWICE = re.compile(
     r"\s*([^()=]*[^()=\s])\s*(?:\(|[,;]\s*(?:or|i\.e\.|that is)\s)\s*=?\s*([^()=]*[^()=\s])\s*\)?\s*"
 )
@@ -58,6 +60,10 @@ def read_quantity(text: str, expected: Unit | None) -> Reading | ParseError:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
     typed = motion_in_number(by_hand(text))
     normalized, skipped = answer_in(typed.translate(TO_ASCII))
+    if asked := in_brackets(normalized):
+        return _placed(asked, skipped, rewritten=text != typed)
+    if TABLE.search(typed):
+        return refused(_("a table is not read here"), None, _("write one number and a unit"))
     normalized, spread = without_spread(normalized)
     found = _alone(text, normalized, expected)
     if isinstance(found, ParseError):
@@ -153,7 +159,7 @@ def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Readi
 
 
 def _worked(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:
-    found = worked_out(normalized)
+    found = worked_out(normalized.translate(ROUND))
     if isinstance(found, ParseError):
         return found
     number = Written(Fraction(f"{found.value:.15g}"), 0, 0)
@@ -201,6 +207,8 @@ def components_in(
     """The texts of the components, or those of a length and an angle."""
     if len(text) > LONGEST:
         return refused(_("this is longer than {most} characters", most=LONGEST), LONGEST)
+    if TABLE.search(text):
+        return refused(_("a table is not read here"), None, _("write the components as (3; 4) m/s"))
     typed = motion_in_numbers(by_hand(in_one_line(text, count)))
     normalized, skipped = without_preamble(typed.translate(TO_ASCII))
     polar = length_and_angle(normalized)

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 WORDS = r"[^0-9=<>≤≥]"
 LEADS = (
     "on in at when while just right before after including incl excluding without with because since due for from by which that and so as "
-    "above over below im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"
+    "above over below higher im bei beim mit ohne nach vor als wenn gegen i med uten etter før mot når"
 )
 REMARK = re.compile(
     rf"(?<=[^\W_]|[²³)°%½])(?:\s*\((?P<bracketed>(?!or\b){WORDS}{{3,80}})\)|\s*[,;]\s*(?P<apart>(?!or\b)[A-Za-z]{WORDS}{{2,80}})"
-    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt))\.?\s*$",
+    rf"|\s+(?P<led>(?:{'|'.join(LEADS.split())})\b[^0-9=<>≤≥,;]{{2,80}}|total|altogether|insgesamt|totalt|high|hoch|høyt))\.?\s*$",
     re.IGNORECASE,
 )
 # Words that change neither the number nor its sign. Whatever else is said, a person reads.
@@ -23,7 +23,8 @@ NEUTRAL: str = (
     "collision impact hit hits hitting reaching reaches ground floor landing lands contact kick jump "
     "bullet ball block car book wall body object person sphere rocket chain atom club racket track "
     "twice double much large same answer part result approximately approximation decimal rounded si unit units "
-    "above over axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
+    "above over high hoch høyt higher than lowest point starting position table first second third bounce "
+    "axis direction x x-axis x-direction horizontal counterclockwise counter-clockwise anticlockwise measured relative "
     "im mittel mittelwert durchschnitt betrag insgesamt mit ohne gewicht vor nach dem der die das beim stoß aufprall kurz gerundet "
     "kugel klotz "
     "i snitt gjennomsnitt totalt med uten vekt før etter støtet rett ballen kula kloss"

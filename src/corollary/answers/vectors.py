@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import cast
 
 from corollary.answers.answer import Answer, Blank, Formulas, Numbers, Unclear
-from corollary.answers.components import are_axes, place_named
+from corollary.answers.components import are_axes, labelled, place_named
 from corollary.answers.direction import axis_named, beside_axis, with_direction
 from corollary.answers.formula import as_typed
 from corollary.answers.numbers import PLACEHOLDERS, from_reading, scalar, turned_away
@@ -155,6 +155,7 @@ def _flat(items: tuple[Value, ...], count: int) -> tuple[Value, ...]:
 
 def _in_order(items: tuple[Value, ...], names: tuple[str, ...]) -> tuple[Value, ...]:
     """Texts that name their components (`p_y = 4`), in the order asked for."""
+    items = tuple(Text(labelled(item.text, names)) if isinstance(item, Text) else item for item in items)
     places = [
         place_named(item.text, names) if isinstance(item, Text) and "=" in item.text else None
         for item in items

@@ -20,10 +20,11 @@ _ = catalogue(__name__)
 
 LONGEST = 400
 AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
-LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |my )?(?:the )?"
+LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |it must be |my )?(?:the )?"
 NAMED = r"(?:option|answer|choice|alternative|letter|svar|alternativ|antwort|lösung)(?: is)?"
+HOLDS = r"(?:is|ist|er) (?:the )?(?:correct|right|true|richtig|korrekt|riktig|rett|sann)(?: (?:one|answer|option|choice))?"
 LETTER = re.compile(
-    rf"{AROUND}(?:{LEAD}(?:{NAMED}{AROUND})?)?(?P<letter>[A-Za-z]){AROUND}",
+    rf"{AROUND}(?:{LEAD}(?:{NAMED}{AROUND})?)?(?P<letter>[A-Za-z]){AROUND}(?:{HOLDS}{AROUND})?",
     re.IGNORECASE,
 )
 

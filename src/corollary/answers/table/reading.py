@@ -12,15 +12,19 @@ from corollary.answers.answer_type import AnswerType
 from corollary.answers.components import pieces_of
 from corollary.answers.numbers import PLACEHOLDERS, scalar, turned_away
 from corollary.answers.question import Question
-from corollary.answers.table.entry import entry_question, heads, numbered
+from corollary.answers.table.entry import entry_question, heads, numbered, units_of
 from corollary.formula.value import Items, Named, Nothing, Refused, Text, Value
 from corollary.messages import catalogue
+from corollary.units.unit import show
 
 _ = catalogue(__name__)
 
 LONGEST = 2000
 INNER = re.compile(r"[\[(]([^\[\]()]*)[\])]")
 ROWS = re.compile(r"\\\\|;|\n")
+RULED = re.compile(
+    r"\A(?P<head>[^\n]*\|[^\n]*)\n[\s|:]*-{2,}[-\s|:]*\n(?P<rows>.*)\Z", re.DOTALL
+)  # as Markdown has it
 CELLS = re.compile(r"\s*[|&]\s*|\t+")
 Row = Sequence[Value]
 
@@ -83,6 +87,9 @@ def _rows(value: Value, question: Question) -> list[Row] | Unclear:
     """The entries as they stand, row by row."""
     height, width = len(question.rows), len(question.columns)
     match value:
+        case Text(text) if len(text) <= LONGEST and RULED.search(text):
+            named = _of_markdown(text, question)
+            return named if isinstance(named, Unclear) else _rows(named, question)
         case Text(text) if len(text) <= LONGEST:
             rows: list[Row] = [[Text(row)] for row in _lines(text)]
         case Named(names, items):
@@ -135,6 +142,34 @@ def _lines(text: str) -> list[str]:
     return [line.strip().rstrip(",") for line in ROWS.split(bare) if line.strip()]
 
 
+def _of_markdown(text: str, question: Question) -> Value | Unclear:
+    """A table whose heads name the columns asked for, in their units, and its rows under their names where it has these."""
+    ruled = RULED.search(text.strip())
+    lines = [ruled["head"], *ruled["rows"].splitlines()] if ruled else []
+    head, *rows = [[cell.strip() for cell in _unframed(line).split("|")] for line in lines if line.strip()]
+    named = len(head) == len(question.columns) + 1
+    columns = [_head(each, question) for each in head[named:]]
+    if sorted(columns) != sorted(question.columns) or any(len(row) != len(head) for row in rows):
+        return _other_names(tuple(head[named:]), question)
+    order = [named + columns.index(column) for column in question.columns]
+    found = tuple(Items(tuple(Text(row[place]) for place in order), (len(order),)) for row in rows)
+    return Named(tuple(row[0] for row in rows), found) if named else Items(found, (len(found),))
+
+
+def _unframed(line: str) -> str:
+    return line.strip().removeprefix("|").removesuffix("|")
+
+
+def _head(typed: str, question: Question) -> str:
+    """The column that a head names, alone or with the unit asked for; "" for none."""
+    bare = re.sub(r"[\s\[\]()*_]+|\bin\b", "", typed).casefold()
+    for column, unit in zip(question.columns, units_of(question), strict=True):
+        ways = (column, column + show(unit), f"{column}/{show(unit)}")
+        if bare in {re.sub(r"\s+", "", each).casefold() for each in ways}:
+            return column
+    return ""
+
+
 def _by_name(names: tuple[str, ...], items: tuple[Value, ...], question: Question) -> list[Row] | Unclear:
     """A dictionary by rows, each a list; or by columns, as a data frame gives them."""
     if (places := _places(names, question.rows)) is not None:
@@ -145,6 +180,10 @@ def _by_name(names: tuple[str, ...], items: tuple[Value, ...], question: Questio
         turned = replace(question, rows=question.columns, columns=question.rows)
         found = _rows(Items(tuple(columns), (len(columns),)), turned)
         return found if isinstance(found, Unclear) else [list(row) for row in zip(*found, strict=True)]
+    return _other_names(names, question)
+
+
+def _other_names(names: tuple[str, ...], question: Question) -> Unclear:
     return Unclear(
         _(
             "the rows are {rows}, the columns {columns}; your names are {given}",
@@ -152,7 +191,7 @@ def _by_name(names: tuple[str, ...], items: tuple[Value, ...], question: Questio
             columns=", ".join(question.columns),
             given=", ".join(names)[:80],
         ),
-        _("a dictionary"),
+        _("a table"),
     )
 
 
