@@ -57,10 +57,10 @@ def motion_in_numbers(text: str) -> str:
 
 def way_behind(text: str) -> str:
     """The way of a motion put behind its speed: `A goes back at 4 m/s` as `A = 4 m/s back`. What bounces goes back."""
-    return text if DENIAL.search(text) else WENT.sub(_told, text)
+    return text if DENIAL.search(text) else WENT.sub(_turned_round, text)
 
 
-def _told(found: re.Match[str]) -> str:
+def _turned_round(found: re.Match[str]) -> str:
     way = found["way"] or found["bare"] or ("back" if found["bounces"] else "")
     return f" = {found['much']} {way}" if way else found[0]
 
