@@ -89,6 +89,8 @@ def test_a_damaged_gradebook_is_named(content: str, graded: Path) -> None:
         ("raise SystemExit(3)", "SystemExit: 3"),
         ("c.CourseDirectory.course_id = 5", "TraitError"),
         ("import no_such_module", "ModuleNotFoundError"),
+        ('c.CourseDirectory.db_url = "no such database"', "ArgumentError"),
+        ('c.CourseDirectory.db_url = "nosuch://host/marks"', "NoSuchModuleError"),
     ],
 )
 def test_a_broken_nbgrader_config_is_named(line: str, why: str, graded: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import subprocess
 import sys
 import tempfile
 from collections.abc import Callable
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import SET, grade
+from .conftest import COMMAND, SET, grade
 
 pytestmark = pytest.mark.whole
 
@@ -49,6 +50,19 @@ def test_a_notebook_that_is_no_file(kind: str, handed_in: Path) -> None:
     notebook.unlink()
     HARM[kind](notebook)
     assert "could not be opened" in only_ben_is_looked_at(handed_in)
+
+
+def test_nbgraders_autograde_opens_no_pipe_and_follows_no_link(handed_in: Path) -> None:
+    pytest.importorskip("nbgrader")
+    for student, kind in (("ada", "pipe"), ("ben", "device")):
+        notebook = handed_in / "submitted" / student / "one" / "one.ipynb"
+        notebook.unlink()
+        HARM[kind](notebook)
+    line = [COMMAND.with_name("nbgrader"), "autograde", "one"]
+    subprocess.run(line, cwd=handed_in, timeout=120, check=True, capture_output=True)
+    done = grade(handed_in)
+    assert (done.document["graded"], done.document["failed"]) == (0, ["ada", "ben"])
+    assert done.points == {"ada": 0.0, "ben": 0.0, "cyd": 5.0}
 
 
 def test_a_students_folder_that_is_a_link(handed_in: Path) -> None:

@@ -67,7 +67,13 @@ def test_a_guess_makes_nobody_late_and_what_was_there_is_kept(kind: str, place: 
         (stamp / "inside").write_text("9 pm")
     assert late(place) == 0.0
     for _ in range(2):
-        assert "taken as in time" in settled(place)
+        said = settled(place)
+        assert "taken as in time" in said
+        assert ("said no time but" in said, "was blank" in said) == {
+            "words": (True, False),
+            "bytes": (True, False),
+            "none": (False, False),
+        }.get(kind, (False, True))
     assert late(place) == 0.0
     assert handed_in(course_of(place), SET.name, "ada") == DUE
     assert stamp.read_text() == "2023-11-14 12:00:00.000000 UTC"

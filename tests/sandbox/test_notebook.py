@@ -106,7 +106,7 @@ def test_a_byte_order_mark_and_odd_cells_are_survived() -> None:
         (b'{"cells": [' + b"{}," * 6_000_000 + b"{}]}", "values"),
         (b'{"cells": ' + b"[[]," * 4_000_000, "values"),
         (book(code(metadata={"x": [{}] * 120_000})), "values beside the outputs"),
-        (b"1" * 10_000, "not a notebook"),
+        (b"1" * 10_000, "thousands of digits, so it is not a notebook"),
         (book(*[code()] * 2001), "more than"),
     ],
     ids=lambda each: str(len(each)),

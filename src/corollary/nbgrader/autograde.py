@@ -58,12 +58,15 @@ class OwnSheet(NotebookExporter):
             run.convert_notebooks = partial(alone, run, partial(_with_times, run, run.convert_notebooks))
             run.init_assignment = partial(_without_links, run, run.init_assignment)  # pyright: ignore[reportAttributeAccessIssue]
 
-    def from_file(
-        self, file_stream: Any, resources: dict[str, Any] | None = None, **more: Any
+    def from_filename(
+        self, filename: str, resources: dict[str, Any] | None = None, **more: Any
     ) -> tuple[Any, Any]:
+        """Without opening what was handed in: it may be a pipe that nothing comes out of, or a link to anywhere."""
         ours = _assignment((resources or {}).get("nbgrader", {}))
-        if ours is None or not _handed_in(ours, file_stream.name):
-            return super().from_file(file_stream, resources=resources, **more)
+        if resources is None or ours is None or not _handed_in(ours, filename):
+            return super().from_filename(filename, resources=resources, **more)
+        place = Path(filename)
+        resources["metadata"] = ResourcesDict(name=place.stem, path=str(place.parent))
         return self.from_notebook_node(restored(ours.worksheet, ours.node), resources=resources, **more)
 
 
@@ -190,9 +193,10 @@ def _runner(require: int) -> Runner:
 
 
 def _handed_in(ours: Assignment, name: str) -> bool:
-    """Whether the file is what was handed in; nbgrader reads its own copy in `autograded/` with the same classes."""
+    """Whether the file is what was handed in, wherever it leads; nbgrader reads its own copy in `autograded/` with the same
+    classes."""
     place = ours.course.place("submitted", ours.submission.student.id, ours.context.problem_set.name)
-    return Path(name).resolve().parent == place.resolve()
+    return Path(name).parent.resolve() == place.resolve()
 
 
 def _flag(about: Mapping[str, str]) -> None:

@@ -97,14 +97,20 @@ def gradebook(course: Course) -> Generator[Gradebook]:
     """
     need_nbgrader()
     from nbgrader.api import Gradebook
-    from sqlalchemy.exc import DatabaseError
+    from sqlalchemy.exc import ArgumentError, DatabaseError
 
     place = directory(course)
     try:
         if not course.gradebook.exists() and str(course.gradebook) in place.db_url:
             _new(course, place)
-        with programs_on_path():
-            book = Gradebook(place.db_url, place.course_id)
+        try:
+            with programs_on_path():
+                book = Gradebook(place.db_url, place.course_id)
+        except (
+            ArgumentError,
+            ImportError,
+        ) as error:  # no URL, or of a database that nothing here can speak to
+            raise broken(course, error) from None
         with book:
             yield book
     except DatabaseError as error:

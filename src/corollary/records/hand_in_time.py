@@ -25,8 +25,8 @@ STAMP = "timestamp.txt"
 
 
 class GuessedTime(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A moment that nobody said. `found` is what stood in timestamp.txt (empty: there was none), `aside` the file below
-    `.corollary/times` that has it now; `after_due`: the notebook itself is from after the deadline."""
+    """A moment that nobody said. `found` is what stood in timestamp.txt (empty: nothing that could be read), `aside` the file below
+    `.corollary/times` that has it now (empty: there was none); `after_due`: the notebook itself is from after the deadline."""
 
     moment: datetime
     found: str = ""
@@ -78,10 +78,10 @@ def settle_time(course: Course, set_name: str, student: str, terms: Terms) -> No
     before = guessed_time(course, set_name, student)
     found, aside = (before.found, before.aside) if before is not None else ("", "")
     if os.path.lexists(place / STAMP):
-        found = content.decode("utf-8", "backslashreplace") if isinstance(content, bytes) else content.why
+        found = content.decode("utf-8", "backslashreplace") if isinstance(content, bytes) else ""
         count = len(list(_record(course, set_name, student).parent.glob(f"{student}.*.txt")))
         aside = f"{student}.{count + 1}.txt"
-    record = GuessedTime(moment, found.strip() or ("nothing" if aside else ""), aside, late)
+    record = GuessedTime(moment, found.strip(), aside, late)
     write_whole(_record(course, set_name, student), msgspec.json.encode(record), mode=0o600)
     with suppress(
         OSError
@@ -103,9 +103,14 @@ def guessed_time(course: Course, set_name: str, student: str) -> GuessedTime | N
 def why_guessed(set_name: str, student: str, guess: GuessedTime) -> str:
     """A sentence on a guess that matters, and what to do; nothing for a notebook that is from before the deadline anyway."""
     remedy = f"write the time into submitted/{student}/{set_name}/{STAMP} if you know it"
-    if guess.found:
+    if guess.found or guess.aside:
+        what = (
+            f"said no time but {guess.found[:60]!r}"
+            if guess.found
+            else "was blank, too large, a link, or no file"
+        )
         where = f" (it lies in .corollary/times/{set_name}/{guess.aside})" if guess.aside else ""
-        return f"timestamp.txt said no time but {guess.found[:60]!r}{where}: taken as in time; {remedy}"
+        return f"{STAMP} {what}{where}: taken as in time; {remedy}"
     if guess.after_due:
         return f"nothing said when it was handed in, and the file is from after the deadline: taken as in time; {remedy}"
     return ""

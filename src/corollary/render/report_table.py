@@ -55,7 +55,7 @@ def _pieces(report: Report, unmarked: Collection[str]) -> Iterator[RenderableTyp
         yield _table("Handed in, and cannot be used", ("student", "what"), iter(report.unusable))
     if report.noticed:
         yield _table(
-            "Noticed (as the students read it)",
+            "Noticed (nothing was taken off for it)",
             ("student", "what"),
             ((one.student, note) for one in report.noticed for note in one.notes),
         )

@@ -52,8 +52,10 @@ def notebook_of(content: bytes) -> Notebook | Unreadable:
         raw = json.loads(text, parse_constant=lambda _: None)
     except RecursionError:
         return Unreadable("The file is nested too deeply to be a notebook.")
-    except ValueError as error:
+    except json.JSONDecodeError as error:
         return Unreadable(f"The file is not a notebook: its JSON is broken ({error}).")
+    except ValueError:  # more digits than Python turns into a number
+        return Unreadable("The file has a number of thousands of digits, so it is not a notebook.")
     if not isinstance(raw, dict):
         return Unreadable("The file is JSON, but not a notebook: it does not begin with {.")
     _drop_outputs(raw)
