@@ -161,6 +161,9 @@ def test_names_that_windows_keeps_to_itself_are_nobodys_folder(tmp_path):
         ('id\n"ada\nben\n', 2, "a quotation mark is out of place"),
         (b"PK\x03\x04rest", 1, "is an Excel or LibreOffice workbook; save it as CSV"),
         (b"id\n\x81\x8d\n", 1, "no encoding that is known"),
+        ("<html><body>Please log in</body></html>", 1, "is a web page; give the CSV file itself"),
+        ('[{"id": "ada"}]', 1, "is JSON"),
+        ("Course: Mechanics\nExported today\n\nID,Name\n1,Ada\n", 4, "delete the lines above"),
     ],
 )
 def test_a_roster_that_will_not_do(tmp_path, content, line, words):

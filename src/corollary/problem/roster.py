@@ -12,7 +12,14 @@ from pathlib import Path
 
 from corollary.messages import few
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.problem.roster_columns import HEADINGS, Columns, columns_of, guessed, is_header
+from corollary.problem.roster_columns import (
+    HEADINGS,
+    Columns,
+    columns_of,
+    guessed,
+    is_header,
+    is_surely_header,
+)
 from corollary.problem.table import Table, read_table
 
 COLUMNS = ("id", "first_name", "last_name", "email")
@@ -123,6 +130,9 @@ def _columns(table: Table, id_column: str) -> tuple[Columns, list[tuple[int, tup
     if named:
         rows = [row for row in rows[1:] if not _is_nobody(columns, row[1])]
     elif rows:
+        for line, row in rows[:20]:
+            if is_surely_header(row):
+                raise _refused(table.path, "has the names of its columns here; delete the lines above", line)
         notes.append(f"{table.path.name} has no line with names of columns; {_described(columns)}")
     if id_column:
         columns = _with_ids(table, columns, id_column, seen)
@@ -247,5 +257,5 @@ def _trouble(
     return ""
 
 
-def _refused(path: Path, sentence: str) -> Malformed:
-    return Malformed([Diagnostic(path, 1, sentence)])
+def _refused(path: Path, sentence: str, line: int = 1) -> Malformed:
+    return Malformed([Diagnostic(path, line, sentence)])

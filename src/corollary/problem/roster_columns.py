@@ -26,10 +26,10 @@ EMAILS = (
     "adresse de courriel", "dirección de correo",
 )  # fmt: skip
 FIRST_NAMES = (
-    "first_name", "first name", "firstname", "given name", "forename", "vorname", "fornavn", "prénom", "nombre",
+    "first_name", "first name", "firstname", "given name", "forename", "first", "vorname", "fornavn", "prénom", "nombre",
 )  # fmt: skip
 LAST_NAMES = (
-    "last_name", "last name", "lastname", "surname", "family name", "nachname", "etternavn", "nom", "nom de famille",
+    "last_name", "last name", "lastname", "surname", "family name", "last", "nachname", "etternavn", "nom", "nom de famille",
     "apellido(s)", "apellidos",
 )  # fmt: skip
 NAMES = (
@@ -78,6 +78,12 @@ def columns_of(headings: Sequence[str]) -> Columns:
 def is_header(row: Sequence[str]) -> bool:
     """Whether a row names columns."""
     return any(cell.strip().lower() in HEADINGS for cell in row)
+
+
+def is_surely_header(row: Sequence[str]) -> bool:
+    """Whether a row that is not the first one names columns: a person may be called what one is called."""
+    known = [cell.strip().lower() in HEADINGS for cell in row]
+    return sum(known) > 1 or any(cell.strip().lower() in IDS for cell in row)
 
 
 def guessed(rows: Sequence[Sequence[str]]) -> Columns | None:

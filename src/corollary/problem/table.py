@@ -20,6 +20,8 @@ NO_TABLES = {
     b"%PDF": "a PDF",
     b"\x1f\x8b": "a compressed file",
 }
+# … and what its text begins with, for those that are text.
+NO_TABLES_EITHER = {"<": "a web page", "{": "JSON", "[{": "JSON"}
 MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
 
 
@@ -62,6 +64,9 @@ def read_table(path: Path, headings: Collection[str] = ()) -> Table:
         if content.startswith(mark):
             raise _refused(path, f"is {kind}; save it as CSV, in UTF-8, and give that file")
     text, encoding = _decoded(path, content)
+    for mark, kind in NO_TABLES_EITHER.items():
+        if text.lstrip("\ufeff \t\r\n").startswith(mark):
+            raise _refused(path, f"is {kind}; give the CSV file itself")
     newline = "\r\n" if "\r\n" in text else "\n"
     head, _, rest = text.partition("\n")
     if head.strip().lower().startswith("sep=") and len(head.strip()) == 5:  # what Excel understands
