@@ -282,6 +282,7 @@ def test_another_package_brings_a_target_by_an_entry_point(installed, sheet):
         "moodle-stack",
         "qti",
         "canvas",
+        "numbas",
         "site",
         "broken",
         "gone",

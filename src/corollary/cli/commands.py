@@ -272,7 +272,7 @@ command(
         type=AT_LEAST_1,
         help="Without either: so many sheets with distinct numbers; of questions, so many of each problem.",
     ),
-    flag("--apart", "moodle, moodle-stack, qti: each part a question of its own, with numbers of its own."),
+    flag("--apart", "Questions of an LMS: each part one of its own, with numbers of its own."),
     several("--except", "left_out", "site: leave out the problems of this set", SETS),
     path("--pyodide", text="site: the unpacked npm package pyodide; it is fetched when left out."),
     SOLUTION,

@@ -40,6 +40,7 @@ OURS = (
     "moodle-stack",
     "qti",
     "canvas",
+    "numbas",
     "site",
 )
 

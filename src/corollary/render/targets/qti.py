@@ -95,7 +95,7 @@ def _item(item: LmsItem, parts: Sequence[PartAsked], identifier: str) -> str:
 def _numbers_only() -> str:
     return _(
         "Into each field for a number write the number alone, in the unit that stands beside it, with three significant figures "
-        "or more: 4.71 or 6.30e-5. Decimals stand behind a point, not behind a comma."
+        "or more: 4.71 or 6.30e-5. Decimals stand behind a point here; what stands behind a comma is not read."
     )
 
 
