@@ -12,6 +12,7 @@ from corollary.records.files import (
     Course,
     NotACourse,
     create_course,
+    find_student,
     one_writer,
     open_course,
     students,
@@ -39,6 +40,16 @@ def test_made_again_it_keeps_the_key_and_takes_the_new_roster(course: Course):
     again = create_course(course.folder, [*ROSTER, Student("bob")])
     assert again.key == course.key
     assert [student.id for student in students(again)] == ["ada", "emilie", "bob"]
+
+
+def test_an_id_that_could_not_name_a_folder_is_remembered(course: Course):
+    roster = [
+        Student("Lukasz-c57b4f3a", "Łukasz", ids=(("id", "Łukasz"), ("Login", "lz"))),
+        Student("ada", "Ada", "Lovelace", ids=(("id", "ada"),)),
+    ]
+    create_course(course.folder, roster)
+    assert [each.ids for each in students(course)] == [each.ids for each in roster]
+    assert find_student(course, "Łukasz").id == "Lukasz-c57b4f3a"
 
 
 def test_two_courses_have_two_keys(course: Course, tmp_path: Path):

@@ -20,6 +20,7 @@ from corollary.problem.roster import COLUMNS, Student
 from corollary.problem.table import read_table
 
 KEY_BYTES = 32
+GIVEN = "id as given"  # in the roster's copy: what stood in the column `id` before it became a folder's name
 OUTSIDE = re.compile(r"^\.|[/\\\x00]")  # what would lead out of the course's folders
 
 
@@ -113,7 +114,7 @@ def students(course: Course) -> tuple[Student, ...]:
                 "generate again with --roster"
             )
         name, first, last, email = (row[at] for at in places)
-        ids = tuple((heading, row[at]) for at, heading in others if row[at])
+        ids = tuple(("id" if heading == GIVEN else heading, row[at]) for at, heading in others if row[at])
         found.append(Student(name, first, last, email, ids))
     return tuple(found)
 
@@ -133,14 +134,18 @@ def find_student(course: Course, name: str) -> Student:
 def roster_table(roster: Iterable[Student]) -> str:
     """The text of a roster's CSV file: nbgrader's columns, then whatever else the students' ids are called by elsewhere."""
     roster = tuple(roster)
-    headings = tuple(
+    given = {each.id: dict(each.ids).get("id", "") for each in roster}
+    headings = (GIVEN,) if any(value not in ("", own) for own, value in given.items()) else ()
+    headings += tuple(
         dict.fromkeys(heading for each in roster for heading, _ in each.ids if heading not in COLUMNS)
     )
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow([*COLUMNS, *headings])
     for each in roster:
-        about = [dict(each.ids).get(heading, "") for heading in headings]
+        about = [
+            given[each.id] if heading == GIVEN else dict(each.ids).get(heading, "") for heading in headings
+        ]
         rows.writerow([each.id, each.first_name, each.last_name, each.email, *about])
     return table.getvalue()
 
