@@ -4,43 +4,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from corollary.atomic import write_whole
 from corollary.course.batches import together
+from corollary.course.proposed_marks import ProposedMarks
 from corollary.course.workers import Execute, here
 from corollary.grading.solutions import Solutions
 from corollary.grading.submission import GradingContext, Submission, state_by_name, state_of
 from corollary.nbgrader.from_record import from_record
 from corollary.nbgrader.gradebook import gradebook, has_nbgrader
 from corollary.nbgrader.graded import GradedSubmission
-from corollary.nbgrader.marks import current_manual, stale_pages, synchronized, write_graded
+from corollary.nbgrader.marks import current_manual, stale_pages, synchronized
 from corollary.nbgrader.register import follow_points, register
 from corollary.nbgrader.source import source_notebook
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.assigned import read_assigned
-from corollary.records.causes import dependencies, is_extended, is_handed_in_anew, why
+from corollary.problem.roster import Student
+from corollary.records.assigned import AssignedSheet, read_assigned
+from corollary.records.causes import dependencies
 from corollary.records.collusion import find_shared, write_shared
-from corollary.records.deadlines import read_deadlines
+from corollary.records.deadlines import Deadlines, Terms, read_deadlines
 from corollary.records.files import Course, students
 from corollary.records.hand_in_time import GuessedTime, guessed_time, settle_time
+from corollary.records.manual import ManualMarks
 from corollary.records.marks import (
     page_facts_place,
     read_marks,
-    read_record,
     read_records,
     report_place,
     settle,
     with_out_of,
     write_page,
 )
-from corollary.records.record import Record, with_manual
-from corollary.records.regrading import Change, change, largest_first
+from corollary.records.record import Record
+from corollary.records.regrading import Change
 from corollary.records.report_model import Report, report_of
 from corollary.records.settings import read_settings
 from corollary.records.submission import fingerprint, read_submission, submissions, unclear
@@ -107,6 +110,100 @@ def grade_set(
     WeakIsolation, and what the gradebook refuses (GradebookLocked, GradebookUnusable, NotRegistered, BrokenConfig).
     """
     name = problem_set.name
+    handed_in = _handed_in(course, problem_set, solutions, now or datetime.now(UTC), dry_run)
+    digests = handed_in.digests
+    manual = current_manual(course) if dry_run else synchronized(course)
+    records = read_records(course, problem_set, digests)
+    done = {one: record for one, record in records.items() if record.fingerprint == digests[one]}
+    written = _written(course, problem_set, done, dry_run)
+    todo = [student for student in digests if regrade or student not in written]
+    given = with_out_of(course, name, manual).by_student(name)
+    proposed = ProposedMarks(course, problem_set, handed_in.deadlines, given, regrade, dry_run)
+    left = count(len(todo) - 1, -1)
+
+    def take(graded: Iterable[GradedSubmission]) -> set[str]:
+        ids = set[str]()
+        with _gradebook(course, dry_run) as book:
+            for several in together(graded):
+                proposed.take(several, book)
+                for one in several:
+                    ids.add(one.submission.student.id)
+                    progress(one.submission.student.id, next(left))
+        return ids
+
+    known = take(_marked_again(handed_in, todo, only_changed=regrade)) if todo else set[str]()
+    if to_run := [student for student in todo if student not in known]:
+        for problem in problem_set.problems:
+            solutions.of(problem)  # once, before there are workers who would each do it
+        context = GradingContext(problem_set, solutions, course.key, runner)
+        begin()
+        run = execute or here(jobs, len(to_run))
+        with run(context, map(handed_in.submission, to_run)) as graded:
+            take(graded)
+    if not dry_run:
+        if todo and (not proposed.moves_marks or ask(proposed.changed)):
+            with _gradebook(course, dry_run) as book:
+                proposed.write_held(book)
+        follow_points(course, problem_set)
+        manual = synchronized(course) if todo else manual  # a person may have given some meanwhile
+        own = read_records(course, problem_set, handed_in.files)
+        write_shared(course, problem_set, find_shared(problem_set, solutions, handed_in.assigned, own))
+    report = report_of(course, problem_set, manual)
+    if not dry_run:
+        _write_pages(course, problem_set, report, manual, handed_in.files)
+    held, not_run = proposed.held_students, proposed.not_run
+    return Outcome(
+        graded=tuple(student for student in todo if student not in not_run and student not in held),
+        written=not held and not dry_run,
+        skipped=tuple(student for student in digests if student not in todo),
+        failed=(*not_run, *(one.student for one in report.failed if one.student not in not_run)),
+        strangers=handed_in.strangers,
+        records=read_marks(course, problem_set, handed_in.files, manual),
+        in_gradebook=has_nbgrader(),
+        report=report,
+        page=report_place(course, name),
+        changed=proposed.changed,
+        extended=() if dry_run else tuple(proposed.extended),
+        held=tuple(student for student in todo if student in held),
+        unclear=unclear(course, name),
+        not_run=not_run,
+        refilled=tuple(student for student in done if student not in written),
+        guessed={one: guess for one in digests if (guess := guessed_time(course, name, one)) is not None},
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _HandedIn:
+    """What was handed in, before any of it is marked: `files`, `terms` and what was `assigned` by student. `digests` are the
+    fingerprints of those who can be marked; `strangers` are those to whom nothing was assigned, or whom no roster names.
+    `states` is what marks of the set depend on, by name."""
+
+    course: Course
+    problem_set: ProblemSet
+    solutions: Solutions
+    roster: Mapping[str, Student]
+    assigned: Mapping[str, AssignedSheet]
+    files: Mapping[str, Path]
+    strangers: tuple[str, ...]
+    deadlines: Deadlines
+    terms: Mapping[str, Terms]
+    digests: Mapping[str, str]
+    states: Mapping[str, bytes]
+
+    def submission(self, student: str) -> Submission:
+        """What a student handed in, read."""
+        course, about, owner = self.course, self.problem_set, self.roster[student]
+        file, sheet, terms = self.files[student], self.assigned[student], self.terms[student]
+        read = read_submission(course, about, owner, file, sheet, self.digests[student], terms)
+        depends = dependencies(course, about.name, student, file, sheet, terms, self.states)
+        return replace(read, depends=depends)
+
+
+def _handed_in(
+    course: Course, problem_set: ProblemSet, solutions: Solutions, now: datetime, dry_run: bool
+) -> _HandedIn:
+    """But for a dry run, this settles when each was handed in. Raises NotGenerated."""
+    name = problem_set.name
     assigned = read_assigned(course, problem_set)
     if not assigned:
         raise NotGenerated(
@@ -117,153 +214,44 @@ def grade_set(
     roster = {student.id: student for student in students(course)}
     files = submissions(course, name)
     strangers = tuple(student for student in files if student not in roster or student not in assigned)
-    state = state_of(problem_set, solutions)
-    deadlines, moment = read_deadlines(course, problem_set), now or datetime.now(UTC)
-    terms = {student: deadlines.terms(student, moment) for student in files}
-    by_name = state_by_name(problem_set, solutions)
+    deadlines = read_deadlines(course, problem_set)
+    terms = {student: deadlines.terms(student, now) for student in files}
     if not dry_run:
         for student in files.keys() - set(strangers):
             settle_time(course, name, student, terms[student])
+    state = state_of(problem_set, solutions)
     digests = {
         student: fingerprint(course, name, student, path, assigned[student], state, terms[student])
         for student, path in files.items()
         if student not in strangers
     }
-    manual = current_manual(course) if dry_run else synchronized(course)
-    done = {
-        student: record
-        for student, record in read_records(course, problem_set, digests).items()
-        if record.fingerprint == digests[student]
-    }
-    written = _written(course, problem_set, done, dry_run)
-    todo = [student for student in digests if regrade or student not in written]
-
-    def submission(one: str) -> Submission:
-        about = assigned[one], terms[one]
-        depends = dependencies(course, name, one, files[one], *about, by_name)
-        read = read_submission(
-            course, problem_set, roster[one], files[one], assigned[one], digests[one], terms[one]
-        )
-        return replace(read, depends=depends)
-
-    given = with_out_of(course, name, manual).by_student(name)
-
-    def standing(one: GradedSubmission) -> Record | None:
-        """The marks already given; None as well where the student handed in something else."""
-        student, depends = one.marked.student.id, one.submission.depends
-        old = read_record(course, problem_set, student)
-        if old is None or (not dry_run and is_handed_in_anew(old, depends, one.answers)):
-            return None
-        return old
-
-    def change_by(one: GradedSubmission, old: Record) -> Change | None:
-        """How these would change."""
-        student = one.marked.student.id
-        by_hand = given.get(student, {})
-        found = change(student, with_manual(old, by_hand), with_manual(one.record, by_hand))
-        return None if found is None else found.because(why(old, one.submission.depends))
-
-    held: list[GradedSubmission] = []
-    found: list[Change] = []
-    extended: list[Change] = []
-    asked = False
-    not_run: dict[str, str] = {}
-    changed: tuple[Change, ...] = ()
-
-    def take(several: Sequence[GradedSubmission], book: Gradebook | None) -> None:
-        """Writes what may be written at once, and holds the rest."""
-        nonlocal asked
-        at_once: list[GradedSubmission] = []
-        for one in several:
-            if one.marked.machine_failed:
-                not_run[one.submission.student.id] = one.marked.trouble
-                continue
-            old, moved = standing(one), None
-            if old is not None and (moved := change_by(one, old)) is not None:
-                found.append(moved)
-                if is_extended(old, one.submission.depends, moved, deadlines):
-                    extended.append(moved)
-            moves = moved is not None and moved.moves_points and moved not in extended
-            asked = asked or moves
-            waits = dry_run or moves or (regrade and old is not None)
-            (held if waits else at_once).append(one)
-        if at_once:
-            write_graded(course, problem_set, at_once, given, book)
-
-    left, known = len(todo), set[str]()
-    if todo:
-        marked_before = (each for each in todo if page_facts_place(course, name, each).exists())
-        again = (
-            from_record(course, problem_set, solutions, submission(each), only_changed=regrade)
-            for each in marked_before
-        )
-        with _gradebook(course, dry_run) as book:
-            for several in together(one for one in again if one is not None):
-                take(several, book)
-                known |= {one.marked.student.id for one in several}
-                left = _counted(progress, several, left)
-    to_run = [student for student in todo if student not in known]
-    if to_run:
-        for problem in problem_set.problems:
-            solutions.of(problem)  # once, before there are workers who would each do it
-        context = GradingContext(problem_set, solutions, course.key, runner)
-        begin()
-        with (
-            (execute or here(jobs, len(to_run)))(context, map(submission, to_run)) as graded,
-            _gradebook(course, dry_run) as book,
-        ):
-            for several in together(graded):
-                take(several, book)
-                left = _counted(progress, several, left)
-    if todo:
-        changed = largest_first(found)
-        if not dry_run and (not asked or ask(changed)):
-            with _gradebook(course, dry_run) as book:
-                for several in together(held):
-                    write_graded(course, problem_set, several, given, book)
-            held = []
-    if not dry_run:
-        follow_points(course, problem_set)
-    if todo and not dry_run:
-        manual = synchronized(course)  # a person may have given some meanwhile
-    unwritten = {one.marked.student.id for one in held}
-    records = read_marks(course, problem_set, files, manual)
-    if not dry_run:
-        programs_own = read_records(course, problem_set, files)
-        write_shared(course, problem_set, find_shared(problem_set, solutions, assigned, programs_own))
-    report = report_of(course, problem_set, manual)
-    page = report_place(course, name)
-    if not dry_run:
-        write_whole(
-            page, report_page(report, problem_set, formgrader=read_settings(course.folder).formgrader)
-        )
-        for student, text in stale_pages(course, name, manual, files).items():
-            write_page(course, name, student, text)
-    return Outcome(
-        graded=tuple(student for student in todo if student not in not_run and student not in unwritten),
-        written=not unwritten and not dry_run,
-        skipped=tuple(student for student in digests if student not in todo),
-        failed=(*not_run, *(one.student for one in report.failed if one.student not in not_run)),
-        strangers=strangers,
-        records=records,
-        in_gradebook=has_nbgrader(),
-        report=report,
-        page=page,
-        changed=changed,
-        extended=() if dry_run else tuple(extended),
-        held=tuple(student for student in todo if student in unwritten),
-        unclear=unclear(course, name),
-        not_run=not_run,
-        refilled=tuple(student for student in done if student not in written),
-        guessed={one: guess for one in digests if (guess := guessed_time(course, name, one)) is not None},
-    )
+    return _HandedIn(
+        course, problem_set, solutions, roster, assigned, files, strangers, deadlines, terms, digests,
+        state_by_name(problem_set, solutions),
+    )  # fmt: skip
 
 
-def _counted(progress: Callable[[str, int], None], several: Sequence[GradedSubmission], left: int) -> int:
-    for one in several:
-        left -= 1
-        progress(one.submission.student.id, left)
-    return left
+def _marked_again(
+    handed_in: _HandedIn, those: Iterable[str], *, only_changed: bool
+) -> Iterator[GradedSubmission]:
+    """Those whose notebooks need not be run again: what came of them is on record."""
+    course, about, solutions = handed_in.course, handed_in.problem_set, handed_in.solutions
+    for student in those:
+        if page_facts_place(course, about.name, student).exists():
+            read = handed_in.submission(student)
+            found = from_record(course, about, solutions, read, only_changed=only_changed)
+            if found is not None:
+                yield found
+
+
+def _write_pages(
+    course: Course, problem_set: ProblemSet, report: Report, manual: ManualMarks, those: Iterable[str]
+) -> None:
+    """The report, and the feedback of those to whom a person gave something since theirs was made."""
+    page = report_page(report, problem_set, formgrader=read_settings(course.folder).formgrader)
+    write_whole(report_place(course, problem_set.name), page)
+    for student, text in stale_pages(course, problem_set.name, manual, those).items():
+        write_page(course, problem_set.name, student, text)
 
 
 def _written(
