@@ -41,6 +41,7 @@ def values(code: str, part: str, **own: float) -> list[float]:
         ("S12.5el", "b", {"v_A1": 1.0}, 10**0.5),  # and by the energy
         ("X12.3", "e", {"K_1": 4e5}, -4e5),
         ("X12.1", "c", {"u_b": 60.0}, 0.915 * 60),
+        ("X12.6", "b", {"F": -3.6e5}, -1.2e4),  # at the same speed, whichever the student takes it to be
     ],
 )
 def test_a_way_that_the_laws_allow(code, part, own, value):

@@ -14,7 +14,7 @@ from corollary.derive.composed import NO_LETTERS, Rules, Trees, composed
 from corollary.derive.inverse import inverses
 from corollary.derive.solution import Solution, Way
 from corollary.derive.tried import Signature, Tried, same
-from corollary.formula.ast import Expr, Name, names, substitute, walk
+from corollary.formula.ast import Call, Expr, Name, Power, Sum, names, substitute, walk
 from corollary.formula.from_sympy import NoTree
 from corollary.formula.from_sympy import tree as from_sympy
 from corollary.formula.to_sympy import expression
@@ -157,7 +157,7 @@ class Search:
         """The way as short as it can be written, where somebody may have gone it and left a given aside; else None.
 
         Who works from the answer then needs fewer givens; or as many, where the part is not made of the answer and that given
-        stands in the very rule that leads to it.
+        stands in the very rule that leads to it; or one more, where the part is in proportion to the answer.
         """
         place, target = self.places[earlier], self.places[part]
         usual = composed(self.rules, target, {place})
@@ -167,9 +167,24 @@ class Search:
         near = place not in self.rules.above(target) and any(
             given in names(tree) for tree in self.rules.of(place)[0]
         )
-        if not (need < before or (near and given not in need and len(need) <= len(before))):
+        if need < before or (near and given not in need and len(need) <= len(before)):
+            return _simplified(trees)
+        if given in need or len(need) > len(before) + 1:
             return None
-        return _simplified(trees)
+        short = _simplified(trees)
+        return short if short and _is_proportional(short, self.solution.unknowns[place].names) else None
+
+
+def _is_proportional(trees: Trees, answer: Sequence[str]) -> bool:
+    """Whether the formulas are single terms, each with the first power of the one number of the answer: `F*dt*m/(M*t)`."""
+    return len(answer) == 1 and all(
+        [node.name for node in walk(tree) if isinstance(node, Name)].count(answer[0]) == 1
+        and not any(
+            isinstance(node, (Sum, Call)) or (isinstance(node, Power) and answer[0] in names(node))
+            for node in walk(tree)
+        )
+        for tree in trees
+    )
 
 
 def _same_or_none(left: tuple[float, ...] | None, right: tuple[float, ...] | None) -> bool:
