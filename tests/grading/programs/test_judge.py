@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
+import pytest
+
+from corollary.answers.verdict import Mistaken, Right
 from corollary.derive.statements import Code
-from corollary.grading.programs.judge import inputs_of
+from corollary.formula.value import Items, Real
+from corollary.grading.program_run import ProgramRun
+from corollary.grading.programs.judge import asks, inputs_of, judge_code
 from corollary.grading.solutions import Solutions
 from corollary.problem.bank import chapter_bank
 from corollary.problem.variant import chapter
+from corollary.sandbox.result import CallResult
+
+BANK = chapter_bank()
+PROGRAMS = [
+    (problem.code, part.id)
+    for problem in BANK
+    for part in problem.parts
+    if part.function and not part.signature.endswith("()")
+]
 
 
 def test_programs_are_called_with_numbers_of_the_ranges_that_are_drawn_from():
@@ -21,3 +35,24 @@ def test_programs_are_called_with_numbers_of_the_ranges_that_are_drawn_from():
         assert 0.5 <= case["m"] <= 4
         assert 40 <= case["k"] <= 300
         assert 0.8 <= case["b"] <= 1.6
+
+
+@pytest.mark.parametrize(("code", "part"), PROGRAMS, ids=[" ".join(each) for each in PROGRAMS])
+@pytest.mark.parametrize("constant", [0.0, 1.0, 10.0])
+def test_a_program_that_returns_constants_is_no_usual_mistake(code, part, constant):
+    """However many of them it returns, and as many as there are balls, too."""
+    solution = Solutions(BANK).of(BANK[code])
+    variant, asked = chapter(solution.problem), solution.problem.part(part)
+    calls = asks(solution, variant, asked, b"key", "ada")
+    assert len(calls) > 1
+    for length in range(1, 9):
+        returned = {
+            call.key: CallResult(_numbers(constant, int(dict(call.arguments).get("N", length))), "", "")
+            for call in calls
+        }
+        verdict = judge_code(solution, variant, asked, ProgramRun(returned, ran=True), b"key", "ada")
+        assert not isinstance(verdict, (Right, Mistaken)), verdict
+
+
+def _numbers(constant: float, length: int) -> Items:
+    return Items((Real(constant),) * length, (length,))

@@ -96,8 +96,12 @@ def judge_code(
     if isinstance(called, Unread):
         return called
     verdict = _verdict(code.judge(variant.si, called))
-    if isinstance(verdict, Mistaken) and len(called) > 1 and len({each.returned for each in called}) == 1:
-        # a constant is no program with a usual mistake
+    if (
+        isinstance(verdict, Mistaken)
+        and len(called) > 1
+        and len({frozenset(each.returned) for each in called}) == 1
+    ):
+        # a constant is no program with a usual mistake, nor is one repeated for each body
         return Wrong(_("{function} returns the same, whatever it is called with.", function=part.function))
     return verdict
 
