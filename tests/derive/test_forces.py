@@ -62,12 +62,12 @@ LAWS = (
 )
 
 
-def solved(folder, forces=GOOD, laws=LAWS):
+def solved(folder, forces=GOOD, laws=LAWS, solution=SOLUTION):
     for room in ("problems", "solutions"):
         (folder / room / "x").mkdir(parents=True, exist_ok=True)
     place = folder / "problems" / "x" / "sledge.md"
     place.write_text(PROBLEM, encoding="utf-8")
-    text = SOLUTION.replace("FORCES", forces).replace("LAWS", laws)
+    text = solution.replace("FORCES", forces).replace("LAWS", laws)
     (folder / "solutions" / "x" / "sledge.py").write_text(text, encoding="utf-8")
     problem = read_problem(place)
     return problem, solve(Bank(folder), problem)
@@ -99,3 +99,20 @@ def test_others_are_refused_at_their_line(tmp_path, forces, laws, words):
     with pytest.raises(NotDerivable, match=words) as found:
         solved(tmp_path, forces, laws)
     assert found.value.line == 10
+
+
+def test_a_letter_that_laws_needed_besides_is_a_magnitude(tmp_path):
+    """`also=[N]`: what nobody asks for has a formula as well."""
+    solution = SOLUTION.replace('N, f = unknowns("N f")', 'N, f, s = unknowns("N f s")').replace(
+        'law("Balance", "N + P*sin(beta) = m*g"), answers="b"',
+        'law("Balance", "N + P*sin(beta) = m*g"), law("Same", "s = N"), also=[N], answers="b"',
+        1,
+    ).replace("step(N,", "step(s,", 1).replace('wrong("N = m*g")', 'wrong("N = m*g"), instead="Balance"')
+    problem, solved_one = solved(tmp_path, solution=solution)
+    known, (_, without_it) = free_body(solved_one.forces["a"], chapter(problem)), solved(tmp_path)
+    assert known.forces == free_body(without_it.forces["a"], chapter(problem)).forces
+
+
+def test_a_magnitude_that_is_not_found_before_is_named(tmp_path):
+    with pytest.raises(NotDerivable, match="f is neither given nor found before") as found:
+        solved(tmp_path, 'force("a", f, "up")', 'along("up", law("Balance", "F = m*g", F=f))')

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 import pytest
-from tests.derive.conftest import FRONT
+from tests.derive.conftest import ASKS, FRONT
 
 from corollary.derive.solution import ClosedForms
 from corollary.formula.ball import RationalPi, evaluate
@@ -336,3 +337,38 @@ def test_a_circuit_of_two_loops_is_one_step(solved):
     )
     givens = {name: RationalPi(Fraction(number)) for name, number in (("m", "1/2"), ("v", "3"), ("t", "2"))}
     assert [float(evaluate(tree, givens, 60)) for tree in found.answer("a").in_givens] == [2, 1, 1]
+
+
+def test_a_choice_knows_what_laws_needed_besides(solved, refused):
+    asks = ASKS + "\n## Which? {#b .choice}\n?\n\n- (A) one\n- (B) other\n"
+    step = 'step(p, "Both.", law("One", "p = q"), law("Two", "q = m*v"), also=[q], answers="a")'
+    found = solved(f'return derivation({step}, choice("b", "So.", a=q > m*t, b=q <= m*t))', asks=asks)
+    assert {text(holds) for holds in found.choices["b"].options.values()} == {"m*v > m*t", "m*v <= m*t"}
+    assert refused(f'return derivation({step}, choice("b", "So.", a=F > 0, b=F < 0))', asks=asks) == (
+        8,
+        "part b: option a: F is neither given nor found before by a formula",
+    )
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ('step((p, q), "?", law("A", "p = q"), law("B", "q = m*v"), answers="a")', r"goes into also=\[…\]"),
+        ('step(p, "?", law("A", "p^2 = -m*m*v*v"), answers="a")', "no p satisfies|is not real for every value"),
+        ('step(p, "?", law("A", "p^2 = m^2*v^2 - 3 kg"), answers="a")', "make 3 kg a given of the problem"),
+        ('step(p, "?", law("A", "(p, q) = (m, v)"), answers="a")', "one law for each component"),
+        ('step(p, "?", law("A", "p = m*v"), answers="a", mistakes=[upside_down(law("A", "p = m*v"))])', "as a text"),
+        ('step(p, "?", law("A", "m*v = sin(p/(m*v)) + 2"), answers="a")', "no root is left: p = .* is not real for .*narrow"),
+    ],
+)
+def test_what_a_new_author_runs_into_says_what_to_do(refused, body, words):
+    _line, sentence = refused("from corollary.misconceptions import upside_down\nreturn derivation(" + body + ")")
+    assert re.search(words, sentence), sentence
+    assert "$" not in sentence
+
+
+def test_a_formula_with_a_unit_says_how_to_ask_for_it(refused):
+    _line, sentence = refused(
+        'return derivation(step(p, "?", law("A", "p = m*v"), answers="a"))', asks="## Momentum {#a .expression}\n?\n"
+    )
+    assert sentence.endswith('say unit="kg m/s" in its heading')

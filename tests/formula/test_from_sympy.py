@@ -93,3 +93,10 @@ def test_differences_are_written_as_they_are_by_hand():
     assert text(tree(a + b)) == "a + b"
     assert text(tree(b - a)) in ("b - a", "-a + b")
     assert text(tree(a - b / c)) == "a - b/c"
+
+
+def test_a_number_to_a_negative_power_with_letters_stands_below():
+    A, t, T = sympy.symbols("A t T", positive=True)
+    assert text(tree(A * 2 ** (-t / T))) == "A/2^(t/T)"
+    assert text(tree(2 ** (-t / T))) == "1/2^(t/T)"
+    assert text(tree(A * sympy.exp(-t / T))) == "A*exp(-t/T)"

@@ -24,6 +24,10 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
         )
     options: dict[str, Relation | bool] = {}
     for letter, condition in entry.options.items():
-        holds = known.in_givens(sympy.sympify(condition))
+        holds = known.with_asides(sympy.sympify(condition))
+        if strange := holds.free_symbols - known.givens:
+            raise ValueError(
+                f"option {letter}: {', '.join(sorted(map(str, strange)))} is neither given nor found before by a formula"
+            )
         options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
     return Choice(entry.statement, options, entry.mistakes)

@@ -12,6 +12,7 @@ from typing import Any, cast
 import sympy
 from sympy.core.function import AppliedUndef
 
+from corollary.derive.logarithms import logarithms_together
 from corollary.derive.signs import symbol_of
 from corollary.derive.solution import ClosedForms, SolvedFunction, SupposedValue
 from corollary.formula.ast import Expr, Number, Relation, names
@@ -115,6 +116,11 @@ class Known:
         return set(self.formulas) | self.measured
 
     @property
+    def givens(self) -> set[sympy.Symbol]:
+        """The letters that stand for themselves."""
+        return {symbol for symbol, formula in self.formulas.items() if formula == symbol}
+
+    @property
     def names(self) -> set[str]:
         """All letters that have a value, those that nobody asks for too."""
         return {symbol.name for symbol in (*self.letters, *self.aside)}
@@ -209,6 +215,8 @@ def simplest(expr: sympy.Expr) -> sympy.Expr:
     forms = [expr]
     if sympy.count_ops(expr) > 2:
         forms += [sympy.factor(expr), sympy.factor(sympy.together(expr)), sympy.simplify(expr)]
+    if expr.has(sympy.log):
+        forms = [logarithms_together(form) for form in forms]
     return min(forms, key=lambda form: (sympy.count_ops(form), len(str(form))))  # pyright: ignore[reportReturnType]
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import importlib.util
 import inspect
+import re
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any, cast
 
@@ -125,6 +127,18 @@ def _module(path: Path) -> ModuleType:
     return module
 
 
+def _in_scenes(name: str) -> str:
+    """The module that has a body, a scene or a force; "" where none has."""
+    import corollary.scenes.forces as forces
+    from corollary.scenes import scene
+
+    homes = [scene.__name__, *(f"{forces.__name__}.{each.name}" for each in iter_modules(forces.__path__))]
+    for home in homes:
+        if getattr(getattr(importlib.import_module(home), name, None), "__module__", "") == home:
+            return home
+    return ""
+
+
 def _remedy(error: BaseException) -> str:
     """What to do about a law that no installed package brings, or a module that is not there."""
     if isinstance(error, ImportError) and error.name == "corollary.laws":
@@ -132,6 +146,10 @@ def _remedy(error: BaseException) -> str:
             '; Corollary has no such law, nor has a package that is installed: write it as law("Name", "a = b"), or install '
             "the package whose entry point corollary.laws brings it (a bank's own: pip install its folder)"
         )
+    if isinstance(error, ImportError) and error.name in ("corollary.author", "corollary.scenes"):
+        wanted = re.search(r"cannot import name '(\w+)'", str(error))
+        if wanted and (home := _in_scenes(wanted[1])):
+            return f"; write from {home} import {wanted[1]}"
     if isinstance(error, ModuleNotFoundError):
         return "; put the module beside the solution, or install the package that has it"
     return ""

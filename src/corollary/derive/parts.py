@@ -72,7 +72,9 @@ def _unfit(problem: Problem, entry: Entry, name: str) -> Iterator[str]:
             if part.components
             else "one number"
         )
-        yield f"part {name} asks for {numbers}, but {', '.join(map(str, entry.unknowns))} is found"
+        found = ", ".join(map(str, entry.unknowns))
+        aside = "; what the laws need besides goes into also=[…]" if len(entry.unknowns) > 1 else ""
+        yield f"part {name} asks for {numbers}, but {found} is found{aside}"
 
 
 def _stated_by(part: Part) -> list[str]:

@@ -106,15 +106,18 @@ def pick(
     left: list[Root] = []
     worded: list[Root] = []
     refused: list[Sentence] = []
+    why: list[str] = []  # the same, in the letters that the author types
     for root in found:
         reason = next((entry.reason for entry in rejected if _is(root, entry.root)), None)
         if reason is not None:
             refused.append(Sentence(reason))
+            why.append(f"{_equations(root)} is rejected")
             worded.append(root)
         elif not all(_real(root, point) for point in points):
             refused.append(
                 Sentence(N_("{root} is not real for every value of the givens"), (("root", _formula(root)),))
             )
+            why.append(f"{_equations(root)} is not real for every value of the givens (narrow their ranges, or bound them with where:)")
         else:
             left.append(root)
     for entry in rejected:
@@ -132,8 +135,9 @@ def pick(
         else:
             holes = (("root", _formula(root)), ("condition", f"${_condition(where)}$"))
             refused.append(Sentence(N_("{root} contradicts {condition}"), holes))
+            why.append(f"{_equations(root)} contradicts {where}")
     if not fitting:
-        raise NoRoot(f"no root is left: {'; '.join(each.spoken() for each in refused)}")
+        raise NoRoot(f"no root is left: {'; '.join(why)}")
     if len(fitting) > 1:
         raise NoRoot(
             f"{len(fitting)} answers ({'; '.join(_equations(root) for root in fitting)}): say which, with where= or reject="

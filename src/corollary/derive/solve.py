@@ -56,7 +56,7 @@ from corollary.laws.law import Law, as_expression, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
 from corollary.units.dimensional_analysis import Dimension
-from corollary.units.unit import called, show
+from corollary.units.unit import called, show, si_unit
 
 
 def solve(bank: Bank, problem: Problem) -> Solution:
@@ -280,8 +280,9 @@ class Solver:
         for formula, unit in zip(trees, units, strict=True):
             (dimension,) = self.known.dimensions_of((formula,), unit.dimension)
             if dimension != unit.dimension:
+                remedy = "" if show(unit) else f'; say unit="{show(si_unit(dimension))}" in its heading'
                 raise ValueError(
-                    f"the answer is not in {show(unit) or 'plain numbers'}, it is {called(dimension)}"
+                    f"the answer is not in {show(unit) or 'plain numbers'}, it is {called(dimension)}{remedy}"
                 )
         return tuple(unit.dimension for unit in units)
 

@@ -95,7 +95,9 @@ class Canvas:
         name, _, side = place.partition(".")
         if name not in self.bodies:
             known = ", ".join(sorted(self.bodies)) or "none"
-            raise NotDrawable(f"nothing here is called {name}; what has a name: {known}")
+            raise NotDrawable(
+                f"nothing here is called {name}; what has a name: {known} (it stands behind the kind of thing: ball {name} at=…)"
+            )
         body = self.bodies[name]
         if side:
             if side not in SIDES:

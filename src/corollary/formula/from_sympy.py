@@ -94,6 +94,8 @@ def _product(expr: sympy.Mul) -> Expr:
     if expr.could_extract_minus_sign() and not isinstance(-expr, sympy.Add):
         return Negative(tree(cast(sympy.Expr, -expr)))
     top, bottom = sympy.fraction(expr, exact=True)
+    if below := [factor for factor in sympy.Mul.make_args(top) if _belongs_below(factor)]:
+        top, bottom = top / sympy.Mul(*below), bottom / sympy.Mul(*below)
     root, cofactor = _roots_together(top, bottom)
     if root is not None:
         return root if cofactor == 1 else _with_root(cofactor, root)
@@ -107,6 +109,16 @@ def _product(expr: sympy.Mul) -> Expr:
     if len(factors) == 1:
         return tree(factors[0])
     return Product(tuple(tree(factor) for factor in factors))
+
+
+def _belongs_below(factor: sympy.Expr) -> bool:
+    """Whether a factor is a number to a negative power with letters, such as 2^(-t/T): 1/2^(t/T), where exp(-t/T) stays."""
+    return (
+        isinstance(factor, sympy.Pow)
+        and bool(factor.base.is_Rational)
+        and not factor.exp.is_number
+        and factor.exp.could_extract_minus_sign()
+    )
 
 
 def _roots_together(top: sympy.Expr, bottom: sympy.Expr) -> tuple[Expr | None, sympy.Expr]:

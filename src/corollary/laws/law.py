@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -15,6 +16,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from corollary.formula.ast import Expr, Relation, names
+from corollary.formula.errors import ParseError
 from corollary.formula.operators import (
     VECTOR_OPERATORS,
     bound_letters,
@@ -25,6 +27,10 @@ from corollary.formula.operators import (
 )
 from corollary.formula.syntax import author_formula
 from corollary.formula.to_sympy import expression
+from corollary.units.unit import read_unit
+
+MEASURED = re.compile(r"(?<![\w.])\d+(?:\.\d*)?(?:[eE][+-]?\d+)? *(?P<unit>°C|[A-Za-zµΩ°%]+(?:/[A-Za-z]+)?)")
+TUPLE = re.compile(r"(?:^|=)\s*\([^()=]*(?:\([^()]*\)[^()=]*)*,")
 
 Meaning = sympy.Expr | tuple[sympy.Expr, ...]
 
@@ -230,9 +236,22 @@ def _with_operators(formula: str, letters: Mapping[str, Meaning]) -> Relation:
     return read
 
 
+def _remedy(formula: str) -> str:
+    """What to do where a number has a unit, or a side is a tuple: neither is there in the text of a law."""
+    for found in MEASURED.finditer(formula):
+        if not isinstance(read_unit(found["unit"]), ParseError):
+            return f"; a law has letters in place of what has a unit: make {found[0]} a given of the problem"
+    if TUPLE.search(formula):
+        return "; state one law for each component, or say what a letter means: law(…, \"u = w\", w=(…, …))"
+    return ""
+
+
 @lru_cache(maxsize=512)
 def _relation(formula: str) -> Relation:
-    tree: Expr = author_formula(formula, operators=True)
+    try:
+        tree: Expr = author_formula(formula, operators=True)
+    except ValueError as error:
+        raise ValueError(f"{error}{_remedy(formula)}") from None
     if not isinstance(tree, Relation) or tree.sign != "=":
         raise ValueError(f"a law is an equation; {formula!r} has no = sign")
     return tree

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 
 from corollary.formula.ast import (
@@ -18,6 +18,7 @@ from corollary.formula.ast import (
     Sum,
     names,
     substitute,
+    walk,
 )
 from corollary.formula.errors import ParseError
 from corollary.formula.exact import constant
@@ -79,9 +80,38 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
         number = constant(side)
         if number and not names(side) and (angle := angle_measured(other, units)):
             raise ValueError(f"{angle} is an angle; write {written(side)} deg, or {written(side)} rad")
+    scales = {name: show(its_unit) for name, (_value, its_unit) in quantities.items() if its_unit.offset}
+    if scale := scales.get(_taken_for_difference(tree, scales)):
+        raise ValueError(
+            f"a number in {scale} is a temperature, and here a difference belongs: write it in K, or in Δ{scale}"
+        )
     relation = substitute(tree, {name: _tree(value) for name, (value, _unit) in quantities.items()})
     assert isinstance(relation, Relation)
     return relation, text
+
+
+def _taken_for_difference(tree: Relation, temperatures: Collection[str]) -> str:
+    """The temperature that a difference is compared with, or that is added to another one; "" for none."""
+    for side, other in ((tree.left, tree.right), (tree.right, tree.left)):
+        if isinstance(side, Name) and side.name in temperatures and _is_difference(other):
+            return side.name
+    for node in walk(tree):
+        added = [each for each in node.terms if not isinstance(each, Negative)] if isinstance(node, Sum) else []
+        for each in added if len(added) > 1 else ():
+            if isinstance(each, Name) and each.name in temperatures:
+                return each.name
+    return ""
+
+
+def _is_difference(tree: Expr) -> bool:
+    """Whether as much is taken away as there is: `T2 - T1`, `abs(T2 - T1)`."""
+    match tree:
+        case Call("abs", (inner,)) | Negative(inner):
+            return _is_difference(inner)
+        case Sum(terms):
+            return 2 * sum(isinstance(each, Negative) for each in terms) == len(terms)
+        case _:
+            return False
 
 
 def _unit(text: str, number: str, givens: Mapping[str, Unit]) -> Unit:

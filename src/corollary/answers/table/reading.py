@@ -122,12 +122,12 @@ def _row(item: Value, question: Question) -> Row:
 
 def _opened(row: Row, width: int) -> Row:
     """A row that is one text, opened where that gives as many entries as there are columns."""
-    if len(row) != 1 or not isinstance(text := row[0], Text):
+    if width == 1 or len(row) != 1 or not isinstance(text := row[0], Text):
         return row
     cells = [cell for cell in CELLS.split(text.text.strip(" |")) if cell]
     if len(cells) > 1:
         return [Text(cell) for cell in cells]
-    pieces = pieces_of(text.text, width) if width > 1 else row
+    pieces = pieces_of(text.text, width)
     return [Text(piece) for piece in pieces if isinstance(piece, str)] if isinstance(pieces, list) else row
 
 
