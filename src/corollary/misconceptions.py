@@ -164,7 +164,9 @@ def _bent(
 ) -> Mistake[Exchange]:
     """Raises ValueError where the law is none, or does not have what the misconception changes; TypeError where it is no text."""
     if not isinstance(right, str):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise TypeError('a misconception takes the law as it is right as a text, such as "K = m*v^2/2", not law(…)')
+        raise TypeError(
+            'a misconception takes the law as it is right as a text, such as "K = m*v^2/2", not law(…)'
+        )
     tree = author_formula(right)
     if not isinstance(tree, Relation):
         raise ValueError(f"{right!r} is no law; write an equation, such as K = m*v^2/2")

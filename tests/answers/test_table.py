@@ -189,7 +189,9 @@ def test_what_does_not_fit_is_said(attributes, words):
     assert words in str(complaints[0])
 
 
-@pytest.mark.parametrize("typed", ["5 J; -3 J", "5\n-3", "[[5], [-3]]", [5, -3], [[5], [-3]], [["5 J"], ["-3 J"]]])
+@pytest.mark.parametrize(
+    "typed", ["5 J; -3 J", "5\n-3", "[[5], [-3]]", [5, -3], [[5], [-3]], [["5 J"], ["-3 J"]]]
+)
 def test_a_table_with_one_column(typed):
     read_as = read(typed, '## One {#a .table rows="before, after" columns="energy" unit="J"}\n')
     assert isinstance(read_as, Entries), read_as

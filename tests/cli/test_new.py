@@ -41,7 +41,7 @@ def test_what_is_written_verifies(said, tmp_path, like):
     assert problem.topic == ("impulse" if like else "exercises")
     checked = verify(bank, problem, 20)
     assert not checked.complaints
-    assert checked.checks["mistakes"] >= 2 * checked.checks["laws put back"] - 1
+    assert checked.checks["mistakes"] >= 2 * sum(part.answer_type == "value" for part in problem.parts) > 0
     assert checked.checks["variants walked"] == 20
 
 

@@ -103,11 +103,16 @@ def test_others_are_refused_at_their_line(tmp_path, forces, laws, words):
 
 def test_a_letter_that_laws_needed_besides_is_a_magnitude(tmp_path):
     """`also=[N]`: what nobody asks for has a formula as well."""
-    solution = SOLUTION.replace('N, f = unknowns("N f")', 'N, f, s = unknowns("N f s")').replace(
-        'law("Balance", "N + P*sin(beta) = m*g"), answers="b"',
-        'law("Balance", "N + P*sin(beta) = m*g"), law("Same", "s = N"), also=[N], answers="b"',
-        1,
-    ).replace("step(N,", "step(s,", 1).replace('wrong("N = m*g")', 'wrong("N = m*g"), instead="Balance"')
+    solution = (
+        SOLUTION.replace('N, f = unknowns("N f")', 'N, f, s = unknowns("N f s")')
+        .replace(
+            'law("Balance", "N + P*sin(beta) = m*g"), answers="b"',
+            'law("Balance", "N + P*sin(beta) = m*g"), law("Same", "s = N"), also=[N], answers="b"',
+            1,
+        )
+        .replace("step(N,", "step(s,", 1)
+        .replace('wrong("N = m*g")', 'wrong("N = m*g"), instead="Balance"')
+    )
     problem, solved_one = solved(tmp_path, solution=solution)
     known, (_, without_it) = free_body(solved_one.forces["a"], chapter(problem)), solved(tmp_path)
     assert known.forces == free_body(without_it.forces["a"], chapter(problem)).forces

@@ -354,21 +354,33 @@ def test_a_choice_knows_what_laws_needed_besides(solved, refused):
     ("body", "words"),
     [
         ('step((p, q), "?", law("A", "p = q"), law("B", "q = m*v"), answers="a")', r"goes into also=\[…\]"),
-        ('step(p, "?", law("A", "p^2 = -m*m*v*v"), answers="a")', "no p satisfies|is not real for every value"),
+        (
+            'step(p, "?", law("A", "p^2 = -m*m*v*v"), answers="a")',
+            "no p satisfies|is not real for every value",
+        ),
         ('step(p, "?", law("A", "p^2 = m^2*v^2 - 3 kg"), answers="a")', "make 3 kg a given of the problem"),
         ('step(p, "?", law("A", "(p, q) = (m, v)"), answers="a")', "one law for each component"),
-        ('step(p, "?", law("A", "p = m*v"), answers="a", mistakes=[upside_down(law("A", "p = m*v"))])', "as a text"),
-        ('step(p, "?", law("A", "m*v = sin(p/(m*v)) + 2"), answers="a")', "no root is left: p = .* is not real for .*narrow"),
+        (
+            'step(p, "?", law("A", "p = m*v"), answers="a", mistakes=[upside_down(law("A", "p = m*v"))])',
+            "as a text",
+        ),
+        (
+            'step(p, "?", law("A", "m*v = sin(p/(m*v)) + 2"), answers="a")',
+            "no root is left: p = .* is not real for .*narrow",
+        ),
     ],
 )
 def test_what_a_new_author_runs_into_says_what_to_do(refused, body, words):
-    _line, sentence = refused("from corollary.misconceptions import upside_down\nreturn derivation(" + body + ")")
+    _line, sentence = refused(
+        "from corollary.misconceptions import upside_down\nreturn derivation(" + body + ")"
+    )
     assert re.search(words, sentence), sentence
     assert "$" not in sentence
 
 
 def test_a_formula_with_a_unit_says_how_to_ask_for_it(refused):
     _line, sentence = refused(
-        'return derivation(step(p, "?", law("A", "p = m*v"), answers="a"))', asks="## Momentum {#a .expression}\n?\n"
+        'return derivation(step(p, "?", law("A", "p = m*v"), answers="a"))',
+        asks="## Momentum {#a .expression}\n?\n",
     )
     assert sentence.endswith('say unit="kg m/s" in its heading')

@@ -58,7 +58,10 @@ def test_a_number_carries_its_unit(condition, good, bad):
         ("F > 1.5", "write 1.5 N (or in another unit)"),
         ("v > m", "v (m/s) and m (kg) cannot be compared"),
         ("v + 3 < vB", "v (m/s) and 3 (a plain number) cannot be added"),
-        ("T - 2*r*T/r > 30 °C", "a number in °C is a temperature, and here a difference belongs: write it in K, or in Δ°C"),
+        (
+            "T - 2*r*T/r > 30 °C",
+            "a number in °C is a temperature, and here a difference belongs: write it in K, or in Δ°C",
+        ),
         ("30 °C < abs(T - 20 °C)", "here a difference belongs"),
         ("T + 5 °C < 40 °C", "here a difference belongs"),
         ("theta < 90", "theta is an angle; write 90 deg, or 90 rad"),

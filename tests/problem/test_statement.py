@@ -9,6 +9,7 @@ import pytest
 from corollary.answers.questions import question_of
 from corollary.api import key, load_bank, solve, variant
 from corollary.derive.load import NotDerivable
+from corollary.problem.reader import read_problem
 from corollary.problem.statement import filled, renamed
 from corollary.problem.variant import OutOfRange, at, chapter, index_of, size
 
@@ -127,3 +128,19 @@ def test_a_word_is_set_by_name_and_a_formula_does_not_know_it(write, tmp_path):
     solution.write_text(solution.read_text().replace("derive(m, v)", "derive(m, v, body)"))
     with pytest.raises(NotDerivable, match="derive takes body"):
         solve(load_bank(tmp_path)["X1.1"])
+
+
+def test_powers_of_ten_are_printed_as_in_a_book(write):
+    front = (
+        "code: X1.1\ntitle: A star\ngiven:\n  M: {is: mass, value: 1.99e30, unit: kg}\n"
+        "  a: {is: expansion, value: 1.20e-5, unit: 1/K}\n  n: {is: number, value: 1e15}\n"
+    )
+    path = write(
+        front,
+        f"{{{{M}}}}, {{{{a}}}}, {{{{n}}}}; $M = {{{{M}}}}$; `M = {{{{M|number}}}}` {{{{M|svg}}}}\n{PART}",
+    )
+    problem, gap = read_problem(path), "\N{NO-BREAK SPACE}"
+    assert filled(problem.statement, chapter(problem)) == (
+        f"1.99{gap}·{gap}10³⁰{gap}kg, 1.20{gap}·{gap}10⁻⁵{gap}1/K, 10¹⁵; "
+        f"$M = 1.99 \\cdot 10^{{30}}{gap}kg$; `M = 1.99e30` 1.99e30"
+    )

@@ -47,3 +47,10 @@ def test_no_line_is_wider_than_asked():
     lines = terminal_text("- " + "word " * 100 + "\n\n" + "word " * 100, width=40).splitlines()
     assert max(map(len, lines)) <= 40
     assert sum(line.count("word") for line in lines) == 200
+
+
+def test_the_letters_of_a_unit_stay_together():
+    written = terminal_text(
+        r"$A\, E = (77\,\mathrm{cm^{2}})\, (2.197\,\mathrm{\mu s})\, (3\,\mathrm{kg\,m})$"
+    )
+    assert written.replace("\N{GREEK SMALL LETTER MU}", "µ") == "A E = (77 cm²) (2.197 µs) (3 kg m)"

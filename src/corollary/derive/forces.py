@@ -39,8 +39,7 @@ def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedFo
     return Forces(
         entry.statement,
         tuple(
-            Acting(letter, _in_givens(size, known), _in_givens(angle, known))
-            for letter, size, angle in pulls
+            Acting(letter, _in_givens(size, known), _in_givens(angle, known)) for letter, size, angle in pulls
         ),
         tuple(Along(str(each.way), applied(each.law)) for each in entry.balances),
         entry.mistakes,
@@ -52,7 +51,9 @@ def _in_givens(stated: Any, known: Known) -> Expr:
     """A magnitude or an angle in the givens alone. Raises ValueError where it has another letter, or one that is measured."""
     found = known.with_asides(sympy.sympify(stated))
     if strange := found.free_symbols - known.givens:
-        raise ValueError(f"{', '.join(sorted(map(str, strange)))} is neither given nor found before by a formula")
+        raise ValueError(
+            f"{', '.join(sorted(map(str, strange)))} is neither given nor found before by a formula"
+        )
     return tree(found)
 
 

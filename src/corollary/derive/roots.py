@@ -117,7 +117,9 @@ def pick(
             refused.append(
                 Sentence(N_("{root} is not real for every value of the givens"), (("root", _formula(root)),))
             )
-            why.append(f"{_equations(root)} is not real for every value of the givens (narrow their ranges, or bound them with where:)")
+            why.append(
+                f"{_equations(root)} is not real for every value of the givens (narrow their ranges, or bound them with where:)"
+            )
         else:
             left.append(root)
     for entry in rejected:

@@ -242,7 +242,7 @@ def _remedy(formula: str) -> str:
         if not isinstance(read_unit(found["unit"]), ParseError):
             return f"; a law has letters in place of what has a unit: make {found[0]} a given of the problem"
     if TUPLE.search(formula):
-        return "; state one law for each component, or say what a letter means: law(…, \"u = w\", w=(…, …))"
+        return '; state one law for each component, or say what a letter means: law(…, "u = w", w=(…, …))'
     return ""
 
 

@@ -96,7 +96,9 @@ def _taken_for_difference(tree: Relation, temperatures: Collection[str]) -> str:
         if isinstance(side, Name) and side.name in temperatures and _is_difference(other):
             return side.name
     for node in walk(tree):
-        added = [each for each in node.terms if not isinstance(each, Negative)] if isinstance(node, Sum) else []
+        added = (
+            [each for each in node.terms if not isinstance(each, Negative)] if isinstance(node, Sum) else []
+        )
         for each in added if len(added) > 1 else ():
             if isinstance(each, Name) and each.name in temperatures:
                 return each.name

@@ -23,6 +23,8 @@ HOLE = re.compile(
     r"\{\{(?P<formula>[^{}|]+?)(?:\s+in\s+(?P<unit>[^{}|]+?))?\s*(?:\|\s*(?P<style>\w+)\s*)?\}\}"
 )
 LETTER = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)e(?P<power>[+-]?\d+)")
+RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 STYLES = ("number", "svg")
 FIGURES = 4  # of what no decimal number writes exactly
 MOST_PLACES = 6  # decimals: what has more is written with so many figures
@@ -106,7 +108,7 @@ def filled(text: str, variant: Variant) -> str:
 
     def fill(found: re.Match[str]) -> str:
         in_formula = text.count("$", 0, found.start()) % 2 == 1
-        return _written(_hole(found), variant, "{,}" if in_formula else ",")
+        return _written(_hole(found), variant, in_formula)
 
     return HOLE.sub(fill, text)
 
@@ -129,8 +131,9 @@ def renamed(text: str, now: Mapping[str, str]) -> str:
     return HOLE.sub(other, text)
 
 
-def _written(hole: Hole, variant: Variant, comma: str) -> str:
-    """`comma` stands for the decimal point where the language spoken has one."""
+def _written(hole: Hole, variant: Variant, in_formula: bool) -> str:
+    """Numbers as readers of the language spoken write them; in a formula a decimal comma has no gap behind it."""
+    comma = "{,}" if in_formula else ","
     if hole.formula in variant.values and not hole.unit and not _figures(hole):
         given, value = variant.problem.given(hole.formula), variant.values[hole.formula]
         bare = whole = number(given, value) if hole.style in STYLES else written(variant, hole.formula)
@@ -141,7 +144,21 @@ def _written(hole: Hole, variant: Variant, comma: str) -> str:
         whole = with_unit(bare, its_unit)
     if hole.style == "svg":
         return bare.replace("−", "-")
-    return in_convention(bare if hole.style == "number" else whole, comma)
+    if hole.style == "number" and not in_formula:  # it may stand in a line of a program
+        return in_convention(bare, comma)
+    return in_convention(_in_print(bare if hole.style == "number" else whole, in_formula), comma)
+
+
+def _in_print(text: str, in_formula: bool) -> str:
+    """`6.4e23 kg` with the power of ten that a book prints: 6.4 · 10²³ kg; 1e15 is 10¹⁵."""
+
+    def power(found: re.Match[str]) -> str:
+        digits = found["power"].lstrip("+")
+        ten = f"10^{{{digits}}}" if in_formula else "10" + digits.translate(RAISED)
+        times = r" \cdot " if in_formula else "\N{NO-BREAK SPACE}·\N{NO-BREAK SPACE}"
+        return ten if found["digits"] == "1" else f"{found['digits']}{times}{ten}"
+
+    return POWER_OF_TEN.sub(power, text)
 
 
 def _figures(hole: Hole) -> int:

@@ -141,18 +141,26 @@ def _text(element: Element) -> str:
 
 
 def _row(children: list[Element]) -> str:
-    """Letters side by side are a product, and stand apart."""
+    """Letters side by side are a product, and stand apart; those of a word or a unit (`cm²`) are upright, and do not."""
     out = ""
-    for child in children:
+    for before, child in zip([None, *children], children, strict=False):
         word = _text(child)
         product = (
             out and word and (out[-1].isalnum() or out[-1] in ")") and (word[0].isalpha() or word[0] == "√")
         )
         differential = out.endswith(("Δ", "∂")) or (out.endswith("d") and len(word) == 1)
-        if product and child.tag != "mo" and not differential:
+        one_word = before is not None and _upright(before) and _upright(child)
+        if product and child.tag != "mo" and not differential and not one_word:
             out += " "
         out += word
     return out
+
+
+def _upright(element: Element) -> bool:
+    """Whether it is a letter of a word or a unit, or begins with one."""
+    if element.tag in ("msup", "msub"):
+        return _upright(element[0])
+    return element.tag == "mi" and element.get("mathvariant") == "normal"
 
 
 def _operator(element: Element) -> str:
