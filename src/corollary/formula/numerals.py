@@ -167,7 +167,7 @@ def decimal_text(number: Fraction | float, figures: int) -> str:
     figures = figures or _exact_figures(size)
     if figures == 0:
         return str(number)
-    power = _power_of_ten(size)
+    power = power_of_ten(size)
     digits = str(round(size * Fraction(10) ** (figures - 1 - power)))
     if len(digits) > figures:
         digits, power = digits[:-1], power + 1
@@ -189,7 +189,7 @@ def _exact_figures(size: Fraction) -> int:
     return 0 if rest else len(str(digits).rstrip("0"))
 
 
-def _power_of_ten(size: Fraction) -> int:
+def power_of_ten(size: Fraction) -> int:
     """The largest power p with 10**p <= size."""
     power = math.floor((size.numerator.bit_length() - size.denominator.bit_length()) * math.log10(2))
     while Fraction(10) ** power > size:

@@ -64,7 +64,7 @@ def read_given(
             value,
             Grid(value, Fraction(0), 1),
             node.line,
-            max(decimal_places(value), _decimals(node.entries["value"])),
+            _decimals(node.entries["value"], decimal_places(value)),
         )
     if first is None or last is None or step is None:
         row.complain(
@@ -137,7 +137,12 @@ def _of_list(
     )
 
 
-def _decimals(node: TableNode | TextNode | ListNode) -> int:
-    """How many decimals a constant is written with: 9.80 keeps its zero."""
-    written = re.fullmatch(r"\s*[-−]?\d*\.(\d+)\s*", node.text if isinstance(node, TextNode) else "")
-    return len(written[1]) if written else 0
+def _decimals(node: TableNode | TextNode | ListNode, needed: int) -> int:
+    """How many decimals a constant is written with, at least those it needs: 9.80 keeps its zero, and so do 1.20e-5 and 6.40e23,
+    which has -21."""
+    text = node.text if isinstance(node, TextNode) else ""
+    written = re.fullmatch(r"\s*[-−]?\d*(?:\.(?P<decimals>\d+))?(?:[eE](?P<power>[+-]?\d+))?\s*", text)
+    if not written or not (written["decimals"] or written["power"]):
+        return needed
+    places = len(written["decimals"] or "") - int(written["power"] or 0)
+    return places if places < 0 and not needed else max(places, needed)

@@ -14,7 +14,7 @@ from corollary.formula.syntax import author_formula
 from corollary.messages import in_convention
 from corollary.problem.conditions import angle_measured
 from corollary.problem.given import Given, decimal_places
-from corollary.problem.variant import Variant, decimals, number, with_unit, written
+from corollary.problem.variant import Variant, decimals, in_print, number, with_unit
 from corollary.units.dimensional_analysis import dimension_of
 from corollary.units.unit import ONE, PURE, Unit, si_unit, unit
 
@@ -23,8 +23,6 @@ HOLE = re.compile(
     r"\{\{(?P<formula>[^{}|]+?)(?:\s+in\s+(?P<unit>[^{}|]+?))?\s*(?:\|\s*(?P<style>\w+)\s*)?\}\}"
 )
 LETTER = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
-POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)e(?P<power>[+-]?\d+)")
-RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 STYLES = ("number", "svg")
 FIGURES = 4  # of what no decimal number writes exactly
 MOST_PLACES = 6  # decimals: what has more is written with so many figures
@@ -136,7 +134,8 @@ def _written(hole: Hole, variant: Variant, in_formula: bool) -> str:
     comma = "{,}" if in_formula else ","
     if hole.formula in variant.values and not hole.unit and not _figures(hole):
         given, value = variant.problem.given(hole.formula), variant.values[hole.formula]
-        bare = whole = number(given, value) if hole.style in STYLES else written(variant, hole.formula)
+        bare = number(given, value)
+        whole = bare if given.words else with_unit(bare, given.unit)
     else:
         tree = author_formula(hole.formula)
         its_unit, places = (unit(hole.unit), 0) if hole.unit else _usual_unit(tree, variant)
@@ -146,19 +145,7 @@ def _written(hole: Hole, variant: Variant, in_formula: bool) -> str:
         return bare.replace("−", "-")
     if hole.style == "number" and not in_formula:  # it may stand in a line of a program
         return in_convention(bare, comma)
-    return in_convention(_in_print(bare if hole.style == "number" else whole, in_formula), comma)
-
-
-def _in_print(text: str, in_formula: bool) -> str:
-    """`6.4e23 kg` with the power of ten that a book prints: 6.4 · 10²³ kg; 1e15 is 10¹⁵."""
-
-    def power(found: re.Match[str]) -> str:
-        digits = found["power"].lstrip("+")
-        ten = f"10^{{{digits}}}" if in_formula else "10" + digits.translate(RAISED)
-        times = r" \cdot " if in_formula else "\N{NO-BREAK SPACE}·\N{NO-BREAK SPACE}"
-        return ten if found["digits"] == "1" else f"{found['digits']}{times}{ten}"
-
-    return POWER_OF_TEN.sub(power, text)
+    return in_convention(in_print(bare if hole.style == "number" else whole, in_formula), comma)
 
 
 def _figures(hole: Hole) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -9,11 +10,14 @@ from functools import cached_property, lru_cache
 
 from corollary.formula.ast import Name, names
 from corollary.formula.errors import Undefined
-from corollary.formula.numerals import decimal_text
+from corollary.formula.numerals import decimal_text, power_of_ten
 from corollary.formula.rational_pi import RationalPi
 from corollary.problem.given import Given, decimal_places
 from corollary.problem.problem import Condition, Problem
 from corollary.units.unit import Unit, show
+
+POWER_OF_TEN = re.compile(r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)e(?P<power>[+-]?\d+)")
+SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 class OutOfRange(ValueError):
@@ -124,7 +128,19 @@ def written(variant: Variant, symbol: str) -> str:
     given = variant.problem.given(symbol)
     if given.words:
         return number(given, variant.values[symbol])
-    return with_unit(number(given, variant.values[symbol]), given.unit)
+    return in_print(with_unit(number(given, variant.values[symbol]), given.unit))
+
+
+def in_print(text: str, in_formula: bool = False) -> str:
+    """`6.4e23 kg` with the power of ten that a book prints: 6.4 · 10²³ kg; 1e15 is 10¹⁵. In TeX with `in_formula`."""
+
+    def power(found: re.Match[str]) -> str:
+        digits = found["power"].lstrip("+")
+        ten = f"10^{{{digits}}}" if in_formula else "10" + digits.translate(SUPERSCRIPTS)
+        times = r" \cdot " if in_formula else "\N{NO-BREAK SPACE}·\N{NO-BREAK SPACE}"
+        return ten if found["digits"] == "1" else f"{found['digits']}{times}{ten}"
+
+    return POWER_OF_TEN.sub(power, text)
 
 
 def with_unit(number: str, unit: Unit) -> str:
@@ -146,8 +162,16 @@ def decimals(value: Fraction, least: int) -> str:
     next student's is often the same."""
     places = max(least, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
+        told = (
+            least < 0 or abs(value) < 1
+        )  # of 1.20e-5 and of 6.40e23 three figures, of a large number with decimals none
+        figures = least + power_of_ten(abs(value)) + 1 if told and value else 1
         text = next(
-            (text for n in range(1, 7) if Fraction(text := decimal_text(value, n)) == value),
+            (
+                text
+                for n in range(min(max(figures, 1), 6), 7)
+                if Fraction(text := decimal_text(value, n)) == value
+            ),
             decimal_text(value, 6),
         )
         return text.replace("-", "−", 1) if value < 0 else text
