@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from tests.problem.test_pictures import png
 
 from corollary.cli.commands import app
 from corollary.problem.bank import Bank, chapter_bank
@@ -58,7 +59,7 @@ def test_a_copy_takes_its_programs_along(said, tmp_path):
 
 def test_a_copy_takes_its_pictures_along(said, tmp_path):
     said("Q1", "rides/box", "--bank", "mine")
-    model, raw = tmp_path / "mine" / "problems" / "rides" / "box.md", b"\x89PNG\r\n\x1a\n"
+    model, raw = tmp_path / "mine" / "problems" / "rides" / "box.md", png()
     model.write_text(model.read_text() + "\n![a box](box.png)\n")
     model.with_name("box.png").write_bytes(raw)
     assert said("Q2", "other/case", "--bank", "mine", "--like", "Q1")[0] == 0

@@ -53,13 +53,13 @@ def beside(tmp_path):
 
 def test_a_picture_comes_along_in_the_text(read, beside):
     beside("cart.png", png())
-    beside("more/cart.jpg", b"\xff\xd8\xff\xe0")
+    beside("more/cart.jpg", b"\xff\xd8\xff\xd9")
     text = "One ![a cart](cart.png) and ![another](more/cart.jpg).\n" + BODY
     problem = read(FRONT, text.replace("How large", "![again](cart.png) How large"))
     address = "data:image/png;base64," + base64.b64encode(png()).decode()
     assert (
         problem.statement.splitlines()[0]
-        == f"One ![a cart]({address}) and ![another](data:image/jpeg;base64,/9j/4A==)."
+        == f"One ![a cart]({address}) and ![another](data:image/jpeg;base64,/9j/2Q==)."
     )
     assert problem.parts[0].text == f"![again]({address}) How large is its momentum?"
     assert [each.name for each in pictures_of(problem.path)] == ["cart.png", "cart.jpg"]
@@ -196,3 +196,19 @@ def test_a_translation_shows_as_many_pictures_as_the_original(read, beside):
 
     with language("de"):
         assert base64.b64encode(png(4)).decode() in in_language(problem).statement
+
+
+def test_a_translation_stays_good_when_a_picture_is_drawn_better(read, beside):
+    beside("cart.png", png())
+    text = f"A cart ![a cart](cart.png).\n{BODY}"
+    before = digest(read(FRONT, text))
+    beside("cart.png", png(7, 5))
+    assert digest(read(FRONT, text)) == before
+    assert digest(read(FRONT, text.replace("![a cart]", "![a cart at rest]"))) != before
+    assert digest(read(FRONT, text.replace("A cart", "The cart"))) != before
+
+
+def test_a_damaged_picture_is_refused_with_its_line(complaints, beside):
+    beside("cart.png", png()[:-20])
+    ((_line, sentence),) = complaints(FRONT, f"A cart ![a cart](cart.png).\n{BODY}")
+    assert sentence.startswith("the picture cart.png is damaged: it ends too early")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from tests.problem.test_pictures import png
 
 from corollary.problem.bank import Bank, find
 from corollary.verify.checked import Checked
@@ -30,7 +31,7 @@ def met(checked: Checked, words: str, line: int, file: str = "cart.py") -> None:
 def test_a_picture_that_nothing_shows(verified, tmp_path):
     verified()
     path, bank = tmp_path / "problems" / "carts" / "cart.md", Bank(tmp_path)
-    path.with_name("cart_old.png").write_bytes(b"\x89PNG\r\n\x1a\n")
+    path.with_name("cart_old.png").write_bytes(png())
     checked = verify(bank, find(bank, "X1.1"), 20)
     assert checked.ok
     assert any(note.startswith("cart.md:1: cart_old.png lies beside it") for note in checked.notes)

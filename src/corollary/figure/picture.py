@@ -8,6 +8,7 @@ import re
 from pathlib import Path
 from typing import Final
 
+from corollary.figure.metadata import Damaged, without_metadata
 from corollary.figure.paper import on_paper
 from corollary.figure.svg import NotADrawing, alone, left_out, safe_svg
 
@@ -64,6 +65,11 @@ def _address(kind: str, raw: bytes, *, sheet: bool) -> str:
         raw = (_drawing(on_paper(safe).encode()) if sheet else safe).encode()
     elif not raw.startswith(FIRST_BYTES[kind]):
         raise NotAPicture(f"does not hold what its name says: a {kind.upper()} begins otherwise")
+    elif sheet:  # from a file
+        try:
+            raw = without_metadata(kind, raw)
+        except Damaged as error:
+            raise NotAPicture(f"is damaged: {error}") from None
     return f"data:image/{kind};base64,{base64.b64encode(raw).decode()}"
 
 

@@ -45,11 +45,6 @@ def pictures_of(path: Path) -> list[Path]:
     return [each for each in dict.fromkeys(files) if each.is_file()]
 
 
-def picture_bytes(path: Path) -> bytes:
-    """What all pictures of a text hold."""
-    return b"".join(each.read_bytes() for each in pictures_of(path))
-
-
 def packed_file(path: Path) -> bytes:
     """A file with its pictures inside: what is kept of a problem that was handed out. The very bytes where it has none."""
     raw = path.read_bytes()

@@ -25,6 +25,7 @@ from corollary.problem.statement import holes
 NAME = re.compile(r"(?P<original>.+)\.(?P<language>[a-z]{2,3})$")
 TEXTS = "# Texts"
 """The heading below which texts of the figure and of the solution stand: each quoted, and its translation below it."""
+PACKED = re.compile(r"\(data:image/[^)]*\)")
 LABEL = re.compile(r'"([^"\n]*)"')
 
 
@@ -58,10 +59,10 @@ def translations(path: Path) -> dict[str, Path]:
 
 
 def digest(problem: Problem) -> str:
-    """Tells the words of an original from those that it had before."""
+    """Tells the words of an original from those that it had before; a picture counts by its words, whatever its file holds."""
     parts = [[part.id, part.title, part.text, [each.text for each in part.options]] for part in problem.parts]
     words = json.dumps([problem.title, problem.figure_alt, problem.statement, parts])
-    return hashlib.sha256(words.encode()).hexdigest()[:8]
+    return hashlib.sha256(PACKED.sub("()", words).encode()).hexdigest()[:8]
 
 
 def translation(problem: Problem, language: str = "") -> ProblemTranslation | None:
