@@ -370,3 +370,14 @@ def test_brackets_may_lie_in_each_other_as_deep_as_the_refusal_says():
     most = int(re.search(r"nested more than (\d+) deep", told.why)[1])
     assert nested.index(told) + 1 in (most - 1, most, most + 1)  # the letter within is one more
     assert all(isinstance(each, ParseError) for each in nested[most + 1 :])
+
+
+@pytest.mark.parametrize("typed", ["2*lam*d", "2 λ d", "2lambda d", "2*lam d"])
+def test_a_wavelength_is_called_by_its_letter(typed):
+    """`lambda` is a word of Python, so that authors write lam."""
+    assert text(parse(typed, {"lam", "d"})) == "2*lam*d"
+
+
+def test_a_lamp_is_no_wavelength():
+    assert text(parse("lamp*d", {"lamp", "d"})) == "lamp*d"
+    assert isinstance(parse("lambda*d", {"lamp", "d"}), ParseError)

@@ -10,7 +10,7 @@ from typing import Final
 SIZE: Final = 15
 SMALL: Final = 12
 GREEK_NAMES: Final = """
-    alpha α  beta β  gamma γ  delta δ  epsilon ε  eta η  theta θ  kappa κ  lambda λ  mu μ  nu ν  rho ρ
+    alpha α  beta β  gamma γ  delta δ  epsilon ε  eta η  theta θ  kappa κ  lambda λ  lam λ  mu μ  nu ν  rho ρ
     sigma σ  tau τ  phi φ  chi χ  psi ψ  omega ω  Delta Δ
 """
 GREEK: Final[dict[str, str]] = dict(zip(GREEK_NAMES.split()[::2], GREEK_NAMES.split()[1::2], strict=True))

@@ -11,11 +11,11 @@ from corollary.formula.ast import Call, Expr, Name, Negative, Number, Power, Pro
 from corollary.formula.functions import FUNCTIONS
 from corollary.formula.numerals import decimal_text
 from corollary.formula.operators import OPERATORS
-from corollary.formula.symbols import WORDS
+from corollary.formula.symbols import LAMBDA, WORDS
 
 COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds together
 
-GREEK = re.compile("|".join((*WORDS, "pi", "eps")))
+GREEK = re.compile("|".join((*WORDS, "pi", "eps", LAMBDA)))
 INDEX = re.compile(r"[0-9]+|[A-Z](?=[xyz]?(?![a-z]))|[xyz](?![a-z])|[A-Za-z][a-z]*")
 SIGNS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 DEGREE = r"{}^{\circ}"
@@ -37,7 +37,15 @@ def letter(name: str) -> str:
     greek = GREEK.match(name)
     head, rest = (greek[0], name[greek.end() :]) if greek else (name[:1], name[1:])
     head = (
-        ("\\varepsilon" if head in ("eps", "epsilon") else "\\varphi" if head == "phi" else "\\" + head)
+        (
+            "\\varepsilon"
+            if head in ("eps", "epsilon")
+            else "\\varphi"
+            if head == "phi"
+            else "\\lambda"
+            if head in ("lam", "lamda")
+            else "\\" + head
+        )
         if greek
         else head
     )

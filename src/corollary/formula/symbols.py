@@ -27,6 +27,8 @@ GREEK: dict[str, str] = dict(zip(KEYBOARD_NAMES.split()[::2], KEYBOARD_NAMES.spl
 LOWERED: dict[str, str] = dict(zip("₀₁₂₃₄₅₆₇₈₉ₐₑₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ", "0123456789aexhklmnpstijruv", strict=True))
 WORDS = tuple(sorted(set(GREEK.values()) - {"pi", "Pi"}, key=len, reverse=True))
 
+LAMBDA = r"lam(?:da)?(?![a-z])"  # `lambda` is a word of Python: authors write lam, as in `lam_1`
+
 APART = re.compile(r"([Δ∆]|Delta)( +)(?=[A-Za-z])")  # `Δ t`: the space goes before the change, no place moves
 LETTER = "A-Za-z" + "".join(GREEK)
 RUN = re.compile(
@@ -147,6 +149,8 @@ def _spellings(name: str) -> set[str]:
         found.add("epsilon" + latin[3:])
     if latin.startswith("epsilon"):
         found.add("eps" + latin[7:])
+    if short := re.match(LAMBDA, latin):
+        found.add("lambda" + latin[short.end() :])
     return found
 
 

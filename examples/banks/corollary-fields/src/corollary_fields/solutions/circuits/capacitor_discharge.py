@@ -1,6 +1,6 @@
 """A flash is charged: the voltage nears that of the supply exponentially."""
 
-from corollary.author import derivation, mistake, step, unknowns
+from corollary.author import choice, derivation, mistake, step, unknowns
 from corollary.laws import law, wrong
 
 
@@ -62,5 +62,16 @@ def derive(C, R, U, V):
                 ),
                 mistake("It has not the voltage of the supply yet.", wrong("W = C*U^2/2", W=W, C=C, U=U)),
             ],
+        ),
+        choice(
+            "e",
+            "The current is largest at the first moment and fades, and the voltage of the resistor with it.",
+            a=False,
+            b=True,
+            c=False,
+            mistakes={
+                "a": "Has an empty capacitor a voltage at the first moment?",
+                "c": "The supply keeps its voltage as long as it charges.",
+            },
         ),
     )
