@@ -59,7 +59,7 @@ def test_what_is_quick_is_said_first_with_what_still_runs(said):
         ("md", "code: Q1", "cod: Q1", "ride.md:2: the front matter has no `code`"),
         ("py", "v = d/t", "v = d*t", "ride.py:10: part a: the answer is not in s, it is a rate"),
         ("py", "def derive(d, v, w):", "def derive(d, v, w:", "ride.py:7: is not Python"),
-        ("md", "<circle", "<<circle", "ride.md:14: the figure cannot be shown"),
+        ("md", "floor at", "flour at", "ride.md:16: "),
     ],
 )
 def test_a_complaint_comes_before_the_slow_stages(said, bank, problem, file, old, new, first):

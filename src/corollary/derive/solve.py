@@ -226,6 +226,7 @@ class Solver:
             raise NoRoot(f"scene {entry.scene} has no setting {', '.join(sorted(strange))}")
         settings = {name: tree(value) for name, value in entry.settings.items()}
         mistakes = tuple(self.wrong(entry, mistake, True) for mistake in entry.mistakes)
+        units = self.problem.part(entry.statement.part).units_for(len(entry.unknowns))
         self.known.measured |= set(entry.unknowns)
         return Unknown(
             statement=entry.statement,
@@ -236,10 +237,7 @@ class Solver:
             routes=(),
             mistakes=mistakes,
             rejected=(),
-            dimensions=tuple(
-                unit.dimension
-                for unit in self.problem.part(entry.statement.part).units_for(len(entry.unknowns))
-            ),
+            dimensions=tuple(unit.dimension for unit in units),
             scale=None,
             note=None,
         )
