@@ -17,7 +17,7 @@ SOI, EOI, SOS, APP0, APP1, APP2, APP14, APP15, COM = (
 )  # fmt: skip
 ALONE = frozenset({0x01, *range(0xD0, 0xD8)})  # markers without a length
 COLOURS = b"ICC_PROFILE\0"
-SHOWN = frozenset(b"IHDR PLTE IDAT IEND tRNS gAMA cHRM sRGB iCCP cICP sBIT bKGD pHYs acTL fcTL fdAT".split())
+NEEDED = frozenset(b"IHDR PLTE IDAT IEND tRNS gAMA cHRM sRGB iCCP cICP sBIT bKGD pHYs acTL fcTL fdAT".split())
 
 
 class Damaged(ValueError):
@@ -34,15 +34,15 @@ def without_metadata(kind: str, raw: bytes) -> bytes:
 
 def _jpeg(raw: bytes) -> bytes:
     pieces, turned = [raw[:2]], 1
-    kept: list[bytes] = []
+    segments: list[bytes] = []
     for marker, segment in _segments(raw):
         if marker == APP1 and segment[4:].startswith(EXIF):
             turned = _orientation(segment[4 + len(EXIF) :]) or turned
-        if not _told_only(marker, segment):
-            kept.append(segment)
+        if not _is_remark(marker, segment):
+            segments.append(segment)
     if turned != 1:
         pieces.append(_upright(turned))
-    return b"".join([*pieces, *kept])
+    return b"".join([*pieces, *segments])
 
 
 def _segments(raw: bytes) -> Iterator[tuple[int, bytes]]:
@@ -84,7 +84,7 @@ def _end_of_scan(raw: bytes, at: int) -> int:
         at += 2
 
 
-def _told_only(marker: int, segment: bytes) -> bool:
+def _is_remark(marker: int, segment: bytes) -> bool:
     if marker == APP2:
         return not segment[4:].startswith(COLOURS)
     return marker == COM or (APP0 < marker <= APP15 and marker != APP14)
@@ -102,7 +102,7 @@ def _orientation(tiff: bytes) -> int:
             tag, kind, _count, value = struct.unpack_from(order + "HHIH", tiff, place)
             if tag == ORIENTATION and kind == SHORT and 1 <= value <= 8:
                 return value
-    except struct.error:  # told badly, and not needed to show it
+    except struct.error:  # badly written, and not needed to show it
         return 0
     return 0
 
@@ -121,7 +121,7 @@ def _png(raw: bytes) -> bytes:
         end = at + 12 + length
         if end > len(raw):
             raise Damaged("it ends too early")
-        if name in SHOWN:
+        if name in NEEDED:
             pieces.append(raw[at:end])
         at = end
     return b"".join(pieces)

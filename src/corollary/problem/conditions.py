@@ -81,7 +81,7 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
         if number and not names(side) and (angle := angle_measured(other, units)):
             raise ValueError(f"{angle} is an angle; write {written(side)} deg, or {written(side)} rad")
     scales = {name: show(its_unit) for name, (_value, its_unit) in quantities.items() if its_unit.offset}
-    if scale := scales.get(_taken_for_difference(tree, scales)):
+    if scale := scales.get(_misused_temperature(tree, scales)):
         raise ValueError(
             f"a number in {scale} is a temperature, and here a difference belongs: write it in K, or in Δ{scale}"
         )
@@ -90,7 +90,7 @@ def _relation(text: str, units: Mapping[str, Unit]) -> tuple[Relation, str]:
     return relation, text
 
 
-def _taken_for_difference(tree: Relation, temperatures: Collection[str]) -> str:
+def _misused_temperature(tree: Relation, temperatures: Collection[str]) -> str:
     """The temperature that a difference is compared with, or that is added to another one; "" for none."""
     for side, other in ((tree.left, tree.right), (tree.right, tree.left)):
         if isinstance(side, Name) and side.name in temperatures and _is_difference(other):

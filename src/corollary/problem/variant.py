@@ -162,10 +162,10 @@ def decimals(value: Fraction, least: int) -> str:
     next student's is often the same."""
     places = max(least, decimal_places(value))
     if places > 9 or abs(value) >= 10**7 or 0 < abs(value) < Fraction(1, 10**4):
-        told = (
+        counted = (
             least < 0 or abs(value) < 1
-        )  # of 1.20e-5 and of 6.40e23 three figures, of a large number with decimals none
-        figures = least + power_of_ten(abs(value)) + 1 if told and value else 1
+        )  # 1.20e-5 and 6.40e23 have three figures; large decimals are cut
+        figures = least + power_of_ten(abs(value)) + 1 if counted and value else 1
         text = next(
             (
                 text

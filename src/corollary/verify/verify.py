@@ -67,13 +67,13 @@ class Verification:
             check_samples(own, tally)
             check_printed(bank, solution, tally)
             remark(bank, solution, own, tally)
-            note_unchecked(bank, own, tally)
             for stage in SLOW:
                 yield stage
                 match stage:
                     case "laws put back":
                         check_laws(bank, solution, tally)
                         check_claims(own, tally)
+                        note_unchecked(bank, own, tally)
                     case "obligations":
                         check_obligations(bank, solution, tally, self.count)
                     case "variants":

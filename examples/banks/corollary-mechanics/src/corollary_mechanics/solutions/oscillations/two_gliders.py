@@ -1,6 +1,6 @@
 """Two gliders on three springs: coupled equations of motion, and the modes in which they swing."""
 
-from math import cos
+from math import cos, pi
 
 from corollary.author import (
     along,
@@ -24,6 +24,8 @@ from corollary.scenes.scene import Body, Scene
 def derive(m, k, c, A, t1, g_n):
     t = variable("t")
     x, y, v, w = (function(name, t) for name in "xyvw")
+    for acceleration in "fg":  # of the left glider and of the right one; laws know them by name
+        function(acceleration, t)
     N, a, slow, fast, s, low, high = unknowns("N a slow fast s low high")
     pulls, K = unknowns("P Q R S"), unknowns("K11 K12 K21 K22")
     return derivation(
@@ -119,6 +121,8 @@ def derive(m, k, c, A, t1, g_n):
             law("Velocity, right", "w = dy/dt"),
             law("Let go, left", "v(0) = 0"),
             law("Let go, right", "w(0) = 0"),
+            law("Acceleration, left", "f = dv/dt"),
+            law("Acceleration, right", "g = dw/dt"),
             law("Place asked for", "s = y(t1)"),
             answers="e",
             mistakes=[
@@ -159,6 +163,17 @@ def derive(m, k, c, A, t1, g_n):
             },
         ),
         confirm(
+            "The motion that was found begins with the pulls that were stated, and with the acceleration.",
+            law("Newton's second law, left, at first", "m*f(0) = P + Q"),
+            law("Newton's second law, right, at first", "m*g(0) = R + S", S=pulls[3]),
+            law("Acceleration at first", "f(0) = a"),
+        ),
+        confirm(
+            "At any time the matrix gives the forces that the motion needs.",
+            law("Left glider", "m*f(t1) = -K11*x(t1) - K12*y(t1)", K11=K[0], K12=K[1]),
+            law("Right glider", "m*g(t1) = -K21*x(t1) - K22*y(t1)", K21=K[2], K22=K[3]),
+        ),
+        confirm(
             "The energy of the start is there at any time.",
             law(
                 "Conservation of energy",
@@ -174,7 +189,7 @@ def derive(m, k, c, A, t1, g_n):
 
 
 def scene(m, k, c, A, t1, g_n, answer):
-    """The same gliders between two walls that never move, followed for the time asked for."""
+    """The same gliders between two walls that never move, followed for the time asked for; and both pulled alike, for half a swing."""
     wall = float("inf")
     bodies = (
         Body(wall, (0.0,), (0.0,)),
@@ -186,4 +201,10 @@ def scene(m, k, c, A, t1, g_n, answer):
     slow, fast = sorted(answer["d"])
     left = A / 2 * (cos(slow * t1) + cos(fast * t1))
     ends = (0.0, 1.0 + left, 2.0 + answer["e"], 3.0)
-    return [simulate(Scene(bodies, springs, until=t1), trajectory=ends)]
+    low, high = sorted(answer["f"])
+    both = (bodies[0], Body(m, (1.0 + high,), (0.0,)), Body(m, (2.0 + high,), (0.0,)), bodies[3])
+    turned = (0.0, 1.0 + low, 2.0 + low, 3.0)
+    return [
+        simulate(Scene(bodies, springs, until=t1), trajectory=ends),
+        simulate(Scene(both, springs, until=pi / slow), trajectory=turned),
+    ]
