@@ -132,7 +132,8 @@ def test_moodle_gets_ids_with_their_zeros_marks_after_lateness_and_blanks(folder
     assert done.rows[1]["First name"] == f"'{FORMULA}"
     assert done.document["waiting"] == ["007", "0100"]
     assert (
-        "2 have parts that wait for a person: those points are not in the marks yet: 007, 0100" in done.errors
+        "2 students with parts that wait for a person; those points are not in the marks yet: 007, 0100"
+        in done.errors
     )
 
 
@@ -202,8 +203,8 @@ def test_a_file_of_the_lms_is_filled_in(folder: Path) -> None:
         ["Nobody, Ned 2009"],
         ["0100", "cyd", "dag"],
     )
-    assert "1 in the file are not in the course and are left as they are: Nobody, Ned 2009" in done.errors
-    assert "3 of the course are not in the file: 0100, cyd, dag" in done.errors
+    assert "1 student in the file and not in the course, left as they are: Nobody, Ned 2009" in done.errors
+    assert "3 students of the course, not in the file: 0100, cyd, dag" in done.errors
 
 
 def test_two_sets_are_two_columns(folder: Path) -> None:

@@ -191,7 +191,7 @@ def test_another_answer_is_shown_to_the_person_again(given: Course) -> None:
         given, "corollary", "export", "words", "--to", "csv", "--columns", "parts", "--course", ".", "--json"
     )
     assert (exported.document["waiting"], exported.document["again"]) == ([], ["ada"])
-    assert "1 have answered again what a person had marked" in exported.errors
+    assert "1 student with a new answer to what a person had marked" in exported.errors
     assert "wait for a person" not in exported.errors
     (file,) = exported.document["files"]
     with (given.folder / file).open(encoding="utf-8") as lines:

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from corollary.cli.console import console
-from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.ending import HOLDS, answer, counted, refuse, say
 from corollary.cli.progress import bar
 from corollary.course.export import (
     chapters_sheet,
@@ -218,20 +218,20 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
     if table.is_blank:
         say("nobody has marks yet, for nothing was handed in when it was graded: every mark is blank")
     for who, what in (
-        (made.strangers, "in the file are not in the course and are left as they are"),
-        (made.absent, "of the course are not in the file"),
+        (made.strangers, "in the file and not in the course, left as they are"),
+        (made.absent, "of the course, not in the file"),
         (
             table.out_of_another,
-            "have a sheet that is out of other points than the column; --out-of N makes all marks out of N",
+            "with a sheet out of other points than the column (--out-of N makes all marks out of N)",
         ),
         (
             table.again,
-            "have answered again what a person had marked: the marks of the earlier answers count until the new ones are marked",
+            "with a new answer to what a person had marked; the marks of the earlier answers count until the new ones are marked",
         ),
-        (table.waiting, "have parts that wait for a person: those points are not in the marks yet"),
+        (table.waiting, "with parts that wait for a person; those points are not in the marks yet"),
     ):
         if who:
-            say(f"{len(who)} {what}: {few(who)}")
+            say(f"{counted(len(who), 'student')} {what}: {few(who)}")
 
 
 def _sheets(
