@@ -4,6 +4,7 @@ python benchmarks/judging.py [--students 2000] [--only X12.5,X12.7] [--no-studen
                              [--keep FOLDER]
 
 With --keep each problem's counts are written into the folder when it is done, and read from there when they are there already.
+Those of one that is not done are written every ten students, so that what was stopped goes on from there.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from typing import Any
 import sympy
 from rich.console import Console
 from rich.table import Table
-from students import FIXED, SORTS, Tallies, simulate, wild
+from students import FIXED, SORTS, Tallies, simulate, simulated, wild
 
 from corollary.answers.equality import Different, Equal, Undecided, compare
 from corollary.atomic import write_whole
@@ -48,6 +49,7 @@ from corollary.units.unit import canonical
 PAIRS = Path(__file__).resolve().parent.parent / "tests" / "answers" / "pairs.py"
 TARGETS = {"symbolic": 2.0, "unit": 0.2, "number": 0.05}
 REPEATS = 30
+EVERY = 10  # students between two savings of a problem's counts
 
 
 def main() -> None:
@@ -99,8 +101,13 @@ def kept(solution: Solution, students: int, folder: Path | None) -> Tallies:
     file = folder / f"{solution.problem.code}-{students}.json"
     if file.exists():
         return Tallies.from_json(file.read_text(encoding="utf-8"))
-    tallies = simulate(solution, students)
+    begun = file.with_suffix(".begun")
+    tallies = so_far = Tallies.from_json(begun.read_text(encoding="utf-8")) if begun.exists() else Tallies()
+    for tallies in simulated(solution, students, so_far):
+        if tallies.drawn % EVERY == 0:
+            write_whole(begun, tallies.to_json())
     write_whole(file, tallies.to_json())
+    begun.unlink(missing_ok=True)
     return tallies
 
 

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
+from itertools import islice
 from typing import Any
 
 from corollary.answers.evaluation import number
@@ -50,6 +51,7 @@ class Tallies:
     fixed_failed: Counter[str] = field(default_factory=Counter)
     mistaken: Counter[str] = field(default_factory=Counter)
     worst: Counter[str] = field(default_factory=Counter)
+    dice: list[Any] = field(default_factory=list[Any])  # their state, for going on from here
 
     def record(self) -> dict[str, Any]:
         """Shares in per cent; `mistakes` counts verdicts on listed mistakes."""
@@ -102,8 +104,20 @@ class Tallies:
 
 def simulate(solution: Solution, students: int) -> Tallies:
     """So many students with variants of their own. Fixed tolerances are tried on all the draws: they pass none over."""
-    tallies, dice = Tallies(), random.Random(solution.problem.code)
-    for variant in sample(solution.problem, DRAWS_EACH * students, salt="students"):
+    *_, tallies = simulated(solution, students)
+    return tallies
+
+
+def simulated(solution: Solution, students: int, tallies: Tallies | None = None) -> Iterator[Tallies]:
+    """The tallies after each student, those of all at last; from where they stood in `tallies` on."""
+    tallies, dice = tallies or Tallies(), random.Random(solution.problem.code)
+    if tallies.dice:
+        version, state, gauss = tallies.dice
+        dice.setstate((version, tuple(state), gauss))
+    drawn = sample(solution.problem, DRAWS_EACH * students, salt="students")
+    for variant in islice(drawn, tallies.drawn, None):
+        if tallies.dealt >= students:
+            break
         tallies.drawn += 1
         key, _ = admitted(solution, variant)
         try:
@@ -115,9 +129,9 @@ def simulate(solution: Solution, students: int) -> Tallies:
         if compared is not None:
             _honest(compared, tallies, dice, dealt=key is not None)
             _mistaken(compared, tallies, dice, dealt=key is not None)
-        if tallies.dealt >= students:
-            break
-    return tallies
+        tallies.dice = list(dice.getstate())
+        yield tallies
+    yield tallies
 
 
 def _honest(key: Key, tallies: Tallies, dice: random.Random, *, dealt: bool) -> None:

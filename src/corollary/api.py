@@ -80,11 +80,10 @@ def judge(
     from corollary.grading.run_programs import run_programs
 
     solution = solve(problem) if isinstance(problem, Problem) else problem
-    parts = [part.id for part in solution.problem.parts]
-    if strange := [name for name in answers if name not in parts]:
-        raise UnknownPart(
-            f"{solution.problem.code} has no part {', '.join(strange)}; its parts are {', '.join(parts)}"
-        )
+    parts = solution.problem.parts
+    if strange := [name for name in answers if name not in {part.id for part in parts}]:
+        known = ", ".join(part.id_and_letter for part in parts)
+        raise UnknownPart(f"{solution.problem.code} has no part {', '.join(strange)}; its parts are {known}")
     of = key(solution, **(given or {}))
     values = {part: from_json(_as_a_process_holds_it(answer)) for part, answer in answers.items()}
     return grade(of, judge_parts(of, values, run_programs(of, values)), reveal=reveal)

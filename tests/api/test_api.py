@@ -67,6 +67,13 @@ def test_an_answer_to_no_part_is_refused(problem: corollary.Problem) -> None:
         corollary.judge(problem, {"z": 1})
 
 
+def test_a_part_that_students_see_with_another_letter_is_named_with_both() -> None:
+    with pytest.raises(
+        corollary.UnknownPart, match=r"no part d; its parts are a, b, c, e \[d on the sheet\]"
+    ):
+        corollary.judge(corollary.load_bank()["S12.5two"], {"d": ["v_B1 - v_A1 = r*(vA - vB)"]})
+
+
 def test_a_bank_of_ones_own_is_solved_from_its_own_solutions(tmp_path: Path) -> None:
     """Also where a topic is called `problems`."""
     chapter = corollary.load_bank()

@@ -54,7 +54,7 @@ def run(
     )
     print(f"{problem.code}  {problem.title}\n  given (SI): {given}")
     for part, entry in record["parts"].items():
-        print(f"  ({part}) {_line(entry)}")
+        print(f"  ({problem.part(part).id_and_letter}) {_line(entry)}")
     if certificate:
         print(f"  proof script {certificate['sha256'][:16]}…, accepted by {certificate['checker']}")
     return HOLDS

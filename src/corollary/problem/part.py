@@ -81,6 +81,13 @@ class Part:
         return self.lettered or self.label
 
     @property
+    def id_and_letter(self) -> str:
+        """`e`, or `e [d on the sheet]` where students see another letter than files have."""
+        return (
+            self.id if self.heading_letter == self.id else f"{self.id} [{self.heading_letter} on the sheet]"
+        )
+
+    @property
     def answer_type(self) -> str:
         """The answer type; of two, the one that is asked for first."""
         return self.answer_types[0]
