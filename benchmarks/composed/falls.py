@@ -10,7 +10,6 @@ import numpy as np
 from mpmath import mp
 
 from corollary.scenes.forces.drag import Drag
-from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.rod import Rod
 from corollary.scenes.forces.spring import Spring
@@ -49,7 +48,11 @@ def juggled(draw: Random) -> Case:
     h, until = draw.uniform(0.5, 1), draw.uniform(0.8, 1.5)
     with mp.workdps(30):
         t, x, v = mp.mpf(0), mp.mpf(h), mp.mpf(0)
-        while hit := met(lambda s, t=t, x=x, v=v: x + v * (s - t) - mp.mpf(G) / 2 * (s - t) ** 2 - a * mp.sin(w * s), t, until):
+        while hit := met(
+            lambda s, t=t, x=x, v=v: x + v * (s - t) - mp.mpf(G) / 2 * (s - t) ** 2 - a * mp.sin(w * s),
+            t,
+            until,
+        ):
             x, v = a * mp.sin(w * hit), v - G * (hit - t)
             plate = a * w * mp.cos(w * hit)
             v, t = plate + e * (plate - v), hit
@@ -59,7 +62,11 @@ def juggled(draw: Random) -> Case:
     def moves(t: float) -> tuple[float, float, float]:
         return a * math.sin(w * t), a * w * math.cos(w * t), -a * w * w * math.sin(w * t)
 
-    scene = Scene((Body(0.3, (0.0, h), (0.4, 0.0)),), (Weight(G), HardWall((0.0, 1.0), 0.0, e, moves=moves)), until=until)
+    scene = Scene(
+        (Body(0.3, (0.0, h), (0.4, 0.0)),),
+        (Weight(G), HardWall((0.0, 1.0), 0.0, e, moves=moves)),
+        until=until,
+    )
     return Case("juggled", scene, {V: floats(0.4, v), X: floats(0.4 * until, x)}, (until,))
 
 
@@ -70,7 +77,9 @@ def fermi_ulam(draw: Random) -> Case:
         t, x, v = mp.mpf(0), mp.mpf("0.5"), mp.mpf(v0)
         while True:
             at_zero = t - x / v if v < 0 else mp.inf
-            hit = met(lambda s, t=t, x=x, v=v: 1 + a * mp.sin(w * s) - x - v * (s - t), t, min(until, at_zero))
+            hit = met(
+                lambda s, t=t, x=x, v=v: 1 + a * mp.sin(w * s) - x - v * (s - t), t, min(until, at_zero)
+            )
             if hit is None and at_zero > until:
                 break
             if hit is None:
@@ -82,7 +91,9 @@ def fermi_ulam(draw: Random) -> Case:
     def moves(t: float) -> tuple[float, float, float]:
         return -1 - a * math.sin(w * t), -a * w * math.cos(w * t), a * w * w * math.sin(w * t)
 
-    scene = Scene((Body(1.0, (0.5,), (v0,)),), (HardWall((1.0,)), HardWall((-1.0,), moves=moves)), until=until)
+    scene = Scene(
+        (Body(1.0, (0.5,), (v0,)),), (HardWall((1.0,)), HardWall((-1.0,), moves=moves)), until=until
+    )
     return Case("Fermi and Ulam", scene, {V: floats(v), X: floats(x)}, (until,))
 
 
@@ -123,7 +134,12 @@ def dropped_together(draw: Random) -> Case:
         left = until - t
         v_end += [0, speed - G * left]
         x_end += [i, speed * left - G * left**2 / 2]
-    return Case("dropped together", Scene(tuple(bodies), (Weight(G), *walls), until=until), {V: tuple(v_end), X: tuple(x_end)}, (until,))
+    return Case(
+        "dropped together",
+        Scene(tuple(bodies), (Weight(G), *walls), until=until),
+        {V: tuple(v_end), X: tuple(x_end)},
+        (until,),
+    )
 
 
 def right_wedge(draw: Random) -> Case:
@@ -160,14 +176,21 @@ def into_the_corner(draw: Random) -> Case:
     until = (1 - r) / v * draw.uniform(1.1, 1.9)
     left = until - (1 - r) / v
     scene = Scene(
-        (Body(0.7, (1.0, 1.0), (-v, -v), r),), (HardWall((1.0, 0.0), 0.0, e), HardWall((0.0, 1.0), 0.0, e)), until=until
+        (Body(0.7, (1.0, 1.0), (-v, -v), r),),
+        (HardWall((1.0, 0.0), 0.0, e), HardWall((0.0, 1.0), 0.0, e)),
+        until=until,
     )
     return Case("into the corner", scene, {V: (e * v, e * v), X: (r + e * v * left,) * 2}, (until,))
 
 
 def down_a_rough_incline(draw: Random) -> Case:
     """A point falls on a rough incline, bounces without end in a finite time, and slides on."""
-    angle, mu, e, h = draw.uniform(0.5, 1.0), draw.uniform(0.05, 0.3), draw.uniform(0.2, 0.6), draw.uniform(0.3, 2)
+    angle, mu, e, h = (
+        draw.uniform(0.5, 1.0),
+        draw.uniform(0.05, 0.3),
+        draw.uniform(0.2, 0.6),
+        draw.uniform(0.3, 2),
+    )
     c, s = math.cos(angle), math.sin(angle)
     across, along = G * c, G * s
     speed, t = math.sqrt(2 * h * across), math.sqrt(2 * h / across)
@@ -182,7 +205,9 @@ def down_a_rough_incline(draw: Random) -> Case:
     until = t * draw.uniform(1.05, 2)
     a, left = along - mu * across, until - t
     x, v = x + v * left + a * left**2 / 2, v + a * left
-    scene = Scene((Body(0.4, (h * s, h * c), (0.0, 0.0)),), (Weight(G), HardWall((s, c), 0.0, e, mu)), until=until)
+    scene = Scene(
+        (Body(0.4, (h * s, h * c), (0.0, 0.0)),), (Weight(G), HardWall((s, c), 0.0, e, mu)), until=until
+    )
     return Case("down a rough incline", scene, {V: (v * c, -v * s), X: (x * c, -x * s)}, (until,))
 
 
@@ -206,7 +231,12 @@ def up_an_incline(draw: Random) -> Case:
 
 def incline_and_floor(draw: Random) -> Case:
     """A point slides down a smooth incline and on along a rough floor, until it stops."""
-    angle, h, mu, until = draw.uniform(0.2, 1.1), draw.uniform(0.1, 1), draw.uniform(0.1, 0.5), draw.uniform(0.2, 4)
+    angle, h, mu, until = (
+        draw.uniform(0.2, 1.1),
+        draw.uniform(0.1, 1),
+        draw.uniform(0.1, 0.5),
+        draw.uniform(0.2, 4),
+    )
     c, s = math.cos(angle), math.sin(angle)
     t = math.sqrt(2 * h / (G * s * s))
     if until < t:
@@ -238,7 +268,11 @@ def pressed_to_a_wall(draw: Random) -> Case:
     x = -G * t * t / 2 + mu * held / m * (t + math.expm1(-rate * t) / rate) / rate
     scene = Scene(
         (Body(m, (0.0, 0.0), (0.0, 0.0)),),
-        (Weight(G), ForceFunction(0, lambda t, x, v: (-start * math.exp(-rate * t), 0.0)), HardWall((1.0, 0.0), 0.0, 0.0, mu, static)),
+        (
+            Weight(G),
+            ForceFunction(0, lambda t, x, v: (-start * math.exp(-rate * t), 0.0)),
+            HardWall((1.0, 0.0), 0.0, 0.0, mu, static),
+        ),
         until=until,
     )
     return Case("pressed to a wall", scene, {V: (0, v), X: (0, x)}, (until,))
@@ -246,7 +280,12 @@ def pressed_to_a_wall(draw: Random) -> Case:
 
 def spun_in_a_corner(draw: Random) -> Case:
     """A spinning ball lies in the corner of a floor and a wall, which brake it together."""
-    m, r, mu, spin = draw.uniform(0.1, 1), draw.uniform(0.05, 0.3), draw.uniform(0.1, 0.5), draw.uniform(5, 60)
+    m, r, mu, spin = (
+        draw.uniform(0.1, 1),
+        draw.uniform(0.05, 0.3),
+        draw.uniform(0.1, 0.5),
+        draw.uniform(5, 60),
+    )
     # Turning counter-clockwise it presses the wall on its left... the floor pushes it to the left.
     floor = m * G / (1 + mu * mu)
     rate = mu * (floor + mu * floor) * r / (0.4 * m * r * r)
@@ -272,7 +311,9 @@ def drawn_back(draw: Random) -> Case:
     speed, turn = v - a * t, spin - 2.5 * a / r * t
     x = v * t - a * t * t / 2 + speed * (until - t)
     scene = Scene(
-        (Body(m, (0.0, r), (v, 0.0), r, spin=spin),), (Weight(G), HardWall((0.0, 1.0), 0.0, 0.0, mu)), until=until
+        (Body(m, (0.0, r), (v, 0.0), r, spin=spin),),
+        (Weight(G), HardWall((0.0, 1.0), 0.0, 0.0, mu)),
+        until=until,
     )
     return Case("drawn back", scene, {V: (speed, 0), X: (x, r), S: (turn,)}, (until,))
 
@@ -288,6 +329,7 @@ def dropped_dumbbell(draw: Random) -> Case:
     fall = G * t
     blow = (1 + e) * fall / (1 / total + (arm[0] * c) ** 2 / inertia)
     w, omega = -fall + blow / total, blow * arm[0] * c / inertia
+
     # Until a second touch, of either end.
     def low(i: int, left: float) -> float:
         return -arm[0] * s + w * left - G * left**2 / 2 + arm[i] * math.sin(angle + omega * left)
@@ -325,7 +367,10 @@ def hopper(draw: Random) -> Case:
 
     events = [
         (lambda t, y, flags: y[0] if flags == "flies" else 1, lands),
-        (lambda t, y, flags: m[0] * G + k * (0.8 - (y[1] - y[0])) if flags == "stands" else 1, lambda t, y, flags: (y, "flies")),
+        (
+            lambda t, y, flags: m[0] * G + k * (0.8 - (y[1] - y[0])) if flags == "stands" else 1,
+            lambda t, y, flags: (y, "flies"),
+        ),
     ]
     y = follow(f, (0, 0.8, 0, -np.sqrt(np.longdouble(2) * G * h)), until - t, events, "stands")
     scene = Scene(
@@ -338,7 +383,12 @@ def hopper(draw: Random) -> Case:
 
 def thrown_in_syrup(draw: Random) -> Case:
     """A point with linear drag bounces off a rough floor twice or so."""
-    m, c, mu, e = draw.uniform(0.2, 1), draw.uniform(0.05, 0.3), draw.uniform(0.05, 0.5), draw.uniform(0.75, 1)
+    m, c, mu, e = (
+        draw.uniform(0.2, 1),
+        draw.uniform(0.05, 0.3),
+        draw.uniform(0.05, 0.5),
+        draw.uniform(0.75, 1),
+    )
     u, w, until = draw.uniform(1, 4), draw.uniform(0.5, 3), draw.uniform(0.6, 1.2)
 
     def f(t: Any, y: Any, flags: Any) -> Any:
@@ -351,7 +401,9 @@ def thrown_in_syrup(draw: Random) -> Case:
         return y, flags
 
     y = follow(f, (0, 0.5, u, w), until, [(lambda t, y, flags: y[1] if y[3] < 0 else np.longdouble(1), hits)])
-    scene = Scene((Body(m, (0.0, 0.5), (u, w)),), (Weight(G), Drag(0, c), HardWall((0.0, 1.0), 0.0, e, mu)), until=until)
+    scene = Scene(
+        (Body(m, (0.0, 0.5), (u, w)),), (Weight(G), Drag(0, c), HardWall((0.0, 1.0), 0.0, e, mu)), until=until
+    )
     return Case("thrown in syrup", scene, {V: floats(*y[2:]), X: floats(*y[:2])}, (until,))
 
 
@@ -368,7 +420,9 @@ def thrown_in_air(draw: Random) -> Case:
     def hits(t: Any, y: Any, flags: Any) -> Any:
         return np.array([y[0], 0 * y[1], y[2], -e * y[3]]), flags
 
-    y = follow(f, (0, 0.5, u, w), until, [(lambda t, y, flags: y[1] if y[3] < 0 else np.longdouble(1), hits)], h=0.01)
+    y = follow(
+        f, (0, 0.5, u, w), until, [(lambda t, y, flags: y[1] if y[3] < 0 else np.longdouble(1), hits)], h=0.01
+    )
     scene = Scene(
         (Body(m, (0.0, 0.5), (u, w)),),
         (Weight(G), Drag(0, quadratic=c, wind=(wind, 0.0)), HardWall((0.0, 1.0), 0.0, e)),
@@ -377,7 +431,9 @@ def thrown_in_air(draw: Random) -> Case:
     return Case("thrown in air", scene, {V: floats(*y[2:]), X: floats(*y[:2])}, (until,))
 
 
-def struck(v: float, rim: float, into: float, e: float, mu: float, share: float = 0.4) -> tuple[float, float, float]:
+def struck(
+    v: float, rim: float, into: float, e: float, mu: float, share: float = 0.4
+) -> tuple[float, float, float]:
     """Velocity along a surface, speed of turning (as that of the rim there) and normal velocity after a hit; v + rim slips."""
     blow, slip = (1 + e) * into, v + rim
     grip = min(mu * blow, abs(slip) / (1 + 1 / share)) * math.copysign(1.0, slip)
@@ -408,7 +464,12 @@ def floor_then_wall(draw: Random) -> Case:
         (Weight(G), HardWall((0.0, 1.0), 0.0, e, mu), HardWall((-1.0, 0.0), -wall - r, e, mu)),
         until=until,
     )
-    return Case("floor, then wall", scene, {V: (-back, w - G * left), X: (wall - back * left, y + r), S: (rim / r,)}, (until,))
+    return Case(
+        "floor, then wall",
+        scene,
+        {V: (-back, w - G * left), X: (wall - back * left, y + r), S: (rim / r,)},
+        (until,),
+    )
 
 
 def carried_by_a_plate(draw: Random) -> Case:
@@ -419,7 +480,11 @@ def carried_by_a_plate(draw: Random) -> Case:
     until = slips + draw.uniform(-0.8 * slips, 0.5)
 
     def moves(t: float) -> tuple[float, float, float]:
-        return a * (t + math.expm1(-rate * t) / rate) / rate, -a * math.expm1(-rate * t) / rate, a * math.exp(-rate * t)
+        return (
+            a * (t + math.expm1(-rate * t) / rate) / rate,
+            -a * math.expm1(-rate * t) / rate,
+            a * math.exp(-rate * t),
+        )
 
     at, speed, _ = moves(until)
     t = max(until - slips, 0.0)
@@ -427,7 +492,9 @@ def carried_by_a_plate(draw: Random) -> Case:
     v = -G * t - mu * held * math.expm1(-rate * t) / rate
     y = -G * t * t / 2 + mu * held * (t + math.expm1(-rate * t) / rate) / rate
     scene = Scene(
-        (Body(m, (0.0, 0.0), (0.0, 0.0)),), (Weight(G), HardWall((1.0, 0.0), 0.0, 0.0, mu, static, moves=moves)), until=until
+        (Body(m, (0.0, 0.0), (0.0, 0.0)),),
+        (Weight(G), HardWall((1.0, 0.0), 0.0, 0.0, mu, static, moves=moves)),
+        until=until,
     )
     return Case("carried by a plate", scene, {V: (speed, v), X: (at, y)}, (until,))
 
@@ -441,7 +508,12 @@ def springs_to_the_floor(draw: Random) -> Case:
     with mp.workdps(30):
         t, x, v = mp.mpf(0), mp.mpf(rest), mp.mpf(0)  # seen from the place of rest
         low = mp.mpf(floor) + rest
-        while hit := met(lambda s, t=t, x=x, v=v: x * mp.cos(w * (s - t)) + v / w * mp.sin(w * (s - t)) - low, t, until, 2000):
+        while hit := met(
+            lambda s, t=t, x=x, v=v: x * mp.cos(w * (s - t)) + v / w * mp.sin(w * (s - t)) - low,
+            t,
+            until,
+            2000,
+        ):
             s = w * (hit - t)
             t, x, v = hit, low, -e * (v * mp.cos(s) - w * x * mp.sin(s))
         s = w * (until - t)
@@ -451,7 +523,9 @@ def springs_to_the_floor(draw: Random) -> Case:
         (Weight(G), Spring((0, 1), k, 2.0), HardWall((0.0, 1.0), floor, e, only=(1,))),
         until=until,
     )
-    return Case("springs to the floor", scene, {V: floats(0, 0, 0, v), X: floats(0, 2, 0, x - rest)}, (until,))
+    return Case(
+        "springs to the floor", scene, {V: floats(0, 0, 0, v), X: floats(0, 2, 0, x - rest)}, (until,)
+    )
 
 
 FAMILIES = (

@@ -39,13 +39,21 @@ def skipping_orbit(draw: Random) -> Case:
     m = 0.3
     field = ForceFunction(0, lambda t, x, u: (m * w * u[1], -m * w * u[0]))
     start = v * cmath.exp(1j * angle)
-    scene = Scene((Body(m, (0.0, 0.0), (start.real, start.imag)),), (field, HardWall((0.0, 1.0))), until=until)
+    scene = Scene(
+        (Body(m, (0.0, 0.0), (start.real, start.imag)),), (field, HardWall((0.0, 1.0))), until=until
+    )
     return Case("skipping orbit", scene, {V: (vel.real, vel.imag), X: (at.real, at.imag)}, (until,))
 
 
 def crossed_fields(draw: Random) -> Case:
     """Crossed fields and a drag: a spiral into a drift."""
-    m, w, e, c, until = draw.uniform(0.2, 1), draw.uniform(2, 8), draw.uniform(1, 5), draw.uniform(0, 1), draw.uniform(1, 6)
+    m, w, e, c, until = (
+        draw.uniform(0.2, 1),
+        draw.uniform(2, 8),
+        draw.uniform(1, 5),
+        draw.uniform(0, 1),
+        draw.uniform(1, 6),
+    )
     v0 = complex(draw.uniform(-2, 2), draw.uniform(-2, 2))
     rate = -1j * w - c / m
     drift = -(e / m) / rate
@@ -61,7 +69,10 @@ def foucault(draw: Random) -> Case:
     m, w, turn, until = draw.uniform(0.2, 1), draw.uniform(2, 6), draw.uniform(0.1, 1.5), draw.uniform(2, 9)
     z0, v0 = complex(draw.uniform(0.2, 1), 0), complex(draw.uniform(-1, 1), draw.uniform(-1, 1))
     start = v0 + 1j * turn * z0  # seen from outside
-    z, v = z0 * math.cos(w * until) + start / w * math.sin(w * until), start * math.cos(w * until) - z0 * w * math.sin(w * until)
+    z, v = (
+        z0 * math.cos(w * until) + start / w * math.sin(w * until),
+        start * math.cos(w * until) - z0 * w * math.sin(w * until),
+    )
     back = cmath.exp(-1j * turn * until)
     vel, at = (v - 1j * turn * z) * back, z * back
 
@@ -75,7 +86,12 @@ def foucault(draw: Random) -> Case:
 
 def rutherford(draw: Random) -> Case:
     """A light particle is turned back by a heavier one that is free to move."""
-    m, k, b, v = (draw.uniform(0.1, 1), draw.uniform(1, 4)), draw.uniform(0.2, 2), draw.uniform(0.01, 0.5), draw.uniform(2, 4)
+    m, k, b, v = (
+        (draw.uniform(0.1, 1), draw.uniform(1, 4)),
+        draw.uniform(0.2, 2),
+        draw.uniform(0.01, 0.5),
+        draw.uniform(2, 4),
+    )
     until, far = draw.uniform(0.5, 3), 2.0
 
     def f(t: Any, y: Any, flags: Any) -> Any:
@@ -85,7 +101,9 @@ def rutherford(draw: Random) -> Case:
 
     y = follow(f, (-far, b, 0, 0, v, 0, 0, 0), until, h=0.002)
     scene = Scene(
-        (Body(m[0], (-far, b), (v, 0.0)), Body(m[1], (0.0, 0.0), (0.0, 0.0))), (InverseSquare((0, 1), -k),), until=until
+        (Body(m[0], (-far, b), (v, 0.0)), Body(m[1], (0.0, 0.0), (0.0, 0.0))),
+        (InverseSquare((0, 1), -k),),
+        until=until,
     )
     return Case("Rutherford", scene, {V: floats(*y[4:]), X: floats(*y[:4])}, (until,))
 
@@ -144,7 +162,10 @@ def orbit_on_a_mirror(draw: Random) -> Case:
     def at(ecc: float) -> tuple[complex, complex]:
         c, s = math.cos(ecc), math.sin(ecc)
         rate = n / (1 - e * c)
-        return (complex(c - e, root * s) * cmath.exp(1j * turn), complex(-s, root * c) * rate * cmath.exp(1j * turn))
+        return (
+            complex(c - e, root * s) * cmath.exp(1j * turn),
+            complex(-s, root * c) * rate * cmath.exp(1j * turn),
+        )
 
     (z0, v0), (z, v) = at(0.0), at(ecc)
     sign = 1 if z.imag > 0 else -1
@@ -160,7 +181,10 @@ def orbit_on_a_mirror(draw: Random) -> Case:
 def swing_on_a_mirror(draw: Random) -> Case:
     """A swing in a plane bounces off a slanted wall through its middle."""
     w, tilt, until = draw.uniform(1, 4), draw.uniform(-1, 1), draw.uniform(2, 8)
-    z0, v0 = complex(draw.uniform(-1, 1), draw.uniform(0.2, 1)), complex(draw.uniform(-2, 2), draw.uniform(-2, 2))
+    z0, v0 = (
+        complex(draw.uniform(-1, 1), draw.uniform(0.2, 1)),
+        complex(draw.uniform(-2, 2), draw.uniform(-2, 2)),
+    )
     c, s = math.cos(w * until), math.sin(w * until)
     z, v = z0 * c + v0 / w * s, v0 * c - z0 * w * s
     if z.imag < 0:
@@ -168,7 +192,9 @@ def swing_on_a_mirror(draw: Random) -> Case:
     spin = cmath.exp(1j * tilt)
     z0, v0, z, v = (each * spin for each in (z0, v0, z, v))
     force = ForceFunction(
-        0, lambda t, x, u: (-w * w * x[0], -w * w * x[1]), energy=lambda x: w * w * (x[0] ** 2 + x[1] ** 2) / 2
+        0,
+        lambda t, x, u: (-w * w * x[0], -w * w * x[1]),
+        energy=lambda x: w * w * (x[0] ** 2 + x[1] ** 2) / 2,
     )
     scene = Scene(
         (Body(1.0, (z0.real, z0.imag), (v0.real, v0.imag)),),
@@ -180,7 +206,13 @@ def swing_on_a_mirror(draw: Random) -> Case:
 
 def fading_push(draw: Random) -> Case:
     """A push that swings and fades, in a fluid."""
-    m, c, a, w, b = (draw.uniform(0.2, 2), draw.uniform(0.1, 1), draw.uniform(1, 9), draw.uniform(1, 9), draw.uniform(0.1, 1))
+    m, c, a, w, b = (
+        draw.uniform(0.2, 2),
+        draw.uniform(0.1, 1),
+        draw.uniform(1, 9),
+        draw.uniform(1, 9),
+        draw.uniform(0.1, 1),
+    )
     until, v0 = draw.uniform(1, 8), draw.uniform(-2, 2)
     rate, decay = complex(-b, w), -c / m
     if abs(b - c / m) < 0.05:
@@ -188,7 +220,9 @@ def fading_push(draw: Random) -> Case:
         rate = complex(-b, w)
     amp = a / m / (rate - decay)
     v = (v0 - amp.real) * math.exp(decay * until) + (amp * cmath.exp(rate * until)).real
-    x = (v0 - amp.real) * math.expm1(decay * until) / decay + (amp * (cmath.exp(rate * until) - 1) / rate).real
+    x = (v0 - amp.real) * math.expm1(decay * until) / decay + (
+        amp * (cmath.exp(rate * until) - 1) / rate
+    ).real
     push = ForceFunction(0, lambda t, x, u: (a * math.exp(-b * t) * math.cos(w * t),))
     scene = Scene((Body(m, (0.0,), (v0,)),), (push, Drag(0, c)), until=until)
     return Case("fading push", scene, {V: (v,), X: (x,)}, (until,))
@@ -196,7 +230,13 @@ def fading_push(draw: Random) -> Case:
 
 def coal_wagon(draw: Random) -> Case:
     """A wagon on a spring takes up coal that falls into it."""
-    m, k, rate, x0, until = draw.uniform(1, 3), draw.uniform(5, 40), draw.uniform(0.1, 2), draw.uniform(0.2, 1), draw.uniform(1, 5)
+    m, k, rate, x0, until = (
+        draw.uniform(1, 3),
+        draw.uniform(5, 40),
+        draw.uniform(0.1, 2),
+        draw.uniform(0.2, 1),
+        draw.uniform(1, 5),
+    )
 
     def f(t: Any, y: Any, flags: Any) -> Any:
         return y[1], (-k * (y[0] - 1) - rate * y[1]) / (m + rate * t)
@@ -221,7 +261,12 @@ def van_der_pol(draw: Random) -> Case:
 
 def duffing_at_a_wall(draw: Random) -> Case:
     """A driven, damped swing with two wells bounces off a wall."""
-    push, w, c, e = draw.uniform(0.1, 0.3), draw.uniform(0.8, 1.4), draw.uniform(0.1, 0.4), draw.uniform(0.5, 1)
+    push, w, c, e = (
+        draw.uniform(0.1, 0.3),
+        draw.uniform(0.8, 1.4),
+        draw.uniform(0.1, 0.4),
+        draw.uniform(0.5, 1),
+    )
     until, wall = draw.uniform(3, 10), draw.uniform(-0.5, 0.2)
 
     def f(t: Any, y: Any, flags: Any) -> Any:
@@ -236,7 +281,9 @@ def duffing_at_a_wall(draw: Random) -> Case:
         return np.array([y[0], -e * y[1]]), flags
 
     try:
-        y = follow(f, (1.2, -1.5), until, [(lambda t, y, g: y[0] - wall if y[1] < 0 else np.longdouble(1), bounce)])
+        y = follow(
+            f, (1.2, -1.5), until, [(lambda t, y, g: y[0] - wall if y[1] < 0 else np.longdouble(1), bounce)]
+        )
     except OverflowError:
         return duffing_at_a_wall(draw)
     force = ForceFunction(0, lambda t, x, u: (x[0] - x[0] ** 3 - c * u[0] + push * math.cos(w * t),))

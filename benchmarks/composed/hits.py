@@ -20,7 +20,7 @@ from corollary.scenes.run import Observable
 from corollary.scenes.scene import Body, Scene
 
 from .case import Case
-from .reference import L, Act, Watched, follow
+from .reference import Act, L, Watched, follow
 from .rough import floats
 
 V, X, S = Observable.VELOCITIES, Observable.TRAJECTORY, Observable.SPINS
@@ -42,7 +42,12 @@ def touching(overlaps: Sequence[Callable[[Any], Any]]) -> list[tuple[Watched, Ac
 
 def wagons(draw: Random) -> Case:
     """Three wagons with damped linear buffers run into each other."""
-    m, v, k, eta = [draw.uniform(0.5, 2) for _ in range(3)], draw.uniform(1, 3), draw.uniform(500, 5000), draw.uniform(0, 15)
+    m, v, k, eta = (
+        [draw.uniform(0.5, 2) for _ in range(3)],
+        draw.uniform(1, 3),
+        draw.uniform(500, 5000),
+        draw.uniform(0, 15),
+    )
     until, r = draw.uniform(0.5, 1.5), 0.125
 
     def deep(i: int) -> Callable[[Any], Any]:
@@ -83,10 +88,14 @@ def swings_that_collide(draw: Random) -> Case:
         (Spring((0, 2), k[0], 1.0), Spring((3, 1), k[1], 1.0), Contact(hard, 1.0)),
         until=until,
     )
-    return Case("swings that collide", scene, {V: floats(0, 0, *y[2:]), X: floats(-1, 1.25, *y[:2])}, (until,))
+    return Case(
+        "swings that collide", scene, {V: floats(0, 0, *y[2:]), X: floats(-1, 1.25, *y[:2])}, (until,)
+    )
 
 
-def planar(y: Any, n: int, links: Sequence[tuple[int, int, float]], flags: Any, k: float, q: int, m: Sequence[float]) -> Any:
+def planar(
+    y: Any, n: int, links: Sequence[tuple[int, int, float]], flags: Any, k: float, q: int, m: Sequence[float]
+) -> Any:
     """Accelerations of discs that push with k overlap^q where the flags say that they touch."""
     rates = np.zeros((n, 2), L)
     for (i, j, reach), on in zip(links, flags, strict=True):
@@ -109,7 +118,12 @@ def overlap(i: int, j: int, reach: float) -> Callable[[Any], Any]:
 
 def break_shot(draw: Random) -> Case:
     """A ball is shot between two that lie side by side, not quite in the middle."""
-    r, k, v, m = 0.0625, draw.uniform(1e5, 1e6), draw.uniform(0.5, 2), (draw.uniform(0.2, 1), 0.3, draw.uniform(0.2, 1))
+    r, k, v, m = (
+        0.0625,
+        draw.uniform(1e5, 1e6),
+        draw.uniform(0.5, 2),
+        (draw.uniform(0.2, 1), 0.3, draw.uniform(0.2, 1)),
+    )
     off, until = draw.uniform(-0.02, 0.02), 0.6
     links = [(0, 1, 2 * r), (0, 2, 2 * r), (1, 2, 2 * r)]
     places = (-0.3, off, 0.0, r + 0.001, 0.0, -r - 0.001)
@@ -159,14 +173,22 @@ def ball_on_ball(draw: Random) -> Case:
 
 def resting_stack(draw: Random) -> Case:
     """Three balls lie on each other on a floor, pressed as deep as they weigh; one beside them falls."""
-    m, k, until, q = [draw.uniform(0.2, 2) for _ in range(3)], draw.uniform(1e3, 1e5), draw.uniform(0.1, 1), draw.choice([1.0, 2.0])
+    m, k, until, q = (
+        [draw.uniform(0.2, 2) for _ in range(3)],
+        draw.uniform(1e3, 1e5),
+        draw.uniform(0.1, 1),
+        draw.choice([1.0, 2.0]),
+    )
     r, y, places = 0.25, 0.25, []
     for i in range(3):
         if i:
             y += 2 * r - (sum(m[i:]) * G / k) ** (1 / q)
         places.append(y)
     scene = Scene(
-        (*(Body(m[i], (0.0, places[i]), (0.0, 0.0), r) for i in range(3)), Body(1.0, (3.0, 9.0), (0.0, 0.0), r)),
+        (
+            *(Body(m[i], (0.0, places[i]), (0.0, 0.0), r) for i in range(3)),
+            Body(1.0, (3.0, 9.0), (0.0, 0.0), r),
+        ),
         (Weight(G), Contact(k, q), HardWall((0.0, 1.0), 0.0, 0.0)),
         until=until,
     )
@@ -179,7 +201,12 @@ def resting_stack(draw: Random) -> Case:
 
 def settling(draw: Random) -> Case:
     """A ball falls on a springy, damped post and comes to rest there."""
-    m, k, eta, h = draw.uniform(0.3, 1), draw.uniform(200, 3000), draw.uniform(0.5, 15), draw.uniform(0.05, 0.4)
+    m, k, eta, h = (
+        draw.uniform(0.3, 1),
+        draw.uniform(200, 3000),
+        draw.uniform(0.5, 15),
+        draw.uniform(0.05, 0.4),
+    )
     until, reach = draw.uniform(0.5, 2), 0.5
 
     def deep(y: Any) -> Any:
@@ -199,7 +226,13 @@ def settling(draw: Random) -> Case:
 
 def spinning_disc_hits(draw: Random) -> Case:
     """A spinning disc hits one at rest, off centre; they rub, slipping throughout."""
-    m, r, k, mu, v = (draw.uniform(0.2, 1), draw.uniform(0.2, 1)), 0.125, draw.uniform(1e4, 1e5), draw.uniform(0.02, 0.1), draw.uniform(1, 2)
+    m, r, k, mu, v = (
+        (draw.uniform(0.2, 1), draw.uniform(0.2, 1)),
+        0.125,
+        draw.uniform(1e4, 1e5),
+        draw.uniform(0.02, 0.1),
+        draw.uniform(1, 2),
+    )
     spin, b, until = draw.choice([-1, 1]) * draw.uniform(60, 120), draw.uniform(-0.1, 0.1), 0.5
     inertia = [0.4 * each * r * r for each in m]
 
@@ -227,12 +260,19 @@ def spinning_disc_hits(draw: Random) -> Case:
         (Contact(k, 2.0, mu=mu),),
         until=until,
     )
-    return Case("spinning disc hits", scene, {V: floats(*y[4:8]), X: floats(*y[:4]), S: floats(*y[8:])}, (until,))
+    return Case(
+        "spinning disc hits", scene, {V: floats(*y[4:8]), X: floats(*y[:4]), S: floats(*y[8:])}, (until,)
+    )
 
 
 def dumbbell_struck(draw: Random) -> Case:
     """A ball hits one end of a dumbbell in space."""
-    m, k, v, r = [draw.uniform(0.2, 1) for _ in range(3)], draw.uniform(1e4, 1e5), draw.uniform(0.5, 2), 0.0625
+    m, k, v, r = (
+        [draw.uniform(0.2, 1) for _ in range(3)],
+        draw.uniform(1e4, 1e5),
+        draw.uniform(0.5, 2),
+        0.0625,
+    )
     b, d, until = draw.uniform(-0.08, 0.08), 0.5, 0.7
     # Body 0 is the ball, 1 and 2 the dumbbell, which lies across: centre, angle.
     total = m[1] + m[2]
@@ -278,12 +318,22 @@ def dumbbell_struck(draw: Random) -> Case:
     )
     del u
     speeds = [y[7:9] + arm * w * y[9] for arm in arms]
-    return Case("dumbbell struck", scene, {V: floats(*y[5:7], *speeds[0], *speeds[1]), X: floats(*y[:2], *one, *two)}, (until,))
+    return Case(
+        "dumbbell struck",
+        scene,
+        {V: floats(*y[5:7], *speeds[0], *speeds[1]), X: floats(*y[:2], *one, *two)},
+        (until,),
+    )
 
 
 def pucks_collide(draw: Random) -> Case:
     """Two pucks that slide on a rough table collide, and come to rest one after the other."""
-    m, mu, k, r = (draw.uniform(0.2, 1), draw.uniform(0.2, 1)), (draw.uniform(0.05, 0.3), draw.uniform(0.05, 0.3)), draw.uniform(1e4, 1e5), 0.125
+    m, mu, k, r = (
+        (draw.uniform(0.2, 1), draw.uniform(0.2, 1)),
+        (draw.uniform(0.05, 0.3), draw.uniform(0.05, 0.3)),
+        draw.uniform(1e4, 1e5),
+        0.125,
+    )
     v, b, until = draw.uniform(1.5, 3), draw.uniform(-0.2, 0.2), draw.uniform(0.4, 3)
     links = [(0, 1, 2 * r)]
 
@@ -295,6 +345,8 @@ def pucks_collide(draw: Random) -> Case:
                 speed = np.sqrt(u @ u)
                 if speed:
                     rates[i] -= mu[i] * G * u / speed
+            else:
+                rates[i] *= 0
         return [*y[4:], *rates.ravel()]
 
     # Until they touch the second one lies, and while they do it is pushed by far more than friction.
@@ -303,16 +355,16 @@ def pucks_collide(draw: Random) -> Case:
     way = 0.6 - close
     speed = math.sqrt(v * v - 2 * mu[0] * G * way)
     t0 = (v - speed) / (mu[0] * G)
-    # The second one starts when the push reaches its static friction: mu m g = k deep^2.
-    starts = math.sqrt(mu[1] * m[1] * G / k)
-
-    def moves(t: Any, y: Any, flags: Any) -> Any:
-        d = y[2:4] - y[:2]
-        y = y.copy()
-        y[6:8] = 1e-25 * d
-        return y, (True, True, True)
+    # The second one starts when the push reaches its static friction: static m g = k deep^2.
+    static = mu[1] * draw.uniform(1.2, 2)
+    starts = math.sqrt(static * m[1] * G / k)
 
     opened: list[Any] = []
+
+    def moves(t: Any, y: Any, flags: Any) -> Any:
+        y = y.copy()
+        y[6:8] = 1e-25 * (y[2:4] - y[:2])
+        return y, (True, True, True)
 
     def opens(t: Any, y: Any, flags: Any) -> Any:
         opened.append((t, y))
@@ -322,7 +374,7 @@ def pucks_collide(draw: Random) -> Case:
         (lambda t, y, g: starts - deep(y) if g[0] and not g[2] else L(1), moves),
         (lambda t, y, g: deep(y) if g[2] else L(1), opens),
     ]
-    follow(f, (-close, b, 0, 0, speed, 0, 0, 0), 0.2, events, (True, True, False), h=0.0005)
+    follow(f, (-close, b, 0, 0, speed, 0, 0, 0), 0.2, events, (True, True, False), h=0.00005)
     t, y = opened[0]
     left, ends, places = L(until) - t0 - t, [], []
     if left < 0:
@@ -335,7 +387,7 @@ def pucks_collide(draw: Random) -> Case:
         ends += [*(u * (1 - mu[i] * G * s / fast if s == left else 0))]
     scene = Scene(
         (Body(m[0], (-0.6, b), (v, 0.0), r), Body(m[1], (0.0, 0.0), (0.0, 0.0), r)),
-        (Contact(k, 2.0), *(Friction(i, mu[i]) for i in range(2))),
+        (Contact(k, 2.0), Friction(0, mu[0]), Friction(1, mu[1], G, static)),
         until=until,
     )
     return Case("pucks collide", scene, {V: floats(*ends), X: floats(*places)}, (until,))
@@ -343,15 +395,32 @@ def pucks_collide(draw: Random) -> Case:
 
 def between_bumpers(draw: Random) -> Case:
     """A ball in a fluid flies to and fro between two springy bumpers."""
-    m, c, k, v, until = draw.uniform(0.2, 1), draw.uniform(0.02, 0.3), draw.uniform(200, 3000), draw.uniform(1, 4), draw.uniform(1, 4)
+    m, c, k, v, until = (
+        draw.uniform(0.2, 1),
+        draw.uniform(0.02, 0.3),
+        draw.uniform(200, 3000),
+        draw.uniform(1, 4),
+        draw.uniform(1, 4),
+    )
 
     def f(t: Any, y: Any, flags: Any) -> Any:
         push = (-k * (y[0] - 0.5) ** 2 if flags[0] else 0) + (k * (-0.5 - y[0]) ** 2 if flags[1] else 0)
         return y[1], (push - c * y[1]) / m
 
-    y = follow(f, (0, v), until, touching([lambda y: y[0] - L(0.5), lambda y: -y[0] - L(0.5)]), (False, False), h=0.004)
+    y = follow(
+        f,
+        (0, v),
+        until,
+        touching([lambda y: y[0] - L(0.5), lambda y: -y[0] - L(0.5)]),
+        (False, False),
+        h=0.004,
+    )
     scene = Scene(
-        (Body(math.inf, (-1.0,), (0.0,), 0.25), Body(m, (0.0,), (v,), 0.25), Body(math.inf, (1.0,), (0.0,), 0.25)),
+        (
+            Body(math.inf, (-1.0,), (0.0,), 0.25),
+            Body(m, (0.0,), (v,), 0.25),
+            Body(math.inf, (1.0,), (0.0,), 0.25),
+        ),
         (Contact(k, 2.0), Drag(1, c)),
         until=until,
     )
@@ -360,8 +429,14 @@ def between_bumpers(draw: Random) -> Case:
 
 def pendulum_hits_block(draw: Random) -> Case:
     """A pendulum hits a ball that stands on the floor; that slides away, the pendulum swings on."""
-    m, k, length, start = (draw.uniform(0.2, 1), draw.uniform(0.2, 1)), draw.uniform(1e4, 1e5), 0.5, draw.uniform(0.4, 1.3)
+    m, k, length, start = (
+        (draw.uniform(0.2, 1), draw.uniform(0.2, 1)),
+        draw.uniform(1e4, 1e5),
+        0.5,
+        draw.uniform(0.4, 1.3),
+    )
     r, until = 0.0625, draw.uniform(0.5, 1.0)
+
     # The bob hangs so that at its lowest it touches the ball, at the same height.
     def deep(y: Any) -> Any:
         bx, by = length * np.sin(y[0]), length * (1 - np.cos(y[0]))
@@ -387,7 +462,12 @@ def pendulum_hits_block(draw: Random) -> Case:
             Body(m[0], (-length * math.sin(start), length + r - length * math.cos(start)), (0.0, 0.0), r),
             Body(m[1], (2 * r + 0.01, r), (0.0, 0.0), r),
         ),
-        (Rod((0, 1), length), Weight(G), Contact(k, 2.0, chosen=((1, 2),)), HardWall((0.0, 1.0), 0.0, 0.0, only=(2,))),
+        (
+            Rod((0, 1), length),
+            Weight(G),
+            Contact(k, 2.0, chosen=((1, 2),)),
+            HardWall((0.0, 1.0), 0.0, 0.0, only=(2,)),
+        ),
         until=until,
     )
     truth = {
@@ -399,7 +479,13 @@ def pendulum_hits_block(draw: Random) -> Case:
 
 def galton_peg(draw: Random) -> Case:
     """A disc falls on a springy peg, off centre, and then on the hard floor."""
-    m, k, r, h, e = draw.uniform(0.1, 0.5), draw.uniform(1e4, 1e5), 0.125, draw.uniform(0.1, 0.5), draw.uniform(0.6, 1)
+    m, k, r, h, e = (
+        draw.uniform(0.1, 0.5),
+        draw.uniform(1e4, 1e5),
+        0.125,
+        draw.uniform(0.1, 0.5),
+        draw.uniform(0.6, 1),
+    )
     b, until = draw.choice([-1, 1]) * draw.uniform(0.02, 0.2), draw.uniform(0.4, 0.9)
 
     def deep(y: Any) -> Any:

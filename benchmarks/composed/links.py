@@ -56,7 +56,12 @@ def pendulum_at_a_wall(draw: Random) -> Case:
 
 def pendulum_in_a_fluid(draw: Random) -> Case:
     """A pendulum swings in a fluid with linear drag, let go above the nail."""
-    length, start, m, c = draw.uniform(0.3, 1), draw.uniform(1.6, 3), draw.uniform(0.2, 1), draw.uniform(0.05, 1)
+    length, start, m, c = (
+        draw.uniform(0.3, 1),
+        draw.uniform(1.6, 3),
+        draw.uniform(0.2, 1),
+        draw.uniform(0.05, 1),
+    )
     until = draw.uniform(0.5, 4)
     y = follow(lambda t, y, flags: (y[1], -G / length * np.sin(y[0]) - c / m * y[1]), (start, 0), until)
     place, speed = bob_state(*y, length)
@@ -91,7 +96,8 @@ def three_in_a_chain(draw: Random) -> Case:
 
         whole = det(rows)
         rates = [
-            det([[right[i] if j == k else rows[i][j] for j in range(3)] for i in range(3)]) / whole for k in range(3)
+            det([[right[i] if j == k else rows[i][j] for j in range(3)] for i in range(3)]) / whole
+            for k in range(3)
         ]
         return [*y[3:], *rates]
 
@@ -216,7 +222,11 @@ def rough_cart(draw: Random) -> Case:
 
 def ladder(draw: Random) -> Case:
     """A ladder (two masses on a rod) slides down a smooth wall and leaves it."""
-    m, length, start = (draw.uniform(0.5, 2), draw.uniform(0.5, 2)), draw.uniform(0.5, 2), draw.uniform(0.1, 0.5)
+    m, length, start = (
+        (draw.uniform(0.5, 2), draw.uniform(0.5, 2)),
+        draw.uniform(0.5, 2),
+        draw.uniform(0.1, 0.5),
+    )
     # The angle from the wall; m0 slides on the floor at x = length sin, m1 on the wall at y = length cos.
 
     def f(t: Any, y: Any, leans: bool) -> Any:
@@ -247,7 +257,12 @@ def ladder(draw: Random) -> Case:
         return np.array([y[0], y[1], m[0] * x / sum(m), m[0] * v / sum(m)]), False
 
     ends: list[Any] = []
-    follow(f, (start, 0, 0, 0), 5, [(presses, leaves), (lambda t, y, leans: np.cos(y[0]), lambda t, y, g: _end(ends, t, y))])
+    follow(
+        f,
+        (start, 0, 0, 0),
+        5,
+        [(presses, leaves), (lambda t, y, leans: np.cos(y[0]), lambda t, y, g: _end(ends, t, y))],
+    )
     until = float(ends[0]) * draw.uniform(0.2, 0.95)
     theta, rate, x, v = follow(f, (start, 0, 0, 0), until, [(presses, leaves)], True, h=0.01)
     s, c = np.sin(theta), np.cos(theta)
@@ -291,12 +306,15 @@ def thrown_bola(draw: Random) -> Case:
     else:
         at = (apart[0] + rel[0] * until, rel[1] * until)
     centre = [
-        m[1] / total * apart[i] + (m[0] * v[0][i] + m[1] * v[1][i]) / total * until - (0, G * until**2 / 2)[i] for i in range(2)
+        m[1] / total * apart[i] + (m[0] * v[0][i] + m[1] * v[1][i]) / total * until - (0, G * until**2 / 2)[i]
+        for i in range(2)
     ]
     drift = [(m[0] * v[0][i] + m[1] * v[1][i]) / total - (0, G * until)[i] for i in range(2)]
     shares = (-m[1] / total, m[0] / total)
     scene = Scene(
-        (Body(m[0], (0.0, 0.0), v[0]), Body(m[1], apart, v[1])), (String((0, 1), length), Weight(G)), until=until
+        (Body(m[0], (0.0, 0.0), v[0]), Body(m[1], apart, v[1])),
+        (String((0, 1), length), Weight(G)),
+        until=until,
     )
     truth = {
         V: tuple(drift[i] + s * rel[i] for s in shares for i in range(2)),
@@ -319,7 +337,9 @@ def train(draw: Random) -> Case:
     x += speed * (until - t)
     places = [-0.3 * i for i in range(4)]
     strings = tuple(String((i, i + 1), 0.3 + gaps[i]) for i in range(3))
-    scene = Scene(tuple(Body(m[i], (places[i],), (v if i == 0 else 0.0,)) for i in range(4)), strings, until=until)
+    scene = Scene(
+        tuple(Body(m[i], (places[i],), (v if i == 0 else 0.0,)) for i in range(4)), strings, until=until
+    )
     ends = tuple(x - sum(gaps[:i]) - 0.3 * i if i < moved else places[i] for i in range(4))
     return Case("train", scene, {V: tuple(speed if i < moved else 0.0 for i in range(4)), X: ends}, (until,))
 
@@ -338,10 +358,15 @@ def tethered(draw: Random) -> Case:
     total = sum(m)
     drift = (m[0] * v[0] + m[1] * v[1]) / total
     centre = m[1] / total * 0.2 + drift * until
-    scene = Scene((Body(m[0], (0.0,), (v[0],)), Body(m[1], (0.2,), (v[1],))), (String((0, 1), length, e),), until=until)
+    scene = Scene(
+        (Body(m[0], (0.0,), (v[0],)), Body(m[1], (0.2,), (v[1],))), (String((0, 1), length, e),), until=until
+    )
     shares = (-m[1] / total, m[0] / total)
     return Case(
-        "tethered", scene, {V: tuple(drift + s * rel for s in shares), X: tuple(centre + s * at for s in shares)}, (until,)
+        "tethered",
+        scene,
+        {V: tuple(drift + s * rel for s in shares), X: tuple(centre + s * at for s in shares)},
+        (until,),
     )
 
 
@@ -356,12 +381,18 @@ def rod_at_a_wall(draw: Random) -> Case:
         (Rod((0, 1)), HardWall((-1.0,), 0.0, e)),
         until=until,
     )
-    return Case("rod at a wall", scene, {V: (-e * v, -e * v, -1), X: (-back, -back - 0.7, -9 - until)}, (until,))
+    return Case(
+        "rod at a wall", scene, {V: (-e * v, -e * v, -1), X: (-back, -back - 0.7, -9 - until)}, (until,)
+    )
 
 
 def coupled_pendula(draw: Random) -> Case:
     """Two pendula with a spring between their bobs."""
-    m, a, k = (draw.uniform(0.2, 1), draw.uniform(0.2, 1)), (draw.uniform(0.3, 0.6), draw.uniform(0.3, 0.6)), draw.uniform(5, 40)
+    m, a, k = (
+        (draw.uniform(0.2, 1), draw.uniform(0.2, 1)),
+        (draw.uniform(0.3, 0.6), draw.uniform(0.3, 0.6)),
+        draw.uniform(5, 40),
+    )
     start, until, far = (draw.uniform(-1, 1), draw.uniform(-1, 1)), draw.uniform(0.5, 3), 1.5
 
     def f(t: Any, y: Any, flags: Any) -> Any:
@@ -369,7 +400,10 @@ def coupled_pendula(draw: Random) -> Case:
         dx, dy = far + a[1] * s[1] - a[0] * s[0], a[0] * c[0] - a[1] * c[1]
         r = np.sqrt(dx * dx + dy * dy)
         px, py = k * (r - far) * dx / r, k * (r - far) * dy / r
-        rates = [-G / a[i] * s[i] + sign * (px * c[i] + py * s[i]) / (m[i] * a[i]) for i, sign in enumerate((1, -1))]
+        rates = [
+            -G / a[i] * s[i] + sign * (px * c[i] + py * s[i]) / (m[i] * a[i])
+            for i, sign in enumerate((1, -1))
+        ]
         return *y[2:], *rates
 
     y = follow(f, (*start, 0, 0), until)
@@ -378,13 +412,18 @@ def coupled_pendula(draw: Random) -> Case:
         place, speed = bob_state(y[i], y[2 + i], a[i])
         places += [place[0] + far * i, place[1]]
         speeds += speed
-    bodies = [Body(m[i], (far * i + a[i] * math.sin(start[i]), -a[i] * math.cos(start[i])), (0.0, 0.0)) for i in range(2)]
+    bodies = [
+        Body(m[i], (far * i + a[i] * math.sin(start[i]), -a[i] * math.cos(start[i])), (0.0, 0.0))
+        for i in range(2)
+    ]
     scene = Scene(
         (nail(0.0, 0.0), nail(far, 0.0), *bodies),
         (Rod((0, 2)), Rod((1, 3)), Spring((2, 3), k, far), Weight(G)),
         until=until,
     )
-    return Case("coupled pendula", scene, {V: floats(0, 0, 0, 0, *speeds), X: floats(0, 0, far, 0, *places)}, (until,))
+    return Case(
+        "coupled pendula", scene, {V: floats(0, 0, 0, 0, *speeds), X: floats(0, 0, far, 0, *places)}, (until,)
+    )
 
 
 def moving_nail(draw: Random) -> Case:

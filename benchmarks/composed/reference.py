@@ -1,6 +1,6 @@
 """References for composed scenes by a method of their own: extrapolated midpoint steps (Gragg, Bulirsch, Stoer) in 64 binary digits.
 
-Nothing here is shared with what is judged: equal steps in coordinates chosen for the scene, each extrapolated from ten subdivisions;
+Nothing here is shared with what is judged: equal steps in coordinates chosen for the scene, each extrapolated from nine subdivisions;
 an event is located by taking the last step again, to a shorter time, until its function vanishes.
 """
 
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 L = np.longdouble
-COUNTS = tuple(range(2, 22, 2))
+COUNTS = tuple(range(2, 20, 2))
 Slope = Callable[[Any, Any, Any], Sequence[Any]]
 Watched = Callable[[Any, Any, Any], Any]
 Act = Callable[[Any, Any, Any], tuple[Any, Any]]
@@ -52,6 +52,12 @@ def follow(
     while t < until:
         span = min(L(h), until - t)
         new = stepped(f, t, y, span, flags)
+        # What stood at zero and is below it after the step rose and fell within it.
+        while span > 1e-9 and any(
+            watch(t, y, flags) <= 0 and watch(t + span, new, flags) < 0 for watch, _ in events
+        ):
+            span /= 4
+            new = stepped(f, t, y, span, flags)
         first: tuple[Any, Any, Act] | None = None
         for watch, act in events:
             if watch(t, y, flags) > 0 and watch(t + span, new, flags) <= 0:
@@ -87,7 +93,7 @@ def sliding(
     v: Sequence[float],
     until: float,
     belts: Sequence[float] | None = None,
-    h: float = 0.02,
+    h: float = 0.01,
 ) -> tuple[Any, Any]:
     """Places and velocities of blocks on a line; `kinetic` and `static` are the largest forces of friction (N)."""
     n = len(masses)
@@ -123,9 +129,7 @@ def sliding(
         def act(t: Any, y: Any, flags: Any) -> tuple[Any, Any]:
             return y, (*flags[:i], int(np.sign(force(t, y[:n], y[n:])[i])), *flags[i + 1 :])
 
-        return (
-            lambda t, y, flags: static[i] - abs(force(t, y[:n], y[n:])[i]) if not flags[i] else L(1)
-        ), act
+        return (lambda t, y, flags: static[i] - abs(force(t, y[:n], y[n:])[i]) if not flags[i] else L(1)), act
 
     rough = [i for i in range(n) if static[i]]
     events = [each(i) for i in rough for each in (stops, breaks)]

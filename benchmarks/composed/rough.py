@@ -7,6 +7,7 @@ from random import Random
 from typing import Any
 
 import numpy as np
+from scipy.integrate import solve_ivp
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
@@ -253,14 +254,21 @@ def puck_on_a_belt(draw: Random) -> Case:
 
 def puck_off_a_cushion(draw: Random) -> Case:
     """A puck on a rough table bounces off a cushion and another one and comes to rest."""
-    angle, v, mu, e = draw.uniform(0.3, 1.2), draw.uniform(3, 6), draw.uniform(0.05, 0.3), draw.uniform(0.5, 1)
+    angle, v, mu, e = (
+        draw.uniform(0.3, 1.2),
+        draw.uniform(3, 6),
+        draw.uniform(0.05, 0.3),
+        draw.uniform(0.5, 1),
+    )
     x, y, u, w = 0.4, 0.3, v * math.cos(angle), v * math.sin(angle)
     t, until = 0.0, draw.uniform(0.5, 3)
     hit_x = hit_y = 0
     a, d = mu * G, 0.05
     while True:
         speed = math.hypot(u, w)
-        way = min(speed * (until - t) - a * (until - t) ** 2 / 2 if until - t < speed / a else INF, speed**2 / 2 / a)
+        way = min(
+            speed * (until - t) - a * (until - t) ** 2 / 2 if until - t < speed / a else INF, speed**2 / 2 / a
+        )
         # How far to each of the walls x = 1, x = 0, y = 1, y = 0 along the line.
         to_x = ((1 - d - x) if u > 0 else (x - d)) / abs(u) * speed
         to_y = ((1 - d - y) if w > 0 else (y - d)) / abs(w) * speed
@@ -275,7 +283,10 @@ def puck_off_a_cushion(draw: Random) -> Case:
             u, hit_x = -e * u, hit_x + 1
         else:
             w, hit_y = -e * w, hit_y + 1
-    walls = [HardWall(n, o, e) for n, o in (((1.0, 0.0), 0.0), ((-1.0, 0.0), -1.0), ((0.0, 1.0), 0.0), ((0.0, -1.0), -1.0))]
+    walls = [
+        HardWall(n, o, e)
+        for n, o in (((1.0, 0.0), 0.0), ((-1.0, 0.0), -1.0), ((0.0, 1.0), 0.0), ((0.0, -1.0), -1.0))
+    ]
     scene = Scene(
         (Body(0.2, (0.4, 0.3), (v * math.cos(angle), v * math.sin(angle)), d),),
         (*walls, Friction(0, mu)),
@@ -287,7 +298,11 @@ def puck_off_a_cushion(draw: Random) -> Case:
 
 def sliding_dumbbell(draw: Random) -> Case:
     """Two pucks on a rod slide and turn over a rough table."""
-    m, mu, d = (draw.uniform(0.2, 1), draw.uniform(0.2, 1)), (draw.uniform(0.05, 0.3), draw.uniform(0.05, 0.3)), 0.8
+    m, mu, d = (
+        (draw.uniform(0.2, 1), draw.uniform(0.2, 1)),
+        (draw.uniform(0.05, 0.3), draw.uniform(0.05, 0.3)),
+        0.8,
+    )
     u, w, omega, until = draw.uniform(0.5, 3), draw.uniform(-1, 1), draw.uniform(1, 6), draw.uniform(0.1, 0.6)
     total = sum(m)
     arm = (-d * m[1] / total, d * m[0] / total)
@@ -319,7 +334,11 @@ def sliding_dumbbell(draw: Random) -> Case:
 
 def pucks_on_a_spring(draw: Random) -> Case:
     """Two pucks on a spring slide over a rough table, in a plane."""
-    m, mu, k = (draw.uniform(0.2, 1), draw.uniform(0.2, 1)), (0.1, draw.uniform(0.05, 0.2)), draw.uniform(5, 40)
+    m, mu, k = (
+        (draw.uniform(0.2, 1), draw.uniform(0.2, 1)),
+        (0.1, draw.uniform(0.05, 0.2)),
+        draw.uniform(5, 40),
+    )
     v, until = ((draw.uniform(1, 3), 1.0), (-1.0, draw.uniform(-3, -1))), draw.uniform(0.1, 0.5)
 
     def f(t: Any, y: Any, flags: Any) -> Any:
@@ -341,7 +360,34 @@ def pucks_on_a_spring(draw: Random) -> Case:
     return Case("pucks on a spring", scene, {V: floats(*y[4:]), X: floats(*y[:4])}, (until,))
 
 
+def dragged_round(draw: Random) -> Case:
+    """A force that grows and turns sets a puck moving: at first as slowly as friction lets it, in a direction that is the force's."""
+    mu, c, w, until = draw.uniform(0.1, 0.5), draw.uniform(1, 5), draw.uniform(-3, 3), draw.uniform(0.2, 1)
+    m, press = 0.5, mu * 0.5 * G
+    begin = (1 - 0.9) / c
+
+    def push(t: float) -> tuple[float, float]:
+        strong = press * (0.9 + c * t)
+        return strong * math.cos(w * t), strong * math.sin(w * t)
+
+    def f(t: float, y: Any) -> Any:
+        (px, py), speed = push(t), math.hypot(y[2], y[3])
+        return y[2], y[3], (px - press * y[2] / speed) / m, (py - press * y[3] / speed) / m
+
+    # From where it is still slow, along the force: friction turns it there at a rate mu g over its speed.
+    slow = 1e-12
+    y = (0.0, 0.0, slow * math.cos(w * begin), slow * math.sin(w * begin))
+    y = solve_ivp(f, (begin, begin + until), y, "LSODA", rtol=1e-12, atol=1e-15).y[:, -1]
+    scene = Scene(
+        (Body(m, (0.0, 0.0), (0.0, 0.0)),),
+        (ForceFunction(0, lambda t, x, v: push(t)), Friction(0, mu)),
+        until=begin + until,
+    )
+    return Case("dragged round", scene, {V: floats(*y[2:]), X: floats(*y[:2])}, (begin + until,))
+
+
 FAMILIES = (
+    dragged_round,
     nudged_through_a_spring,
     earthquakes,
     shaken_block,

@@ -1,17 +1,44 @@
 """A share of the draws of benchmarks/calibration.py: bounds hold always, estimates as often as is published, none is far off."""
 
+import random
 import sys
 from pathlib import Path
 
+import mpmath as mp
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 
-from calibration import FAMILIES, calibrated
+from calibration import FAMILIES, calibrated, of_ball, of_spheres
+
+from corollary.scenes.catalogue import run
 
 
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 def test_stated_errors_hold(family):
-    found = calibrated(family, 15 if family.digits <= 50 else 3)  # references with more digits take seconds
+    found = calibrated(family, 15)
     assert found.values > found.refused
     assert found.worst <= (1.0 + 1e-9 if found.bounds == found.runs else 3.0), found.settings
+
+
+@pytest.mark.parametrize("reference", [of_ball, of_spheres])
+def test_the_rule_of_the_references_has_converged(reference):
+    family = next(family for family in FAMILIES if family.reference is reference)
+    for draw in range(6):
+        given = family.draw(random.Random(draw))
+        found = run(family.scene, given)
+        with mp.workdps(family.digits):
+            once, finer = reference(given, found), reference(given, found, 256)
+            for name, values in once.items():
+                for x, y in zip(values, finer[name], strict=True):
+                    assert abs(x - y) <= 1e-22 * abs(y), name
+
+
+def test_the_rule_of_the_references_agrees_with_another():
+    # A ball without weight: a beta function.
+    given = {"m": 0.3, "k": 2e4, "v0": -1.5, "q": 1.5, "g": 0.0, "R": 1.0, "y0": 1.0}
+    with mp.workdps(40):
+        (lasts,) = of_ball(given, None)["duration"]
+        top = (mp.mpf(given["m"]) * mp.mpf("2.25") * mp.mpf("2.5") / (2 * mp.mpf(2e4))) ** (1 / mp.mpf("2.5"))
+        exact = 2 * top / mp.mpf("1.5") * mp.beta(mp.mpf("0.4"), mp.mpf("0.5")) / mp.mpf("2.5")
+        assert abs(lasts - exact) < 1e-30 * exact

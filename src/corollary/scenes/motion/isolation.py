@@ -72,7 +72,23 @@ def first_fall(values_at: Callable[[Array], Array], values: Array) -> tuple[floa
     `values` are those at POINTS, `values_at` gives them anywhere. One that begins at or below zero and falls, falls at once: (0, 0). One that begins there and rises
     is waited for until it is above.
     """
-    return _in_piece(values_at, coefficients(values), 0.0, 1.0, 0)
+    return _in_piece(values_at, coefficients(values), 0.0, 1.0, 0, False)
+
+
+def bracketed(value: Callable[[float], float], left: float, right: float) -> tuple[float, float]:
+    """A fall's bracket with its ends moved to where the function is above zero, and to where it no longer is.
+
+    Where it is not smooth, its series may be off by more than it is there. An end for which there is no such place stays as it is.
+    """
+    before, after, back, ahead = left, right, 2.0**-MOST_RESAMPLED, 2.0**-MOST_RESAMPLED
+    while before > 0.0 and value(before) <= 0.0:
+        before, back = max(before - back, 0.0), 2.0 * back
+    while after < 1.0 and value(after) > 0.0:
+        after, ahead = min(after + ahead, 1.0), 2.0 * ahead
+    return (
+        before if before == left or value(before) > 0.0 else left,
+        after if after == right or value(after) <= 0.0 else right,
+    )
 
 
 def root_of(value: Callable[[float], float], left: float, right: float) -> float:
@@ -81,8 +97,9 @@ def root_of(value: Callable[[float], float], left: float, right: float) -> float
 
 
 def _in_piece(
-    values_at: Callable[[Array], Array], series: Array, left: float, right: float, resampled: int
+    values_at: Callable[[Array], Array], series: Array, left: float, right: float, resampled: int, above: bool
 ) -> tuple[float, float] | None:
+    """`above` says whether the piece before this one ends above zero: where not all is resolved, the two may not agree on where they meet."""
     largest = np.abs(series).max()
     if largest == 0.0:
         return None
@@ -90,14 +107,17 @@ def _in_piece(
         middle = 0.5 * (left + right)
         for low, high in ((left, middle), (middle, right)):
             values = values_at(low + (high - low) * POINTS)
-            found = _in_piece(values_at, coefficients(values), low, high, resampled + 1)
+            found = _in_piece(values_at, coefficients(values), low, high, resampled + 1, above)
             if found:
                 return found
+            above = float(values[-1]) > 0.0
         return None
-    return _isolated(series, left, right, 0)
+    return _isolated(series, left, right, 0, above)
 
 
-def _isolated(series: Array, left: float, right: float, halvings: int) -> tuple[float, float] | None:
+def _isolated(
+    series: Array, left: float, right: float, halvings: int, above: bool
+) -> tuple[float, float] | None:
     rest = np.abs(series[1:]).sum()
     if series[0] > rest:
         return None
@@ -111,10 +131,11 @@ def _isolated(series: Array, left: float, right: float, halvings: int) -> tuple[
             return (left, left) if left == 0.0 else (left, right)
         return left, right
     if series[0] < -rest and left > 0.0:
-        return None
+        return (left, left) if above else None
     middle = 0.5 * (left + right)
-    found = _isolated(LEFT @ series, left, middle, halvings + 1)
-    return found or _isolated(RIGHT @ series, middle, right, halvings + 1)
+    first = LEFT @ series
+    found = _isolated(first, left, middle, halvings + 1, above)
+    return found or _isolated(RIGHT @ series, middle, right, halvings + 1, float(first.sum()) > 0.0)
 
 
 def minima(values: Array) -> list[tuple[float, float]]:

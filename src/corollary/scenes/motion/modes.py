@@ -41,7 +41,7 @@ class Moment:
             self._project(*held_in(self.before))
         self._push_out()
         self._settle_hits()
-        mode = self._settle_forces(touching, sides)
+        mode = self._at_rest(touching, sides) or self._settle_forces(touching, sides)
         for _ in range(len(self.system.constraints) + 1):
             slow = self._small_bounces(mode)
             if not slow:
@@ -161,7 +161,40 @@ class Moment:
         ]
         for group, rubs in self._clusters(resting, rubbing):
             self._settle_group(group, rubs, gains, held, rubbed)
-        return Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides))
+        creeps = tuple(
+            0.1 * sizes.rest if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0
+            for k, s in enumerate(rubbed)
+        )
+        return Mode(tuple(held), tuple(rubbed), tuple(touching), tuple(sides), creeps if any(creeps) else ())
+
+    def _creeps(self, k: int) -> bool:
+        """Whether a slip of two components is too slow to be told from rest."""
+        return math.hypot(*self.system.slip(self.time, self.y, k)) <= self.sizes.rest * 1.001
+
+    def _at_rest(self, touching: Sequence[bool], sides: Sequence[float]) -> Mode | None:
+        """The mode in which all that hardly slips in a plane sticks, if there is one.
+
+        What is left of its speed is gone then, and nothing has to hold a body on a curve with it.
+        """
+        system = self.system
+        slow = [
+            k
+            for k, rub in enumerate(system.rubs)
+            if len(rub.driven) == 2 and k not in self.barred_rubs and self._creeps(k)
+        ]
+        moving = [k for k in slow if any(system.slip(self.time, self.y, k))]
+        if not moving:
+            return None
+        before = list(self.y)
+        self._project([], moving)
+        try:
+            mode = self._settle_forces(touching, sides)
+        except GuardFailed:
+            mode = None
+        if mode is None or any(mode.rubbed[k] != "stick" for k in slow):
+            self.y[:] = before
+            return None
+        return mode
 
     def _presses(self, k: int, touching: Sequence[bool]) -> bool:
         contact = self.system.rub_contacts[k]
@@ -207,8 +240,7 @@ class Moment:
         """How a rub may go on: as it slips, or, where it does not slip, held or beginning to slip."""
         slip = self.system.slip(self.time, self.y, k)
         speed = math.hypot(*slip)
-        small = self.sizes.rest * 1.001 if len(slip) == 2 else self.sizes.speed
-        if speed > small:
+        if not self._creeps(k) if len(slip) == 2 else speed > self.sizes.speed:
             return (tuple(v / speed for v in slip),)
         if k in self.barred_rubs:
             return (self.barred_rubs[k],)

@@ -35,6 +35,7 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     y, count = start_of(scene), system.count
     long = max(max(map(abs, y[:count])), *(body.radius for body in scene.bodies)) or 1.0
     fast = max([abs(v) for v in y[count : 2 * count]] + [abs(b.spin) * b.radius for b in scene.bodies])
+    fast = max([fast, *(math.hypot(*rub.driven) for rub in system.rubs)])
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
     reach = gained * scene.until if scene.until else math.inf
     fast = max(fast, min(math.sqrt(long * gained), reach)) or 1.0

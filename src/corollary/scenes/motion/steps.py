@@ -11,7 +11,14 @@ import numpy as np
 from scipy.integrate import DOP853, Radau
 
 from corollary.scenes.motion.guards import Guards
-from corollary.scenes.motion.isolation import POINTS, certainly_positive, coefficients, first_fall, root_of
+from corollary.scenes.motion.isolation import (
+    POINTS,
+    bracketed,
+    certainly_positive,
+    coefficients,
+    first_fall,
+    root_of,
+)
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Mode, Slope, System
@@ -161,7 +168,7 @@ class Stepper:
             found = first_fall(several, values[i] if ahead == 1.0 else several(POINTS))
             if found is None:
                 continue
-            left, right = found
+            left, right = bracketed(within, *found)
             part = left
             if left < right:
                 above, below = within(left), within(right)

@@ -19,12 +19,18 @@ Slope = Callable[[float, Array], list[float]]
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """What holds: the status of each constraint and of each rub; which pairs touch; on which side of its event each force is."""
+    """What holds: the status of each constraint and of each rub; which pairs touch; on which side of its event each force is.
+
+    `creeps` is, for each rub, a speed (m/s) far below all others: a slip of two components that begins from rest has no direction of its
+    own until it is faster than that. From then on friction turns it to where it is pushed, at a rate mu g over its speed: what it was off
+    before is forgotten.
+    """
 
     held: tuple[Status, ...]
     rubbed: tuple[Status, ...]
     touching: tuple[bool, ...]
     sides: tuple[float, ...]
+    creeps: tuple[float, ...] = ()
 
 
 @dataclass(slots=True)
@@ -139,18 +145,28 @@ class System:
                 found.append(Item(constraint.name, row, bias, ("on",), two_sided=constraint.two_sided))
         for i, status in enumerate(mode.rubbed):
             if status != "off":
-                found.append(self.rub_item(time, y, gains, i, (status,), place.get(self.pressed[i], -1)))
+                creep = mode.creeps[i] if mode.creeps else 0.0
+                found.append(
+                    self.rub_item(time, y, gains, i, (status,), place.get(self.pressed[i], -1), creep)
+                )
         return found
 
     def rub_item(
-        self, time: float, y: State, gains: Array, i: int, may: tuple[Status, ...], pressed: int
+        self,
+        time: float,
+        y: State,
+        gains: Array,
+        i: int,
+        may: tuple[Status, ...],
+        pressed: int,
+        creep: float = 0.0,
     ) -> Item:
         """One rub as rows of accelerations; a slip of two components takes the direction it has now."""
         rub = self.rubs[i]
         rows = np.array(rub.rows(time, y))
         given = rub.normal(time, y) if rub.normal else 0.0
         if len(rows) == 2:
-            may = tuple(self._way(time, y, i, s) if isinstance(s, tuple) else s for s in may)
+            may = tuple(self._way(time, y, i, s, creep) if isinstance(s, tuple) else s for s in may)
         bias = rows @ gains + np.array(rub.drift(time, y))
         return Item(
             rub.name,
@@ -164,12 +180,14 @@ class System:
             static=rub.static,
         )
 
-    def _way(self, time: float, y: State, i: int, begun: tuple[float, ...]) -> tuple[float, ...]:
+    def _way(
+        self, time: float, y: State, i: int, begun: tuple[float, ...], creep: float
+    ) -> tuple[float, ...]:
         """The direction of a slip of two components that began in another.
 
         Past a stop, where a trial step may reach, it goes on as before: the force is then smooth through it, as the step is.
         """
-        slip = self.slip(time, y, i)
+        slip = [v + creep * b for v, b in zip(self.slip(time, y, i), begun, strict=True)]
         along = sum(a * b for a, b in zip(slip, begun, strict=True))
         speed = math.copysign(math.hypot(*slip), along)
         return tuple(v / speed for v in slip) if speed else begun
@@ -198,7 +216,8 @@ class System:
         for i, status in enumerate(mode.rubbed):
             rub = self.rubs[i]
             if isinstance(status, tuple) and rub.normal is not None:
-                way = self._way(time, y, i, status) if len(status) == 2 else status
+                creep = mode.creeps[i] if mode.creeps else 0.0
+                way = self._way(time, y, i, status, creep) if len(status) == 2 else status
                 brake = rub.kinetic * rub.normal(time, y)
                 for row, part in zip(rub.rows(time, y), way, strict=True):
                     for j, x in enumerate(row):

@@ -64,10 +64,11 @@ def row(law: RowLaw, start: State) -> Followed:
                 raise MoreDigits
         step, within = _step(law, state, sides, width, longest)
         after, longest = step.at(step.length), within.radius * GROW
-        rates = law.drift(*_parts(step.during()))
+        during = step.during()
+        rates, within_step = law.drift(*_parts(during)), during.places
         for j, (before, rate, then) in enumerate(zip(state.places, rates, after.places, strict=True)):
             if sides[j] == NEAR:
-                resting[j] = _note_touch(seen, time, before, rate, then, resting=resting[j])
+                resting[j] = _note_touch(seen, time, before, rate, then, within_step[j], resting=resting[j])
             if sides[j] != OFF:
                 seen.overlaps[j] = _deepest(step, law, j, rate, seen.overlaps[j], near=sides[j] == NEAR)
         time, state, seen.steps = time + step.length, after, seen.steps + 1
@@ -89,12 +90,15 @@ def pair(law: PairLaw, start: State) -> Followed:
         if ends:
             if not (rate < 0 and state.places[0] > 0):
                 raise MoreDigits
+        elif not (on[0] or rate > 0 or rate < 0) and law.weight > 0 and not box[1][0] > 0:
+            raise MoreDigits  # weight may let it leave and come back within the step
+        if ends:
             length = (
                 state.places[0] / -rate
             )  # between the two the overlap falls at some of the rates there are
         seen.overlaps[0] = _deepest(step, law, 0, rate, seen.overlaps[0], near=not on[0])
         seen.force_square = maximum(
-            lambda t, s=step, on=on: law.force_square(*_parts(s.at(t)), on), step.length, seen.force_square
+            lambda t, s=step, on=on: law.force_square(*_parts(s.at(t)), on), length, seen.force_square
         )
         time, longest, seen.steps = time + length, within.radius * GROW, seen.steps + 1
         state = step.at(length)
@@ -140,15 +144,26 @@ def _step(
         places = [x + arb(0, r) for x, r in zip(state.places, reach[count:], strict=True)]
         ahead = law.drift(speeds, places)
         tops = [d + length * rate.max(arb(0)).upper() for d, rate in zip(state.places, ahead, strict=False)]
-        if all(
-            side == ON or top < (0 if side == OFF else 4 * width)
-            for side, top in zip(sides, tops, strict=False)
-        ):
+        if all(side == ON or top < _limit(side, width) for side, top in zip(sides, tops, strict=False)):
             step = enclosed_step(law, state, on, within, length, tops)
-            if step is not None:
+            if step is not None and _stays(step, sides, tops, width):
                 return step, within
         length = (length / 2).mid()
     raise MoreDigits
+
+
+def _limit(side: int, width: arb) -> arb:
+    """How far a contact may get into the other within a step that does not resolve its force."""
+    return arb(0) if side == OFF else 4 * width
+
+
+def _stays(step: EnclosedStep, sides: Sequence[int], tops: Sequence[arb], width: arb) -> bool:
+    """Whether that holds with the forces, too, that the step does not resolve."""
+    off = step.left_out[len(step.start.speeds) :]
+    return all(
+        side == ON or top + more < _limit(side, width)
+        for side, top, more in zip(sides, tops, off, strict=False)
+    )
 
 
 def _deepest(step: EnclosedStep, law: RightSide, j: int, rate: arb, known: arb, *, near: bool) -> arb:
@@ -166,9 +181,12 @@ def _deepest(step: EnclosedStep, law: RightSide, j: int, rate: arb, known: arb, 
     return maximum(overlap, step.length, known)
 
 
-def _note_touch(seen: Followed, time: arb, before: arb, rate: arb, then: arb, *, resting: bool) -> bool:
+def _note_touch(
+    seen: Followed, time: arb, before: arb, rate: arb, then: arb, between: arb, *, resting: bool
+) -> bool:
     """A contact was about its touch in a step that began at `time`: note when it began, or ceased, to touch; whether it only rests.
 
+    Its overlap is `before` at the step's start, `then` at its end, within `between` all the time, and grows at `rate`.
     What touches from the start without closing begins and ends no touch, until it is pressed or has left. Raises MoreDigits for what
     all but touches, and for what all but opens.
     """
@@ -176,8 +194,12 @@ def _note_touch(seen: Followed, time: arb, before: arb, rate: arb, then: arb, *,
         if then > 0 and rate > 0 and before.is_zero():
             seen.began = time if seen.began is None else seen.began.min(time)
         return not (then > 0 or then < 0)
-    if (before > 0 and then > 0) or (before < 0 and then < 0):
+    if before > 0 and then > 0:
         return False
+    if before < 0 and then < 0:
+        if rate > 0 or rate < 0 or between < 0:
+            return False
+        raise MoreDigits
     at = time - before / rate
     if before > 0 > then and rate < 0:
         seen.ended = at if seen.ended is None else seen.ended.max(at)
