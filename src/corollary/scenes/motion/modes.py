@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from corollary.scenes.motion.clusters import clusters
 from corollary.scenes.motion.complementarity import Item, Status, answer, settled
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -75,44 +76,9 @@ class Moment:
     def _rate(self, i: int) -> float:
         return self.system.rate(self.time, self.y, self.system.constraints[i])
 
-    def _clusters(
-        self, constraints: Sequence[int], rubs: Sequence[int]
-    ) -> Iterator[tuple[list[int], list[int]]]:
-        """Constraints and rubs in groups that share movable bodies; only these have to be settled together."""
-        movable = self.system.inverse(self.time) > 0.0
-        nodes = [(i, -1) for i in constraints] + [(-1, k) for k in rubs]
-        moved: list[Array] = []
-        for i, k in nodes:
-            rows = (
-                [self.system.constraints[i].row(self.time, self.y)]
-                if k < 0
-                else self.system.rubs[k].rows(self.time, self.y)
-            )
-            moved.append((np.abs(np.array(rows)).sum(axis=0) > 0.0) & movable)
-        # A velocity row across a wall reaches the body's other components, too: what it shares is the body.
-        owners = [frozenset(np.flatnonzero(each).tolist()) for each in moved]
-        bodies = [frozenset(self._body(j) for j in each) for each in owners]
-        left = list(range(len(nodes)))
-        while left:
-            group = [left.pop(0)]
-            reached = set(bodies[group[0]])
-            while more := [j for j in left if reached & bodies[j]]:
-                group += more
-                left = [j for j in left if j not in more]
-                reached.update(*(bodies[j] for j in more))
-            yield (
-                [nodes[j][0] for j in group if nodes[j][1] < 0],
-                [nodes[j][1] for j in group if nodes[j][1] >= 0],
-            )
-
-    def _body(self, component: int) -> int:
-        """The body to which a component of the generalized velocity belongs."""
-        count = self.system.count
-        return component // self.system.scene.axes if component < count else component - count
-
     def _settle_hits(self) -> None:
         system, inverse = self.system, self.system.inverse(self.time)
-        for group, _ in self._clusters(self._near(), []):
+        for group, _ in clusters(system, self.time, self.y, self._near(), []):
             rates = {i: self._rate(i) for i in group}
             hit = [i for i in group if rates[i] < -self.sizes.speed and not system.constraints[i].two_sided]
             if not hit:
@@ -159,7 +125,7 @@ class Moment:
             for k, rub in enumerate(system.rubs)
             if (self._presses(k, touching) if rub.normal else system.pressed[k] in resting)
         ]
-        for group, rubs in self._clusters(resting, rubbing):
+        for group, rubs in clusters(system, self.time, self.y, resting, rubbing):
             self._settle_group(group, rubs, gains, held, rubbed)
         creeps = tuple(
             0.1 * sizes.rest if isinstance(s, tuple) and len(s) == 2 and self._creeps(k) else 0.0
