@@ -39,13 +39,17 @@ POOLED = "each part is a question with a pool of its own: a student gets other n
 
 def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
     """One archive with a quiz, which draws one variant of each part, and the figures; parts are always apart."""
-    first = [item for item in items if item.number == 1]
-    asked_as = {_named(item, asked): _how(item, asked) for item in first for asked in item.parts}
+    asked_as: dict[tuple[str, str], tuple[str, str]] = {}
     pools: dict[str, list[CanvasQuestion]] = {}
     for item in items:
+        solution = _solution(item)
         for asked in item.parts:
-            if asked_as[_named(item, asked)][0]:
-                for pool, question in _questions(item, asked):
+            part = item.exercise.problem.code, asked.prompt.part.id
+            questions = list(_questions(item, asked, solution))
+            if item.number == 1:
+                asked_as[part] = _how(item, asked, solution, all(each.fits for _pool, each in questions))
+            if asked_as[part][0]:
+                for pool, question in questions:
                     pools.setdefault(pool, []).append(question)
     quiz, pictures = as_files(_quiz(name, pools), FOLDER)
     figures = {
@@ -58,7 +62,7 @@ def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
         **figures,
     }
     carried = tuple(CarriedPart(*part, *how) for part, how in asked_as.items())
-    lost = (*LOST, POOLED) if len(items) > len(first) else LOST
+    lost = (*LOST, POOLED) if any(item.number > 1 for item in items) else LOST
     return ItemFiles({f"{name}-canvas.zip": write_archive(dict(sorted(files.items())))}, carried, lost)
 
 
@@ -67,15 +71,10 @@ def scale_of(asked: NumbersAsked) -> TypedScale:
     return typed_scale(asked.unit, asked.marks[0].values, asked.marks[0].reach)
 
 
-def _named(item: LmsItem, asked: PartAsked) -> tuple[str, str]:
-    return item.exercise.problem.code, asked.prompt.part.id
-
-
-def _how(item: LmsItem, asked: PartAsked) -> tuple[str, str]:
+def _how(item: LmsItem, asked: PartAsked, solution: str, fits: bool) -> tuple[str, str]:
     """How a part is asked ("" where it is not), and what is lost of it."""
-    if not all(question.fits for _pool, question in _questions(item, asked)):
+    if not fits:
         return "", "the question is longer than a text that Canvas takes"
-    solution = _solution(item)
     if not solution:
         without = "the worked solution is longer than a text that Canvas takes"
     elif solution != block(item.solution):
@@ -99,16 +98,12 @@ def _how(item: LmsItem, asked: PartAsked) -> tuple[str, str]:
     return how, "; ".join(filter(None, (lost, without)))
 
 
-def _questions(item: LmsItem, asked: PartAsked) -> Iterator[tuple[str, CanvasQuestion]]:
+def _questions(item: LmsItem, asked: PartAsked, comments: str) -> Iterator[tuple[str, CanvasQuestion]]:
     """The pool that a question belongs to, and the question: one for each field."""
     problem, part = item.exercise.problem, asked.prompt.part
     pool, title = f"{problem.name}_{part.id}", f"{problem.code} {problem.title}, ({part.heading_letter})"
     words = f"<h4>({part.heading_letter}) {inline(part.title)}</h4>{block(asked.prompt.text)}"
-    stem, comments, points = (
-        f"{block(item.exercise.statement)}{_figure(item)}{words}",
-        _solution(item),
-        asked.prompt.out_of,
-    )
+    stem, points = f"{block(item.exercise.statement)}{_figure(item)}{words}", asked.prompt.out_of
     match asked:
         case NumbersAsked(components=components, marks=marks):
             scale = scale_of(asked)

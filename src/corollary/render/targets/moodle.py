@@ -7,7 +7,7 @@ numbers. Its fields take numbers in the unit beside them. `apart` makes each par
 from __future__ import annotations
 
 import base64
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from xml.sax.saxutils import escape
 
 from corollary.messages import catalogue
@@ -59,12 +59,25 @@ LOST = (
 
 def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
     """One file with all questions, and what became of each part, from the first variant of each problem."""
-    questions = [text for item in items for text in _questions(name, item, apart)]
-    body = "\n".join(questions)
-    text = f'<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n{body}\n</quiz>\n'
+    return ItemFiles({f"{name}-moodle.xml": quiz(questions(name, items, apart))}, *became(items, apart))
+
+
+def quiz(texts: Iterable[str]) -> bytes:
+    """A file with these questions and categories."""
+    body = "\n".join(texts)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n{body}\n</quiz>\n'.encode()
+
+
+def questions(name: str, items: Sequence[LmsItem], apart: bool) -> Iterator[str]:
+    """The questions of all items, each pool behind its category."""
+    for item in items:
+        yield from _questions(name, item, apart)
+
+
+def became(items: Sequence[LmsItem], apart: bool) -> tuple[tuple[CarriedPart, ...], tuple[str, ...]]:
+    """What became of each part, and what is lost of all, from the first variant of each problem."""
     first = [item for item in items if item.number == 1]
-    lost = (*LOST, *_grades_lost(first, apart))
-    return ItemFiles({f"{name}-moodle.xml": text.encode()}, tuple(_carried(first, apart)), lost)
+    return tuple(_carried(first, apart)), (*LOST, *_grades_lost(first, apart))
 
 
 def _grades_lost(items: Sequence[LmsItem], apart: bool) -> Iterator[str]:

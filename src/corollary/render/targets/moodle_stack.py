@@ -29,37 +29,48 @@ class StackNode:
     feedback: str
 
 
+@dataclass(frozen=True, slots=True)
+class StackPart:
+    """A part that asks for a formula: its comparisons in their order, or why STACK cannot hold it (then there are none)."""
+
+    item: LmsItem
+    asked: NotAsked
+    nodes: Sequence[StackNode]
+    why: str
+
+
 def write_items(name: str, items: Sequence[LmsItem], apart: bool) -> ItemFiles:
-    """The file of the target `moodle`, with STACK questions after the others."""
-    made = moodle.write_items(name, items, apart)
-    stack = "\n".join(text for item in items for asked in item.parts for text in _question(name, item, asked))
-    (text,) = (content.decode() for content in made.files.values())
-    questions = text.replace("</quiz>", f"{stack}\n</quiz>")
-    asked_of = {
-        (item.exercise.problem.code, asked.prompt.part.id): asked for item in items for asked in item.parts
-    }
-    carried = tuple(_carried(each, asked_of[each.code, each.part]) for each in made.parts)
-    return replace(made, files={f"{name}-moodle-stack.xml": questions.encode()}, parts=carried)
+    """The questions of the target `moodle`, and STACK questions after them."""
+    of_formulas = [
+        _stack_part(item, asked)
+        for item in items
+        for asked in item.parts
+        if isinstance(asked, NotAsked) and asked.formulas
+    ]
+    stack = (text for each in of_formulas if each.nodes for text in _question(name, each))
+    file = moodle.quiz([*moodle.questions(name, items, apart), *stack])
+    parts, lost = moodle.became(items, apart)
+    found = {(each.item.exercise.problem.code, each.asked.prompt.part.id): each for each in of_formulas}
+    carried = tuple(_carried(part, found.get((part.code, part.part))) for part in parts)
+    return ItemFiles({f"{name}-moodle-stack.xml": file}, carried, lost)
 
 
-def _carried(part: CarriedPart, asked: object) -> CarriedPart:
-    if not isinstance(asked, NotAsked) or not asked.formulas:
-        return part
+def _stack_part(item: LmsItem, asked: NotAsked) -> StackPart:
     try:
-        _nodes(asked)
+        return StackPart(item, asked, _nodes(asked), "")
     except NotInStack as why:
-        return replace(part, lost=str(why))
-    return replace(part, how="STACK", lost=FORMULA_LOST)
+        return StackPart(item, asked, (), str(why))
 
 
-def _question(name: str, item: LmsItem, asked: object) -> Iterator[str]:
-    """The category of its own, before the first variant, and the question; nothing for what STACK cannot hold."""
-    if not isinstance(asked, NotAsked) or not asked.formulas:
-        return
-    try:
-        nodes = _nodes(asked)
-    except NotInStack:
-        return
+def _carried(part: CarriedPart, found: StackPart | None) -> CarriedPart:
+    if found is None:
+        return part
+    return replace(part, lost=found.why) if found.why else replace(part, how="STACK", lost=FORMULA_LOST)
+
+
+def _question(name: str, of_formula: StackPart) -> Iterator[str]:
+    """The category of its own, before the first variant, and the question."""
+    item, asked, nodes = of_formula.item, of_formula.asked, of_formula.nodes
     part, problem = asked.prompt.part, item.exercise.problem
     title = f"{problem.code} {problem.title}, ({part.heading_letter})"
     if item.number == 1:
