@@ -26,6 +26,7 @@ LOST = (
     "the same slip costs in every part, not once",
     "figures are not counted: what is rounded to fewer than three is right or wrong as its value is",
     "a unit that is typed is not read: it stands beside the field",
+    "a comma is a decimal comma also where it parts thousands: 1,234 is 1.234",
 )
 """What no question carries."""
 ON_PAPER = "nothing can be typed: it is answered on paper and marked by a person, and its points are not in the score"
