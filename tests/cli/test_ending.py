@@ -15,14 +15,20 @@ import pytest
 from corollary.cli.ending import RAISED, expected
 
 
-def test_ctrl_c_ends_a_command_with_130(tmp_path: Path) -> None:
-    """A command that is at work (it has said so by making a file) is stopped, says so, and leaves no traceback."""
+@pytest.mark.parametrize("where", ["", "destroyed = Destroyed(); del destroyed"])
+def test_ctrl_c_ends_a_command_with_130(tmp_path: Path, where: str) -> None:
+    """A command that is at work (it has said so by making a file) is stopped, says so, and leaves no traceback; also where
+    Python drops what is raised."""
     begun = tmp_path / "begun"
     program = f"""
 import pathlib, signal, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job, such as a gate, ignores it
 from corollary.cli import listing
+class Destroyed:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
 def run(**options):
+    {where}
     pathlib.Path({str(begun)!r}).touch()
     time.sleep(60)
 listing.run = run
@@ -34,7 +40,8 @@ main()
     ) as running:
         while not begun.exists() and running.poll() is None:
             time.sleep(0.05)
-        running.send_signal(signal.SIGINT)
+        if not where:
+            running.send_signal(signal.SIGINT)
         out, err = running.communicate(timeout=60)
     assert (running.returncode, out, err) == (130, "", "stopped\n")
 

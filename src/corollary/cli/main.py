@@ -16,10 +16,29 @@ def main() -> None:
     """Runs a command; a request that cannot be understood is answered in one sentence."""
     loaded: dict[str, Any] = sys.modules
     loaded.setdefault(NOT_NEEDED, None)
+    hear_ctrl_c_everywhere()
     try:
         sys.exit(_status())
     except KeyboardInterrupt:  # before a command was at work, or after
         sys.exit(130)
+
+
+def hear_ctrl_c_everywhere() -> None:
+    """A ctrl-C that falls into a destructor or a weak reference's callback, where Python drops exceptions, comes once more."""
+    usual = sys.unraisablehook
+
+    def hook(dropped: sys.UnraisableHookArgs) -> None:
+        if not issubclass(dropped.exc_type, KeyboardInterrupt):
+            return usual(dropped)
+        import signal  # only now: they take time to load
+        import threading
+
+        later = threading.Timer(0.01, signal.pthread_kill, (threading.main_thread().ident, signal.SIGINT))
+        later.daemon = True
+        return later.start()
+
+    if sys.platform != "win32":  # which sends a thread no signal
+        sys.unraisablehook = hook
 
 
 def _numbers_last(words: list[str]) -> list[str]:
