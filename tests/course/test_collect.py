@@ -141,6 +141,7 @@ def test_a_folder_of_renamed_notebooks(course: Path, tmp_path: Path) -> None:
     os.utime(inbox / "one.ipynb", (1_796_000_600, 1_796_000_600))
     (inbox / "whose.ipynb").write_bytes(sheet(course, "ada", student="zoe"))
     (inbox / "notes.txt").write_text("hello")
+    (inbox / "all.tar.gz").write_bytes(b"\x1f\x8b")
     found = collected(course, inbox)
     assert taken(course) == {
         "ada": sheet(course, "ada", note="later"),
@@ -148,7 +149,9 @@ def test_a_folder_of_renamed_notebooks(course: Path, tmp_path: Path) -> None:
         "cyd": sheet(course, "cyd", student=""),
     }
     assert outcomes(found)["one (1).ipynb"] == OLDER
-    assert {each.file for each in found.of(NOBODY)} == {"whose.ipynb", "notes.txt"}
+    why = {each.file: each.why for each in found.of(NOBODY)}
+    assert why.keys() == {"whose.ipynb", "notes.txt", "all.tar.gz"}
+    assert why["all.tar.gz"] == "is an archive of a kind that is not opened; unpack it, or ask for one.ipynb"
     # what came before does not replace what is there
     (tmp_path / "old").mkdir()
     shutil.copy2(inbox / "one (1).ipynb", tmp_path / "old")

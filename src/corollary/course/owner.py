@@ -28,6 +28,7 @@ from corollary.sandbox.file import Unreadable
 from corollary.sandbox.notebook import notebook_of
 
 LATER = "a later one was handed in"
+PACKED = (".tar", ".gz", ".tgz", ".bz2", ".xz", ".zst", ".7z", ".rar")
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,9 +109,9 @@ def identified(
         return Arrival(student or "", member.name, "", outcome, why, number=number)
 
     if member.content is None:
-        return left(
-            by_place, UNUSABLE if by_place else NOBODY, f"is no notebook; ask for {problem_set.name}.ipynb"
-        )
+        packed = member.name.lower().endswith(PACKED)
+        what = "is an archive of a kind that is not opened; unpack it, or" if packed else "is no notebook;"
+        return left(by_place, UNUSABLE if by_place else NOBODY, f"{what} ask for {problem_set.name}.ipynb")
     read = notebook_of(member.content) if isinstance(member.content, bytes) else member.content
     if isinstance(read, Unreadable) or isinstance(member.content, Unreadable):
         return left(by_place, UNUSABLE, read.why if isinstance(read, Unreadable) else "")
