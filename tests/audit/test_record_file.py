@@ -77,7 +77,66 @@ def test_what_is_wrong_is_named_with_its_line(tmp_path, text, line, sentence):
 def test_two_records_with_one_id(tmp_path):
     path = tmp_path / "r.yaml"
     path.write_text("- {id: a, laws: [F = m], asked: F, published: 1 N}\n" * 2, encoding="utf-8")
-    with pytest.raises(Malformed, match="the id of two records"):
+    first, second = records_in(path)
+    assert (first.id, first.unread) == ("a", "")
+    assert second.id == "r.yaml:2"
+    assert "r.yaml:2: `a` is the id of two records (line 1)" in second.unread
+
+
+HEADER = "id,given,laws,asked,published\n"
+WALK = "walk,v = 2.5 m/s; t = 40 s,s = v*t,s,100 m\n"
+
+
+@pytest.mark.parametrize(
+    ("row", "why"),
+    [
+        ("bad,v = 2 m/s, t = 3 s,s = v*t,s,6 m", "r.csv:3: has more cells than the first row"),
+        ("bad,v = 2 m/s", "r.csv:3: record bad needs either `laws` or a `problem`"),
+        ("bad,v = fast; t = 3 s,s = v*t,s,6 m", "r.csv:3: record bad, v: unit 'fast'"),
+        ("bad,v = 2 m/s; v = 3 m/s; t = 3 s,s = v*t,s,6 m", "r.csv:3: gives a letter twice"),
+        (WALK.strip(), "r.csv:3: `walk` is the id of two records"),
+        (",v = 2 m/s; t = 3 s,s = v*t,s,6 m", "r.csv:3: "),
+    ],
+)
+def test_a_row_that_is_not_in_order_does_not_end_the_file(tmp_path, row, why):
+    path = tmp_path / "r.csv"
+    path.write_text(HEADER + WALK + row + "\n" + WALK.replace("walk", "last"), encoding="utf-8")
+    first, bad, last = records_in(path)
+    assert (first.id, last.id) == ("walk", "last")
+    assert not first.unread
+    assert not last.unread
+    assert why in bad.unread
+    assert examine(bad)[0].finding == "cannot say"
+
+
+def test_a_quotation_mark_that_is_not_closed_costs_what_follows_and_says_so(tmp_path):
+    path = tmp_path / "r.csv"
+    path.write_text(HEADER + WALK + 'open,"v = 2 m/s,s = v*t,s,6 m\n' + WALK, encoding="utf-8")
+    first, rest = records_in(path)
+    assert not first.unread
+    assert "r.csv:3: is no CSV from here on" in rest.unread
+
+
+@pytest.mark.parametrize("parted_by", [";", "\t"])
+def test_cells_are_parted_by_what_parts_the_first_row(tmp_path, parted_by):
+    path = tmp_path / "r.csv"
+    rows = HEADER + 'walk,"v = 2{comma}5 m/s; t = 40 s",s = v*t,s,100 m\n'
+    path.write_text(rows.replace(",", parted_by).format(comma=","), encoding="utf-8")
+    (record,) = records_in(path)
+    assert [str(each.low) for each in record.given] == ["5/2", "40"]
+
+
+@pytest.mark.parametrize(
+    ("header", "why"),
+    [
+        (HEADER.replace("asked", "given"), "two columns `given`"),
+        (HEADER.replace("asked", "askd"), "column `askd` is not known"),
+    ],
+)
+def test_a_first_row_that_is_not_in_order_ends_the_file(tmp_path, header, why):
+    path = tmp_path / "r.csv"
+    path.write_text(header + WALK, encoding="utf-8")
+    with pytest.raises(Malformed, match=f"r.csv:1: .*{why}"):
         records_in(path)
 
 

@@ -21,7 +21,7 @@ from corollary.formula.ast import Expr, Name, Number, Power, Product, Quotient, 
 from corollary.formula.syntax import author_formula
 from corollary.formula.text import text
 from corollary.problem.diagnostic import Diagnostic, Malformed
-from corollary.units.unit import Unit
+from corollary.units.unit import Unit, unit
 
 
 def xml_records(path: Path) -> tuple[ExerciseRecord, ...]:
@@ -88,11 +88,19 @@ def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool =
         why = f"it publishes {len(published)} answers, and the laws are for {len(stated.asked)}"
         return replace(exercise, unread=why)
     units = {each.symbol: each for each in stated.given}
+    if bare and (why := _misjoined(exercise, stated)):
+        return replace(exercise, unread=why)
+    asked = stated.asked
+    if exercise.key_unit:
+        try:
+            asked = tuple(replace(each, unit=unit(exercise.key_unit)) for each in asked)
+        except ValueError as error:
+            return replace(exercise, unread=str(error))
     given = {each.symbol: _in_unit(each, units.get(each.symbol)) for each in exercise.given}
     if bare and exercise.given and not stated.published:
         try:
             published = tuple(
-                _in_si(formula, given, asked) for formula, asked in zip(published, stated.asked, strict=True)
+                _in_si(formula, given, asked) for formula, asked in zip(published, asked, strict=True)
             )
         except ValueError as error:
             return replace(exercise, unread=str(error))
@@ -100,11 +108,28 @@ def joined(exercise: ExerciseRecord, stated: ExerciseRecord | None, bare: bool =
         stated,
         path=exercise.path,
         line=exercise.line,
+        asked=asked,
         given=tuple((units | given).values()),
         published=published,
         source=exercise.source or stated.source,
         statement=exercise.statement or stated.statement,
     )
+
+
+def _misjoined(exercise: ExerciseRecord, stated: ExerciseRecord) -> str:
+    """Why the letters of a program are not those of the laws; "" where they are."""
+    known = {each.symbol for each in stated.given} | {"pi"}
+    known |= {letter for law in stated.laws for letter in names(author_formula(law.formula))}
+    drawn = {each.symbol for each in exercise.given}
+    for each in stated.given:
+        if each.low is None and each.symbol in exercise.worked_out - drawn:
+            return f"its program works out {each.symbol}, which the laws have as given; state them in what it draws"
+    used = set[str]()
+    for formula in exercise.published if exercise.given and not stated.published else ():
+        used |= names(author_formula(formula))
+    if strange := sorted((used & drawn) - known):
+        return f"its key has {strange[0]}, which is drawn, and which the laws do not have"
+    return ""
 
 
 def _in_unit(drawn: StatedGiven, stated: StatedGiven | None) -> StatedGiven:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 
-from corollary.audit.readers.prairielearn import inputs_of
+from corollary.audit.readers.prairielearn import inputs_of, known_unit
 from corollary.audit.readers.server_draw import ServerDraw, ServerRuns
 from corollary.audit.readers.straight_line import NotRead
 from corollary.audit.record import AskedLetter, ExerciseRecord, StatedGiven
@@ -17,7 +17,7 @@ from corollary.formula.ast import names
 from corollary.formula.numerals import decimal_text
 from corollary.formula.syntax import author_formula
 from corollary.formula.value import Exact, Nothing, Real, Refused, Text, Value
-from corollary.units.unit import PURE, unit
+from corollary.units.unit import PURE
 
 MOST_FIGURES = 9  # of a number worked out in doubles
 NOISE = 12  # figures from which on a double is what the arithmetic left, not what somebody rounded to
@@ -134,17 +134,9 @@ def _published(
             exact = _number(value, where)
             number, its_unit = _in_figures(exact, figures[name][exact]), ""
     if not its_unit and asked.unit is None:
-        its_unit = _readable(element.get("suffix", "").replace("$", "").strip())
+        suffix = element.get("suffix", "").replace("$", "").strip()
+        its_unit = suffix if known_unit(suffix) else ""
     return f"{number} {its_unit}".strip()
-
-
-def _readable(suffix: str) -> str:
-    """What stands behind an input, where it is a unit."""
-    try:
-        unit(suffix)
-    except ValueError:
-        return ""
-    return suffix
 
 
 def _number(value: Value | None, where: str) -> Fraction:

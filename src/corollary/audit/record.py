@@ -82,7 +82,8 @@ class AskedLetter:
 class ExerciseRecord:
     """`published` has one text for each thing asked. `directions`: a convention settles what is positive.
 
-    `unread` says why a reader could not make out the exercise; then nothing else counts. `isolation` says how well the
+    `unread` says why a reader could not make out the exercise; then nothing else counts. Of a program that was read, `worked_out`
+    are the letters that it works out itself, `key_unit` is the unit behind its formula, if any. `isolation` says how well the
     program was isolated that drew its numbers; "" where none was run.
     """
 
@@ -105,6 +106,8 @@ class ExerciseRecord:
     licence: str = ""
     statement: str = ""
     unread: str = ""
+    worked_out: frozenset[str] = frozenset()
+    key_unit: str = ""
     isolation: str = ""
 
     @property

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
+from corollary.audit.csv_rows import rows_in
 from corollary.audit.reading import asked_from, assumed_from, given_from
 from corollary.audit.record import AssumedValue, ExerciseRecord, LawText, StatedGiven, WrongLaw
 from corollary.formula.syntax import author_formula
@@ -19,7 +18,7 @@ from corollary.units.constants import CONSTANTS
 LARGEST_FILE = 20_000_000  # bytes
 MOST_RECORDS = 20_000
 OF_A_FILE = ("source", "address", "licence")
-SEPARATOR = ";"
+NO_RECORD = "is no record; write `id: …` and what belongs to it"
 T = TypeVar("T")
 
 
@@ -44,29 +43,39 @@ def text_of(path: Path) -> str:
     except OSError as error:
         raise Malformed([Diagnostic(path, 1, f"cannot be read: {error.strerror}")]) from None
     except UnicodeDecodeError:
-        raise Malformed([Diagnostic(path, 1, "is no text in UTF-8")]) from None
+        raise Malformed([Diagnostic(path, 1, "is no text in UTF-8; save it as UTF-8")]) from None
 
 
 def records_in(path: Path, answers: bool = True) -> tuple[ExerciseRecord, ...]:
     """The records of a file; without `answers` they are laws for the exercises of a bank, and need not publish anything.
 
-    Raises Malformed with every complaint, each with its line.
+    One that is not in order is `unread`, with its complaints; of laws, and where not one record is in order, Malformed is raised
+    with all complaints, each with its line.
     """
     source = text_of(path)
-    root = _rows(path, source) if path.suffix.lower() == ".csv" else document(path, source)
-    complaints: list[Diagnostic] = []
-    head, listed = _head(path, root, complaints)
+    root = rows_in(path, source) if path.suffix.lower() == ".csv" else document(path, source)
+    of_file: list[Diagnostic] = []
+    head, listed = _head(path, root, of_file)
     if len(listed) > MOST_RECORDS:
         raise Malformed([Diagnostic(path, 1, f"has more than {MOST_RECORDS} records; divide it")])
     found: dict[str, ExerciseRecord] = {}
+    against: list[Diagnostic] = []
     for node in listed:
+        complaints: list[Diagnostic] = []
         record = _record(path, node, head, complaints, answers)
         if record is not None and record.id in found:
-            complaints.append(Diagnostic(path, record.line, f"`{record.id}` is the id of two records"))
-        elif record is not None:
-            found[record.id] = record
-    if complaints:
-        raise Malformed(complaints)
+            first = found[record.id].line
+            complaints.append(
+                Diagnostic(path, record.line, f"`{record.id}` is the id of two records (line {first})")
+            )
+        if record is None or complaints:
+            name = _id(node) if isinstance(node, TableNode) else ""
+            name = name if name and name not in found else f"{path.name}:{node.line}"
+            record = ExerciseRecord(name, path, node.line, unread="; ".join(map(str, complaints)))
+        found[record.id] = record
+        against += complaints
+    if of_file or (against and (not answers or all(each.unread for each in found.values()))):
+        raise Malformed(of_file + against)
     return tuple(found.values())
 
 
@@ -93,10 +102,11 @@ def _record(
     path: Path, node: Node, head: FileHead, complaints: list[Diagnostic], answers: bool
 ) -> ExerciseRecord | None:
     if not isinstance(node, TableNode):
-        complaints.append(Diagnostic(path, node.line, "is no record; write `id: …` and what belongs to it"))
+        why = node.text if isinstance(node, TextNode) and path.suffix.lower() == ".csv" else NO_RECORD
+        complaints.append(Diagnostic(path, node.line, why))
         return None
     before = len(complaints)
-    row = Reader(path, node, f"record {_id(node)}", complaints)
+    row = Reader(path, node, f"record {_id(node) or f'on line {node.line}'}", complaints)
     own_id = row.text("id")
     problem, laws = row.text("problem", ""), tuple(_laws(row, "laws", head.laws))
     if bool(problem) == bool(laws) and len(complaints) == before:
@@ -133,7 +143,9 @@ def _record(
         tuple(_mistakes(row)),
         tuple(dict.fromkeys(constants)),
         problem,
-        **{name: row.text(name, head.texts.get(name, "")) for name in OF_A_FILE},
+        source=row.text("source", head.texts.get("source", "")),
+        address=row.text("address", head.texts.get("address", "")),
+        licence=row.text("licence", head.texts.get("licence", "")),
         statement=row.text("statement", ""),
     )
     row.finish()
@@ -142,7 +154,7 @@ def _record(
 
 def _id(node: TableNode) -> str:
     named = node.entries.get("id")
-    return named.text if isinstance(named, TextNode) else f"on line {node.line}"
+    return named.text.strip() if isinstance(named, TextNode) else ""
 
 
 def _texts(row: Reader, name: str) -> Iterator[str]:
@@ -245,39 +257,3 @@ def _figures(row: Reader) -> int | None:
         row.complain(line, f"`figures: {text}` of {row.what} is no number of figures")
         return None
     return int(text) if text else None
-
-
-def _rows(path: Path, source: str) -> Node:
-    """A CSV file as a list of records: its first row names the fields, and `;` parts what has several values."""
-    reader = csv.reader(io.StringIO(source))
-    try:
-        header = [each.strip().lower() for each in next(reader, list[str]())]
-        if not header:
-            return ListNode((), 1)
-        items: list[Node] = []
-        for cells in reader:
-            if any(cell.strip() for cell in cells):
-                if len(cells) > len(header):
-                    raise Malformed([Diagnostic(path, reader.line_num, "has more cells than the first row")])
-                items.append(_row(dict(zip(header, cells, strict=False)), reader.line_num))
-    except csv.Error as error:
-        raise Malformed([Diagnostic(path, reader.line_num, f"is no CSV: {error}")]) from None
-    return ListNode(tuple(items), 1)
-
-
-def _row(cells: Mapping[str, str], line: int) -> TableNode:
-    entries: dict[str, Node] = {}
-    for name, cell in cells.items():
-        pieces = [TextNode(each.strip(), line) for each in cell.split(SEPARATOR) if each.strip()]
-        if not pieces:
-            continue
-        if name == "given":
-            parted = (each.text.partition("=") for each in pieces)
-            entries[name] = TableNode(
-                {left.strip(): TextNode(right.strip(), line) for left, _, right in parted}, line
-            )
-        elif name in {"statement", "source"}:
-            entries[name] = TextNode(cell.strip(), line)
-        else:
-            entries[name] = ListNode(tuple(pieces), line) if len(pieces) > 1 else pieces[0]
-    return TableNode(entries, line)

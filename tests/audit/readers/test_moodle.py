@@ -104,6 +104,8 @@ def test_what_is_not_read_is_said(tmp_path, kind, inside, why):
     [
         '<!DOCTYPE quiz [<!ENTITY a "b">]><quiz/>',
         "<quiz><question></quiz>",
+        '<?xml version="1.0" encoding="nobody\'s"?><quiz/>',
+        '<?xml version="1.0" encoding="utf-88"?><quiz/>',
         "<quiz>" + "<a>" * 200 + "</a>" * 200 + "</quiz>",
         "no markup",
     ],

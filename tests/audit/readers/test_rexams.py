@@ -29,8 +29,14 @@ READ = [
     ("t <- sample(2:9, 1)\ns <- t^2L", "s", "t^2"),
     ("t <- sample(2:9, 1)\ng <- 9.81\ns <- g*t^2/2", "signif(s, 3)", "981/100*t^2/2"),
 ]
+READ += [
+    ("sample(2:9, 1) -> m\nsol <- m\nsol <- sol*2", "sol", "m*2"),
+]
 NOT_READ = [
-    ("x <- sample(2:9, 3)\ns <- x", "s", "x is not known"),
+    ("sin <- function(x) cos(x)\nx <- sample(2:9, 1)\ns <- sin(x)", "s", "sin"),
+    ("pi <- 3\nx <- sample(2:9, 1)\ns <- pi*x", "s", "a pi of its own, 3"),
+    ("x <- sample(2:9, 1)\ns <- x", "round(s, -1)", "before the decimal point"),
+    ("x <- sample(2:9, 3)\ns <- x", "s", "more than one number"),
     ("x <- rnorm(1)\ns <- x", "s", ""),
     ("x <- 1\nif (x > 0) x <- 2\ns <- x", "s", "no assignment"),
     ("x <- sample(2:9, 1)\nwhile (x < 4) x <- x + 1", "x", "no assignment"),
@@ -68,3 +74,22 @@ def test_a_number_and_another_type(tmp_path):
     assert rexams_records(path)[0].published == ("4.9",)
     path.write_text("Meta-information\n====\nextype: schoice\nexsolution: 0100\n", encoding="utf-8")
     assert "schoice" in rexams_records(path)[0].unread
+
+
+@pytest.mark.parametrize(
+    ("shell", "ending", "parted"),
+    [(MARKDOWN, "Rmd", "```\n\n```{r, eval=FALSE}"), (LATEX, "Rnw", "@\ntext\n<<eval=FALSE>>=")],
+)
+def test_a_chunk_that_is_not_evaluated_is_not_read(tmp_path, same, shell, ending, parted):
+    code = f"m <- sample(2:9, 1)\nF <- m*2\n{parted}\nF <- m*3"
+    path = tmp_path / f"fall.{ending}"
+    path.write_text(shell.format(code=code, key="F"), encoding="utf-8")
+    (record,) = rexams_records(path)
+    assert same(*record.published, "m*2")
+
+
+def test_meta_information_stands_in_comments_of_latex(tmp_path):
+    path = tmp_path / "fall.Rnw"
+    path.write_text("%% \\extype{num}\n%% \\exsolution{4.5}\n", encoding="utf-8")
+    (record,) = rexams_records(path)
+    assert record.published == ("4.5",)

@@ -33,20 +33,28 @@ READ = [
     ("$m = random(1,5,1);\n$w = exp(-$m)*pi;\nANS(num_cmp($w));", "exp(-m)*pi", {"m": (1, 5)}),
     ("$l = random(1,5,1);\n$t = 2*$PI*sqrt($l/9.8);\nANS(num_cmp($t));", "2*pi*sqrt(l/9.8)", {"l": (1, 5)}),
     ("$d = random(1,5,1);\n$v = sprintf(\"%.2f\", $d/3);\nANS(num_cmp($v));", "d/3", {"d": (1, 5)}),
+    (MV + "$a = $m;\n$a *= $v;\n$a = $a + 1;\nANS(num_cmp($a));", "m*v + 1", {"m": (1, 10)}),
+    (MV + "=pod\n\n$x = 1;\n$a = $m/$v;\n\n=cut\n\n$a = $m*$v;\nANS(num_cmp($a));", "m*v", {"m": (1, 10)}),
+    (MV + "TEXT(EV3(<<'EOT'));\nx;\n$a = $m/$v;\nEOT\n$a = $m*$v;\nANS(num_cmp($a));", "m*v", {"m": (1, 10)}),
     ("$q = non_zero_random(-5,5,1);\n$v = 2*$q;\nANS(num_cmp($v));", "2*q", {"q": (-5, 5)}),
 ]  # fmt: skip
 NOT_READ = [
-    ('$d = random(1,5,1);\n$v = sprintf("%d", $d/3);\nANS(num_cmp($v));', "$v"),
+    ("$pi = 3;\n" + MV + "ANS(num_cmp($m*pi));", "a pi of its own, 3"),
+    (MV + '$a = "$m$v";\nANS(num_cmp($a));', "side by side"),
+    (MV + '$d = $m - $v;\n$a = Compute("-$d^2");\nANS($a->cmp);', "minus sign"),
+    ("$m = 010;\nANS(num_cmp($m));", "begins with 0"),
+    (MV + "$a = $m*$v;\nBEGIN_PGML\n[@ $a = $m @]* [__]{$a}\nEND_PGML", "its text assigns"),
+    ('$d = random(1,5,1);\n$v = sprintf("%d", $d/3);\nANS(num_cmp($v));', "v: "),
     (MV + "if ($m > 3) { $v = 2; }\n$a = $m*$v;\nANS(num_cmp($a));", "conditions, loops"),
     (MV + "do { $u = random(1,5,1); } until ($u != $v);\nANS(num_cmp($u));", "conditions, loops"),
     (MV + "$m = $m + 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),
     (MV + "ANS(num_cmp($m)); ANS(num_cmp($v));", "2 answers"),
     (MV, "0 answers"),
     (MV + "$ans = 0.5*$m*$v^2;\nANS(Real($ans)->cmp);", "no power in Perl"),
-    (MV + "$m += 1;\n$a = $m*$v;\nANS(num_cmp($a));", "is changed"),
+    (MV + "$m += 1;\n$a = $m*$v;\nANS(num_cmp($a));", "given a value twice"),
     (MV + "$a = $m*$v;\n$a++;\nANS(num_cmp($a));", "is changed"),
     (MV + "($m, $v) = (1, 2);\n$a = $m*$v;\nANS(num_cmp($a));", "is changed"),
-    ("@list = (1,2);\n$a = $list[0];\nANS(num_cmp($a));", "$a"),
+    ("@list = (1,2);\n$a = $list[0];\nANS(num_cmp($a));", "a: "),
     ("$f = Formula('x^2');\nANS($f->D('x')->cmp);", ""),
     ("$a = random(1,5,1);\n$b = somebody($a);\nANS(num_cmp($b));", ""),
 ]
@@ -110,3 +118,26 @@ def test_a_key_of_bare_numbers_is_held_against_laws_in_its_units(tmp_path, key, 
     assert outcome.finding == finding
     (alone,) = records_of(path, {})
     assert "no laws are stated" in examine(alone)[0].why
+
+
+@pytest.mark.parametrize(
+    ("text", "finding"),
+    [
+        ('$s = 2*$t;\nANS(num_cmp("$s m", units => 1));', "agrees"),
+        ('$s = 2*$t;\nANS(num_cmp("$s km", units => 1));', "wrong"),
+        ('$s = NumberWithUnits(2*$t/1000, "km");\nANS($s->cmp);', "agrees"),
+        ('$s = NumberWithUnits(2*$t, "km");\nANS($s->cmp);', "wrong"),
+        ('$s = NumberWithUnits(2*$t, "furlong");\nANS($s->cmp);', "cannot say"),
+        ('$s = NumberWithUnits(2*$t, "m");\n$r = 2*$s;\nANS(num_cmp($r));', "cannot say"),
+        ("$v = $t/3;\n$s = 6*$v;\nANS(num_cmp($s));", "cannot say"),
+        ("$k = random(1,2,1);\n$s = 2*$k;\nANS(num_cmp($s));", "cannot say"),
+    ],
+)
+def test_a_key_is_held_in_its_own_unit_and_in_the_letters_of_the_laws(tmp_path, text, finding):
+    """The laws are for a speed that the statement gives, 2 m/s; what the program makes of a speed of its own is not theirs."""
+    path = file_of(tmp_path, f"$t = random(2,9,1);\n{text}")
+    laws = tmp_path / "laws.yaml"
+    given = "{v: m/s, t: s}" if "$v" in text else "{v: 2 m/s, t: s}"
+    laws.write_text(f"- {{id: fall, given: {given}, laws: [s = v*t], asked: s in m}}", encoding="utf-8")
+    (record,) = records_of(path, laws_by_id(laws))
+    assert [each.finding for each in examine(record)] == [finding]

@@ -8,11 +8,11 @@ from copy import deepcopy
 from dataclasses import dataclass, field
 from typing import Literal
 
+from corollary.audit.readers.python_names import DRAWN, PythonNames
 from corollary.audit.readers.straight_line import NotRead
 
 Where = Literal["letter", "shown", "answer"]
 TABLES = ("params", "correct_answers")
-DRAWN = {"randint", "uniform", "randrange", "choice"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,10 +26,14 @@ class GenerateSetting:
 
 @dataclass(slots=True)
 class GenerateBody:
-    """`tables` are names that stand for `params` or `correct_answers`; `params` what was put there."""
+    """`data` is the parameter of `generate`; `tables` are names that stand for its `params` or `correct_answers`, and `params` is what
+    was put there, `texts` what of it is a text."""
 
+    data: str
+    names: PythonNames
     tables: dict[str, str] = field(default_factory=dict[str, str])
     params: dict[str, ast.expr] = field(default_factory=dict[str, ast.expr])
+    texts: set[str] = field(default_factory=set[str])
 
     def settings(self, statements: Sequence[ast.stmt]) -> Iterator[GenerateSetting]:
         """In their order, up to a return. Raises NotRead for whatever is no plain assignment."""
@@ -41,6 +45,10 @@ class GenerateBody:
                     continue
                 case ast.AnnAssign(target, _, ast.expr() as value):
                     yield from self._set(target, value)
+                case ast.AugAssign(ast.Name(name), operator, value):
+                    before = ast.copy_location(ast.Name(name, ast.Load()), statement)
+                    changed = ast.copy_location(ast.BinOp(before, operator, value), statement)
+                    yield from self._set(ast.Name(name, ast.Store()), changed)
                 case ast.Assign(targets, value):
                     for target in sorted(targets, key=lambda each: not isinstance(each, ast.Name)):
                         yield from self._set(target, value)
@@ -63,8 +71,12 @@ class GenerateBody:
                 self.tables[name] = table
             case ast.Name(name), _:
                 value = self._looked_up(value)
-                if not (isinstance(value, ast.Name) and value.id == name):
-                    yield GenerateSetting("letter", name, value)
+                if isinstance(value, ast.Name) and value.id == name:
+                    return
+                self.names.refuse_hidden(name)
+                if name in self.tables or any(name in _letters(each) for each in self.params.values()):
+                    raise NotRead(f"line {value.lineno} of server.py changes {name} after it is shown")
+                yield GenerateSetting("letter", name, value)
             case ast.Subscript(inner, ast.Constant(str(name))), _ if table := self._table(inner):
                 yield from self._enter(table, name, value)
             case _, ast.Dict(keys, values) if table := self._table(target):
@@ -82,15 +94,19 @@ class GenerateBody:
             return
         if name in self.params:
             raise NotRead(f"params[{name!r}] is set twice")
-        self.params[name] = unrounded(value)
-        if called(value) in DRAWN:
+        if isinstance(value, ast.JoinedStr) or self.names.function(value) == "str":
+            self.texts.add(name)
+        self.params[name] = self.names.unrounded(self._looked_up(value))
+        if self.names.function(value) in DRAWN:
             yield GenerateSetting("shown", name, value)
             self.params[name] = ast.copy_location(ast.Name(name, ast.Load()), value)
 
     def _table(self, node: ast.expr) -> str:
         """Which table of `data` an expression is; "" for none."""
         match node:
-            case ast.Subscript(ast.Name(), ast.Constant(str(name))) if name in TABLES:
+            case ast.Subscript(ast.Name(owner), ast.Constant(str(name))) if (
+                owner == self.data and name in TABLES
+            ):
                 return name
             case ast.Name(name):
                 return self.tables.get(name, "")
@@ -106,6 +122,8 @@ class GenerateBody:
                     case ast.Constant(str(name)) if (
                         name in body.params and body._table(node.value) == "params"
                     ):
+                        if name in body.texts:
+                            raise NotRead(f"params[{name!r}] is a text, which is no number in Python")
                         return deepcopy(body.params[name])
                     case _:
                         return node
@@ -113,21 +131,5 @@ class GenerateBody:
         return LookUp().visit(deepcopy(value))
 
 
-def called(value: ast.expr) -> str:
-    """The name of the function that an expression calls."""
-    match value:
-        case ast.Call(ast.Attribute(_, name)) | ast.Call(ast.Name(name)):
-            return name
-        case _:
-            return ""
-
-
-def unrounded(value: ast.expr) -> ast.expr:
-    """What is rounded for the page, before it is: the formula is compared, not its figures."""
-    match value:
-        case ast.Call(ast.Name("round" | "float" | "str"), [inside, *_]):
-            return unrounded(inside)
-        case ast.Call(ast.Attribute(_, "round"), [inside, *_]):
-            return unrounded(inside)
-        case _:
-            return value
+def _letters(value: ast.expr) -> set[str]:
+    return {node.id for node in ast.walk(value) if isinstance(node, ast.Name)}

@@ -8,13 +8,11 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 from corollary.audit.readers.safe_xml import words_of, xml_of
-from corollary.audit.readers.straight_line import NotRead, StraightLine, arguments_at
+from corollary.audit.readers.straight_line import NotRead, StraightLine, unrounded
 from corollary.audit.record import ExerciseRecord
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 WILDCARD = re.compile(r"\{([A-Za-z]\w*)\}")
-RAISED = re.compile(r"<sup>\s*([-+]?\d+)\s*</sup>")
-ROUNDED = re.compile(r"round\s*\(")
 NOT_QUESTIONS = {"category", "description"}
 
 
@@ -36,7 +34,7 @@ def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
     try:
         match question.get("type"):
             case "numerical":
-                return replace(bare, published=(_number(question),))
+                return replace(bare, published=(f"{_right(question)} {_unit(question)}".strip(),))
             case "shortanswer":
                 return replace(bare, published=(_with_digits(_right(question)),))
             case "calculated" | "calculatedsimple":
@@ -51,8 +49,8 @@ def _record(path: Path, question: Element, place: int) -> ExerciseRecord:
 
 def _right(question: Element) -> str:
     """The text of the one answer with full marks. Raises NotRead."""
-    full = [each for each in question.findall("answer") if float(each.get("fraction") or 0) == 100]
-    texts = {words_of(RAISED.sub(r"^\1", each.findtext("text") or "")) for each in full}
+    full = [each for each in question.findall("answer") if _number_of(each.get("fraction")) == 100]
+    texts = {words_of(each.findtext("text") or "") for each in full}
     if len(texts) != 1:
         raise NotRead(f"{len(texts)} different answers earn full marks")
     (text,) = texts
@@ -61,15 +59,22 @@ def _right(question: Element) -> str:
     return text
 
 
-def _number(question: Element) -> str:
-    return f"{_right(question)} {_unit(question)}".strip()
+def _number_of(text: str | None) -> float:
+    """Raises NotRead."""
+    try:
+        return float(text or 0)
+    except ValueError:
+        raise NotRead(f"{text!r} stands where a number belongs") from None
 
 
 def _unit(question: Element) -> str:
-    """The unit in which a bare number is meant: the one with the multiplier 1."""
-    for unit in question.findall("units/unit"):
-        if float(unit.findtext("multiplier") or 0) == 1:
+    """The unit in which a bare number is meant: the one with the multiplier 1. Raises NotRead where there are only others."""
+    units = question.findall("units/unit")
+    for unit in units:
+        if _number_of(unit.findtext("multiplier")) == 1:
             return (unit.findtext("unit_name") or "").strip()
+    if units:
+        raise NotRead("none of its units has the multiplier 1")
     return ""
 
 
@@ -88,11 +93,9 @@ def _calculated(bare: ExerciseRecord, question: Element) -> ExerciseRecord:
     key = _right(question)
     if "^" in key:
         raise NotRead("^ is no power in a formula of Moodle's, pow is")
-    if rounded := ROUNDED.match(key):  # for the page only: the formula is compared
-        inside, end = arguments_at(key, rounded.end())
-        key = inside[0] if inside and not key[end:].strip() else key
-    formula, drawn = program.key(WILDCARD.sub(r"\1", key))
-    return replace(bare, given=drawn, published=(formula,))
+    key = unrounded(key, {"round"})
+    found = program.key(WILDCARD.sub(r"\1", key))
+    return replace(bare, given=found.drawn, published=(found.text,), key_unit=_unit(question))
 
 
 def _choice(question: Element) -> str:

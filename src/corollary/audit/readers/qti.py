@@ -7,8 +7,8 @@ from pathlib import Path
 from xml.etree.ElementTree import Element, tostring
 
 from corollary.audit.readers.safe_xml import local, words_of, xml_of
-from corollary.audit.readers.straight_line import NotRead, StraightLine
-from corollary.audit.record import ExerciseRecord, StatedGiven
+from corollary.audit.readers.straight_line import NotRead, PublishedFormula, StraightLine
+from corollary.audit.record import ExerciseRecord
 from corollary.problem.diagnostic import Diagnostic, Malformed
 
 OPERATORS = {"sum": "+", "subtract": "-", "product": "*", "divide": "/", "power": "^"}
@@ -34,8 +34,16 @@ def _record(path: Path, item: Element) -> ExerciseRecord:
             raise NotRead(f"it declares {len(declared)} responses, and one is read")
         processing = _child(item, "templateProcessing")
         if processing is not None:
-            formula, drawn = _templates(processing)
-            return ExerciseRecord(name, path, 1, drawn, published=(formula,), statement=statement)
+            key = _templates(processing)
+            return ExerciseRecord(
+                name,
+                path,
+                1,
+                key.drawn,
+                published=(key.text,),
+                statement=statement,
+                worked_out=key.worked_out,
+            )
         return ExerciseRecord(name, path, 1, published=(_correct(item, declared[0]),), statement=statement)
     except NotRead as error:
         return ExerciseRecord(name, path, 1, statement=statement, unread=str(error))
@@ -67,7 +75,7 @@ def _correct(item: Element, declared: Element) -> str:
     return text
 
 
-def _templates(processing: Element) -> tuple[str, tuple[StatedGiven, ...]]:
+def _templates(processing: Element) -> PublishedFormula:
     program, key = StraightLine(), ""
     for rule in processing:
         inside = rule[0] if len(rule) == 1 else None

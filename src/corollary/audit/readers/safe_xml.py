@@ -14,6 +14,7 @@ from corollary.problem.diagnostic import Diagnostic, Malformed
 DEEPEST, MOST_ELEMENTS = 100, 2_000_000
 DECLARED = re.compile(r"<!(?:DOCTYPE|ENTITY)", re.IGNORECASE)
 TAG = re.compile(r"<[^>]*>")
+RAISED = re.compile(r"<(?:\w+:)?sup\b[^>]*>\s*([-+\N{MINUS SIGN}]?\d+)\s*</(?:\w+:)?sup>")
 
 
 def xml_of(path: Path) -> Element:
@@ -32,6 +33,8 @@ def xml_of(path: Path) -> Element:
             root = element if root is None else root
             if depth > DEEPEST or count > MOST_ELEMENTS:
                 raise Malformed([Diagnostic(path, 1, "has too many elements, or elements nested too deeply")])
+    except LookupError as error:  # of its encoding, though it has been read as UTF-8
+        raise Malformed([Diagnostic(path, 1, f"is no XML: {error}")]) from None
     except ParseError as error:
         raise Malformed([Diagnostic(path, error.position[0], f"is no XML: {error}")]) from None
     assert root is not None
@@ -44,5 +47,5 @@ def local(element: Element) -> str:
 
 
 def words_of(markup: str) -> str:
-    """The words of a text in HTML."""
-    return " ".join(unescape(TAG.sub(" ", markup)).split())
+    """The words of a text in HTML; raised numbers are powers."""
+    return " ".join(unescape(TAG.sub(" ", RAISED.sub(r"^\1", markup))).split())

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import re
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 
 from corollary.audit.record import StatedGiven
 from corollary.formula.ast import Expr, Relation, names, substitute
+from corollary.formula.ball import certified
+from corollary.formula.errors import Undefined
 from corollary.formula.exact import constant
 from corollary.formula.syntax import author_formula
 from corollary.formula.text import text as written
@@ -18,25 +22,48 @@ NAMED_OTHERWISE = {
 }  # fmt: skip
 IN_DEGREES = {"deg2rad", "radians"}
 TO_DEGREES = {"rad2deg", "degrees"}
-MODULES = re.compile(r"\b(?:math|np|numpy)\.")
 CALL = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
 LETTER = re.compile(r"[A-Za-z][A-Za-z0-9_]*$")
+OCTAL = re.compile(r"(?<![\w.])0\d")  # 010 is 8 in Perl, and 10 in R
+SAME_PI = 1e-6  # relative: 3.141593 is meant for it, 3.14 is what the key was worked out with
 
 
 class NotRead(ValueError):
     """What a reader cannot make out; one sentence says what."""
 
 
+@dataclass(frozen=True, slots=True)
+class PublishedFormula:
+    """A key in the letters drawn, these, and the letters that the program works out from them."""
+
+    text: str
+    drawn: tuple[StatedGiven, ...]
+    worked_out: frozenset[str]
+
+
 @dataclass(slots=True)
 class StraightLine:
-    """`drawn` are the letters that differ from student to student; `formulas` what every other letter is, in these."""
+    """`drawn` are the letters that differ from student to student; `formulas` what every other letter is, in these; `unread` says
+    why a letter could not be made out, which counts only where the key needs it."""
 
     drawn: dict[str, StatedGiven] = field(default_factory=dict[str, StatedGiven])
     formulas: dict[str, Expr] = field(default_factory=dict[str, Expr])
+    unread: dict[str, str] = field(default_factory=dict[str, str])
+
+    def attempt(self, letter: str, assignment: Callable[[], None]) -> None:
+        """An assignment to a letter, which may fail. Raises NotRead where the letter was drawn: the statement shows one of both."""
+        if letter in self.drawn:
+            raise NotRead(f"{letter} is given a value twice")
+        try:
+            assignment()
+            self.unread.pop(letter, None)
+        except NotRead as error:
+            self.formulas.pop(letter, None)
+            self.unread[letter] = str(error)
 
     def draw(self, letter: str, low: str, high: str) -> None:
         """A letter drawn between two numbers. Raises NotRead."""
-        self._new(letter)
+        self._refuse_again(letter)
         least, most = (constant(formula_from(each)) for each in (low, high))
         if least is None or most is None or not least < most:
             raise NotRead(f"{letter} is drawn between {low} and {high}, which is no range of numbers")
@@ -44,48 +71,66 @@ class StraightLine:
 
     def draw_among(self, letter: str, values: list[str]) -> None:
         """A letter that is one of some numbers. Raises NotRead."""
+        self._refuse_again(letter)
         found = [constant(formula_from(each)) for each in values]
         numbers = [each for each in found if each is not None]
         if len(numbers) < len(found) or len(set(numbers)) < 2:
             raise NotRead(f"{letter} is drawn from a list that is not of different numbers")
-        self._new(letter)
         self.drawn[letter] = StatedGiven(letter, PURE, min(numbers), max(numbers))
 
     def assign(self, letter: str, expression: str) -> None:
-        """A letter that is an expression of those before it. Raises NotRead."""
-        self._new(letter)
-        self.formulas[letter] = self.inlined(expression)
+        """A letter that is an expression of those before it, itself among them. Raises NotRead."""
+        tree = self.inlined(expression)
+        if letter == "pi":
+            _refuse_other_pi(tree)
+            return
+        if not LETTER.match(letter):
+            raise NotRead(f"{letter} is no letter of a formula")
+        if letter in self.drawn:
+            self._refuse_again(letter)
+        self.formulas[letter] = tree
 
     def inlined(self, expression: str) -> Expr:
         """The expression in letters drawn alone. Raises NotRead."""
         tree = formula_from(expression)
+        for name in sorted(self.unread.keys() & (names(tree) | set(CALL.findall(expression)))):
+            raise NotRead(f"{name}: {self.unread[name]}")
         if strange := names(tree) - self.drawn.keys() - self.formulas.keys() - {"pi"}:
             raise NotRead(f"{sorted(strange)[0]} is not known where it is used")
         return substitute(tree, self.formulas)
 
-    def key(self, expression: str) -> tuple[str, tuple[StatedGiven, ...]]:
-        """The key as a text in letters drawn, and these. Raises NotRead."""
+    def key(self, expression: str) -> PublishedFormula:
+        """The key as a text in letters drawn. Raises NotRead."""
         tree = self.inlined(expression)
         if len(text := written(tree)) > LONGEST:
             raise NotRead("the key is too long a formula")
-        return text, tuple(self.drawn.values())
+        return PublishedFormula(text, tuple(self.drawn.values()), frozenset(self.formulas))
 
-    def refuse_again(self, letter: str) -> None:
+    def _refuse_again(self, letter: str) -> None:
         """Raises NotRead for a letter that has a value already: what follows would mean another one."""
+        if not LETTER.match(letter) or letter == "pi":
+            raise NotRead(f"{letter} is no letter of a formula")
         if letter in self.drawn or letter in self.formulas:
             raise NotRead(f"{letter} is given a value twice")
 
-    def _new(self, letter: str) -> None:
-        if not LETTER.match(letter) or letter == "pi":
-            raise NotRead(f"{letter} is no letter of a formula")
-        self.refuse_again(letter)
+
+def _refuse_other_pi(tree: Expr) -> None:
+    """Raises NotRead where a program's own pi is not so exact that it is meant for it."""
+    try:
+        value = certified(tree, {}).value
+    except (Undefined, KeyError):
+        raise NotRead("the program has a pi of its own") from None
+    if not math.isclose(value, math.pi, rel_tol=SAME_PI):
+        raise NotRead(f"the program has a pi of its own, {value:.6g}")
 
 
 def formula_from(expression: str) -> Expr:
     """An expression of Perl, Python, R or Moodle as a formula. Raises NotRead for whatever is none."""
     if len(expression) > LONGEST:
         raise NotRead("an expression is too long to be a key")
-    text = MODULES.sub("", expression.strip()).replace("**", "^")
+    if OCTAL.search(expression):
+        raise NotRead(f"{expression!r} has a number that begins with 0, which not every language reads alike")
+    text = expression.strip().replace("**", "^")
     text = re.sub(r"\bpi\s*\(\s*\)", "pi", text)
     text = re.sub(r"(?<=\d)[lL]\b", "", text)  # R's whole numbers: 5L
     try:
@@ -133,3 +178,16 @@ def arguments_at(text: str, start: int) -> tuple[list[str], int]:
         if depth == 0:
             return [each for each in found if each], at + 1
     raise NotRead("a bracket is not closed")
+
+
+def unrounded(expression: str, rounds: Collection[str]) -> str:
+    """What is rounded for the page, before it is: the formula is compared, not its figures. Raises NotRead where more is rounded off."""
+    found = CALL.match(expression)
+    if found is None or found[1] not in rounds:
+        return expression
+    inside, end = arguments_at(expression, found.end())
+    if not inside or expression[end:].strip():
+        return expression
+    if any(each.rpartition("=")[2].strip().startswith("-") for each in inside[1:]):
+        raise NotRead(f"{expression!r} rounds before the decimal point")
+    return inside[0]

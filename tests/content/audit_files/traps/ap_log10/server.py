@@ -1,0 +1,7 @@
+import random, math
+def generate(data):
+    v = random.randint(2, 8)
+    t = random.randint(10, 40)
+    data["params"]["v"] = v
+    data["params"]["t"] = t
+    data["correct_answers"]["s"] = v * math.log10(10**t)
