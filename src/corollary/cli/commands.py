@@ -115,6 +115,7 @@ command(
     flag("--extremes", "Instead: closed forms and scenes at the ends of the range."),
     path("--report", text="Write what was found as a page: derivations, obligations, answers over the grid."),
     flag("--anew", "Verify also what held before and has not changed since."),
+    flag("--verbose", "Show notes, too, and not only how many there are."),
     VERIFYING_CLUSTER,
     flag("--watch", "Verify one problem again whenever it is saved, until ctrl-C."),
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -27,7 +27,7 @@ from corollary.verify.sets import CheckedSet, check_set
 from corollary.verify.side_by_side import verify_each
 from corollary.verify.unchanged import verify_changed
 
-MOST_NOTES = 20  # of a whole bank: they are no faults, and must not hide any
+NAMED = 5  # problems in a sentence
 
 
 def run(
@@ -40,6 +40,7 @@ def run(
     anew: bool = False,
     report: Path | None = None,
     cluster: str = "",
+    verbose: bool = False,
 ) -> int:
     start = time.perf_counter()
     if watch:
@@ -90,7 +91,10 @@ def run(
             }
         )
     else:
-        _table(found, broken, time.perf_counter() - start, [note for each in sets for note in each.notes])
+        _table(found)
+        _complaints(found, broken)
+        _notes({"sets": [note for each in sets for note in each.notes]}, found, verbose)
+        _verdict(found, broken, time.perf_counter() - start)
     return HOLDS if ok else FAILS
 
 
@@ -152,7 +156,7 @@ def _proven(obligations: Iterable[Settled]) -> str:
     return f"{outcomes.count('proven')}/{len(outcomes)}"
 
 
-def _table(found: list[Checked], broken: list[str], seconds: float, of_sets: list[str]) -> None:
+def _table(found: list[Checked]) -> None:
     from rich.table import Table
 
     table = Table(title="Verified", box=None, padding=(0, 2, 0, 0), pad_edge=False)
@@ -182,25 +186,55 @@ def _table(found: list[Checked], broken: list[str], seconds: float, of_sets: lis
             *done[2:],
             str(len(each.complaints) or "none"),
         )
-    out = console()
-    out.print(table)
-    for sentence in (*broken, *(sentence for each in found for sentence in each.complaints)):
-        print(sentence, file=sys.stderr)
-    notes = [*of_sets, *(sentence for each in found for sentence in each.notes)]
-    for sentence in notes[:MOST_NOTES]:
-        print(f"note: {sentence}", file=sys.stderr)
-    if len(notes) > MOST_NOTES:
-        more = len(notes) - MOST_NOTES
-        print(f"note: and {counted(more, 'note')} more; verify one problem, or with --json", file=sys.stderr)
+    console().print(table)
+
+
+def _complaints(found: list[Checked], broken: list[str]) -> None:
+    """What is wrong, on standard error: files that cannot be read first, then problem by problem, one line each."""
+    groups = [broken, *(each.complaints for each in found)]
+    for sentences in filter(None, groups):
+        print("", *sentences, sep="\n", file=sys.stderr)
+
+
+def _notes(of_sets: Mapping[str, list[str]], found: list[Checked], verbose: bool) -> None:
+    """Notes are no faults: of several problems they are counted only, so that they hide none."""
+    groups = {**of_sets, **{each.code: list(each.notes) for each in found}}
+    groups = {name: sentences for name, sentences in groups.items() if sentences}
+    if not groups:
+        return
+    number = sum(map(len, groups.values()))
+    count = counted(number, "note")
+    if not verbose and len(found) > 1:
+        where = ", ".join(groups) if len(groups) <= NAMED else counted(len(groups), "problem")
+        print(
+            f"\n{count}, no {'fault' if number == 1 else 'faults'} ({where}): --verbose shows them",
+            file=sys.stderr,
+        )
+        return
+    for name, sentences in groups.items():
+        print(f"\nnotes on {name}:", *(f"  {each}" for each in sentences), sep="\n", file=sys.stderr)
+
+
+def _verdict(found: list[Checked], broken: list[str], seconds: float) -> None:
+    from rich.text import Text
+
     every = [one for each in found for one in each.obligations]
     total = sum(sum(each.checks.values()) for each in found)
-    bad = len(broken) + sum(not each.ok for each in found)
+    bad = [each.code for each in found if not each.ok]
+    out = console()
+    out.print()
     if every:
         proven, sampled = (sum(one.outcome == outcome for one in every) for outcome in ("proven", "sampled"))
         out.print(
             f"{counted(len(every), 'obligation')}: {proven} proven for all numbers, {sampled} sampled, "
             f"{counted(len(every) - proven - sampled, 'counter-example')}"
         )
-    out.print(
-        f"{counted(len(found), 'problem')}, {total:,} checks in {seconds:.1f} s; {'all hold' if not bad else f'{bad} with complaints'}"
+    out.print(f"{counted(len(found), 'problem')}, {total:,} checks in {seconds:.1f} s")
+    if not bad and not broken:
+        out.print(Text("all hold", "bold green"))
+        return
+    wrong = [counted(len(broken), "sentence") + " on files that cannot be read"] if broken else []
+    wrong += (
+        [f"{len(bad)} of {counted(len(found), 'problem')} with complaints: {', '.join(bad)}"] if bad else []
     )
+    out.print(Text("; ".join(wrong), "bold red"))
