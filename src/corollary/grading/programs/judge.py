@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import chain
 from typing import Any, assert_never
 
 from corollary.answers.answer import Numbers, Unclear
@@ -96,14 +97,15 @@ def judge_code(
     if isinstance(called, Unread):
         return called
     verdict = _verdict(code.judge(variant.si, called))
-    if (
-        isinstance(verdict, Mistaken)
-        and len(called) > 1
-        and len({frozenset(each.returned) for each in called}) == 1
-    ):
-        # a constant is no program with a usual mistake, nor is one repeated for each body
+    if isinstance(verdict, Mistaken) and len(called) > 1 and _is_constant(called):
         return Wrong(_("{function} returns the same, whatever it is called with.", function=part.function))
     return verdict
+
+
+def _is_constant(called: Sequence[Called]) -> bool:
+    """Whether a program returns the same for all calls, or one number for each body of however many: it makes no usual mistake."""
+    returned = {each.returned for each in called}
+    return len(returned) == 1 or len(set(chain.from_iterable(returned))) == 1
 
 
 def _called(
