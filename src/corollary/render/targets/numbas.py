@@ -74,7 +74,13 @@ def _exam(name: str, questions: Sequence[dict[str, object]]) -> dict[str, object
         "duration": 0,
         "showQuestionGroupNames": False,
         "shuffleQuestionGroups": False,
-        "navigation": {"allowregen": True, "reverse": True, "browse": True, "showfrontpage": False},
+        "navigation": {
+            "allowregen": True,
+            "reverse": True,
+            "browse": True,
+            "showfrontpage": False,
+            "autoSubmit": False,  # a vector would be marked when its first component is left
+        },
         "feedback": {
             "allowrevealanswer": True,
             "showactualmarkwhen": "always",
