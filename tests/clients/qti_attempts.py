@@ -63,12 +63,9 @@ def unpack(archive: bytes, folder: Path) -> None:
 
 
 def compared(
-    tried: Sequence[Attempted],
-    marks: Sequence[Sequence[dict]],
-    fingerprint: Callable,
-    blank_is_zero: bool = False,
+    tried: Sequence[Attempted], marks: Sequence[Sequence[dict]], fingerprint: Callable
 ) -> tuple[dict, list]:
-    """What is recorded of each item, and the rows that differ without a name. `blank_is_zero`: the player takes it for that."""
+    """What is recorded of each item, and the rows that differ without a name."""
     items, nameless = {}, []
     for each, given in zip(tried, marks, strict=True):
         counted = Counter()
@@ -76,8 +73,6 @@ def compared(
         for row, outcomes in zip(each.rows, given, strict=True):
             theirs = float(outcomes[f"SCORE_{row.part.id}"] or 0.0) / each.parts[row.part.id].prompt.out_of
             how = "equal" if abs(theirs - row.share) < 1e-4 else "comma" if row.sort == "comma" else ""
-            if not how and row.sort == "blank" and blank_is_zero:
-                how = "blank as 0"
             counted[how or "different"] += 1
             if not how:
                 nameless.append((code, row.part.id, row.sort, row.fields, row.share, theirs))

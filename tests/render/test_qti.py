@@ -61,6 +61,8 @@ def test_marks_are_ranges_and_every_outcome_is_declared():
     assert shown == said
     assert len(list(root.iter(f"{QTI}textEntryInteraction"))) == 7
     assert "<sum><product>" in text  # components are judged together
+    within = [each.findall(f"{QTI}not/{QTI}isNull/{QTI}variable") for each in root.iter(f"{QTI}and")]
+    assert all(within)  # a blank field is nothing, also to a player that takes it for 0
     assert f'src="{next(name for name in files if name.endswith(".svg"))}"' in text
 
 

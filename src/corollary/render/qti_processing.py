@@ -67,11 +67,15 @@ def _branches(asked: PartAsked) -> Iterator[tuple[str, float, str]]:
 
 
 def _met(part: str, mark: Credit) -> str:
-    """Each component in its range and, where there are several, all of them as near together as they should be."""
+    """Each component in its range and, where there are several, all of them as near together as they should be.
+
+    A blank field is nothing near, though some players would take it for 0.
+    """
     conditions: list[str] = []
     squares: list[str] = []
     for place, ((low, high), value) in enumerate(zip(mark.ranges(), mark.values, strict=True), 1):
         variable = f'<variable identifier="RESPONSE_{part}_{place}"/>'
+        conditions.append(f"<not><isNull>{variable}</isNull></not>")
         conditions.append(f"<gte>{variable}{_value('float', float_text(low))}</gte>")
         conditions.append(f"<lte>{variable}{_value('float', float_text(high))}</lte>")
         off = f"<subtract>{variable}{_value('float', float_text(value))}</subtract>"

@@ -32,7 +32,6 @@ LOST = (
     "figures are not counted: what is rounded to fewer than three is right or wrong as its value is",
     "a decimal comma is not a number in QTI; the question says so",
     "units that are typed: a field takes a number",
-    "a field left blank is 0 in some players, right where 0 is",
 )
 """What no item carries."""
 
