@@ -23,6 +23,8 @@ def test_the_page_is_up_to_date():
 def test_nothing_is_left_out():
     laws = dict(re.findall(r"^\| `(\w+)\(.*?\)` \| (.*?) \|", PAGE, re.MULTILINE))
     assert laws.keys() == {*corollary.laws.__all__} - {"Law", "law", "wrong"}
-    assert [name for name, equation in laws.items() if "=" not in equation] == ["after_elastic"]  # velocities, and no law
+    assert [name for name, equation in laws.items() if "=" not in equation] == [
+        "after_elastic"
+    ]  # velocities, and no law
     for each in (*FUNCTIONS, *CONSTANTS, "ohm", "°C", "lambda"):
         assert f"`{each}`" in PAGE, each

@@ -53,3 +53,12 @@ def test_every_room_stands_in_the_table_of_floors() -> None:
     }
     for room in rooms - {"__init__"}:
         assert f"`{room}`" in table, room
+
+
+def test_the_tests_that_are_named_are_there():
+    rows = re.findall(
+        r"`(tests/[\w/]+\.py)::(\w+)`", (TOP / "docs" / "contributing.md").read_text(encoding="utf-8")
+    )
+    assert len(rows) >= 17
+    for path, name in rows:
+        assert f"\ndef {name}(" in (TOP / path).read_text(encoding="utf-8"), name
