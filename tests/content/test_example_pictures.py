@@ -10,6 +10,25 @@ from corollary.problem.pictures import pictures_of, unused
 from corollary.problem.reader import read_problem
 
 FIELDS = Path(__file__).parents[2] / "examples/banks/corollary-fields/src/corollary_fields/problems"
+BANKS = FIELDS.parents[3]
+PLAYED = ("energy", "gravitation", "kinematics", "newton", "oscillations")
+STEADY = {
+    "cyclist_uphill",
+    "pump_power",
+}  # nothing changes its motion; scenes do not turn bodies about an axis, so rotation is left out
+
+
+def test_every_problem_has_a_figure_and_what_moves_a_scene():
+    problems = [
+        path
+        for path in BANKS.glob("*/src/*/problems/*/*.md")
+        if "." not in path.stem and path.parent.name != "sets"
+    ]
+    assert len(problems) >= 60
+    assert [path.stem for path in problems if not read_problem(path).figure] == []
+    moving = [path for path in problems if path.parent.name in PLAYED and path.stem not in STEADY]
+    solutions = [Path(str(path).replace("/problems/", "/solutions/")).with_suffix(".py") for path in moving]
+    assert [path.stem for path in solutions if "\ndef scene(" not in path.read_text(encoding="utf-8")] == []
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,10 @@
 """Over a pulley: one string, one acceleration, two equations."""
 
-from corollary.author import derivation, mistake, route, step, unknowns
+from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import law, without_time, wrong
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.rod import Rod
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, M, h, g):
@@ -68,3 +71,15 @@ def derive(m, M, h, g):
             ],
         ),
     )
+
+
+def scene(m, M, h, g, answer):
+    """The string laid out in a line: a rod between both blocks, each pulled outwards by its weight; and the heavier block alone."""
+    v, t = answer["c"], answer["c"] / answer["a"]
+    pulls = (ForceFunction(0, lambda t, x, v: (-m * g,)), ForceFunction(1, lambda t, x, v: (M * g,)))
+    blocks = (Body(m, (0.0,), (0.0,)), Body(M, (1.0,), (0.0,)))
+    net = ForceFunction(0, lambda t, x, v: (M * g - answer["b"],))
+    return [
+        simulate(Scene(blocks, (Rod((0, 1)), *pulls), until=t), velocities=(v, v), trajectory=(h, 1.0 + h)),
+        simulate(Scene((Body(M, (0.0,), (0.0,)),), (net,), until=t), velocities=(v,)),
+    ]

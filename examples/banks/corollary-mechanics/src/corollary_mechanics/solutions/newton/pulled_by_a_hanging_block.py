@@ -1,7 +1,11 @@
 """Pulled by a hanging block: friction on the one, weight on the other."""
 
-from corollary.author import derivation, mistake, route, step, unknowns
+from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import law, wrong
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.rod import Rod
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(M, m, mu, g):
@@ -77,3 +81,15 @@ def derive(M, m, mu, g):
             check="It is more than while they move.",
         ),
     )
+
+
+def scene(M, m, mu, g, answer):
+    """The string laid out in a line, for a second: a rod from the block that rubs to the one that its weight pulls; and that one alone."""
+    a = answer["a"]
+    blocks = (Body(M, (0.0,), (0.0,)), Body(m, (1.0,), (0.0,)))
+    pulled = (Rod((0, 1)), Friction(0, mu, g), ForceFunction(1, lambda t, x, v: (m * g,)))
+    net = ForceFunction(0, lambda t, x, v: (m * g - answer["b"],))
+    return [
+        simulate(Scene(blocks, pulled, until=1.0), velocities=(a, a), trajectory=(a / 2, 1.0 + a / 2)),
+        simulate(Scene((Body(m, (0.0,), (0.0,)),), (net,), until=1.0), velocities=(a,)),
+    ]

@@ -1,7 +1,11 @@
 """A bobbing float: what the water pushes more drives it back, like a spring."""
 
-from corollary.author import derivation, mistake, step, unknowns
+from math import pi, sqrt
+
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(d, m, A, rho, g):
@@ -49,3 +53,14 @@ def derive(d, m, A, rho, g):
             ),
         ),
     )
+
+
+def scene(d, m, A, rho, g, answer):
+    """Water that is pushed aside pushes back; a quarter of a period, from where the float is let go to where it rests."""
+    depth, period = answer["a"], answer["c"]
+    net = ForceFunction(0, lambda t, x, v: (m * g - rho * g * pi * d**2 / 4 * (depth + x[0]),))
+    let_go = Scene((Body(m, (A,), (0.0,)),), (net,), until=period / 4)
+    fastest = sqrt(
+        answer["b"] * A / m
+    )  # the force falls evenly to zero, so its work is half of force times way
+    return [simulate(let_go, trajectory=(0.0,), velocities=(-fastest,))]
