@@ -8,6 +8,7 @@ from dataclasses import replace
 from corollary.answers.options import option_named
 from corollary.answers.spellings import main_spelling
 from corollary.derive.chain import broken, without_repetition
+from corollary.derive.introduction import introduced
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -70,7 +71,7 @@ def worked_steps(
     problem = in_language(solution.problem)
     known = given_numbers(variant)
     lines = [_constant(given) for given in problem.givens if given.source]
-    lines += [""] * bool(lines)
+    lines = [*introduced(solution, problem), *lines, *[""] * bool(lines)]
     if solution.case:
         lines += [_("**Here {case}.**", case=solution.case), ""]
     for find, numbers in zip(solution.unknowns, values, strict=True):
