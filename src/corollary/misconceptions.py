@@ -167,7 +167,7 @@ def _bent(
         raise TypeError(
             'a misconception takes the law as it is right as a text, such as "K = m*v^2/2", not law(…)'
         )
-    tree = author_formula(right)
+    tree = author_formula(right, operators=True)
     if not isinstance(tree, Relation):
         raise ValueError(f"{right!r} is no law; write an equation, such as K = m*v^2/2")
     if strange := [letter for letter in letters if letter not in names(tree)]:

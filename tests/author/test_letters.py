@@ -11,7 +11,8 @@ from corollary.derive.load import NotDerivable, load
 from corollary.derive.solve import solve
 from corollary.formula.ball import RationalPi
 from corollary.laws import law
-from corollary.problem.bank import Bank, find
+from corollary.laws.law import own_letters
+from corollary.problem.bank import Bank, chapter_bank, find
 
 PROBLEM = """\
 ---
@@ -94,3 +95,20 @@ def test_a_letter_that_is_neither_is_named_with_its_line(bank):
 def test_outside_of_a_derivation_no_letter_is_known():
     with pytest.raises(ValueError, match="what does F, J, t mean"):
         law("Impulse", "J = F*t")
+
+
+def test_the_equations_of_the_chapter_are_numbered_in_its_bank_alone(tmp_path):
+    """A copy in another bank names the same laws, without numbers that lead nowhere; numbers of an author's own stay."""
+    chapter = chapter_bank()
+    model = chapter["X12.5"]
+    for room, file in (("problems", model.path), ("solutions", chapter.solution(model))):
+        (tmp_path / room / "x").mkdir(parents=True)
+        (tmp_path / room / "x" / file.name).write_bytes(file.read_bytes())
+    own = Bank(tmp_path)
+    numbered = {law.name: law.source for find in solve(chapter, model).unknowns for law in find.laws}
+    bare = {law.name: law.source for find in solve(own, own["X12.5"]).unknowns for law in find.laws}
+    assert numbered["Mean force"] == "(12.22)"
+    assert bare.keys() == numbered.keys()
+    assert set(bare.values()) == {""}
+    with own_letters({}, numbered=False):
+        assert law("Mine", "a = b", source="(3.1)", a=1, b=1).source == "(3.1)"

@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy
 
-from corollary.laws import wrong
+from corollary.author import function, unknowns, variable
+from corollary.formula.text import text
+from corollary.laws import law, wrong
 from corollary.laws.law import own_letters, sides
 from corollary.misconceptions import (
     celsius_for_kelvin,
@@ -69,3 +71,12 @@ def test_what_it_makes_of_a_law(misconception, by_hand):
 def test_a_law_that_cannot_be_mistaken_so(misconception, words):
     with pytest.raises(ValueError, match=words):
         known(misconception)
+
+
+def test_a_law_with_an_integral_is_bent_as_any_other():
+    with own_letters({"b": sympy.Symbol("b", positive=True)}):
+        t = variable("t")
+        function("v", t)
+        unknowns("s t1")
+        (bent,) = half_forgotten("s = int(v, t, 0, t1)/2").rule.laws
+        assert text(bent.textbook) == text(law("Way", "s = 2*(int(v, t, 0, t1)/2)").textbook)

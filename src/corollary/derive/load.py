@@ -19,7 +19,7 @@ from corollary.derive.cases import Branch
 from corollary.derive.derivation import Derivation
 from corollary.derive.signs import symbol_of
 from corollary.derive.statements import SOLUTION
-from corollary.problem.bank import Bank
+from corollary.problem.bank import Bank, chapter_bank
 from corollary.problem.problem import Problem
 
 
@@ -79,7 +79,7 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
 
     symbols = {name: symbol_of(problem, name) for name in have}
     try:
-        with own_letters(symbols):
+        with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)):
             derivation = derive(**{name: symbols[name] for name in wanted})
     except (Exception, SystemExit) as error:
         raise NotDerivable(

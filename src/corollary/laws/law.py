@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -70,14 +71,22 @@ class Law:
 _OWN_LETTERS: ContextVar[dict[str, Meaning] | None] = ContextVar("_OWN_LETTERS", default=None)
 
 
+_NUMBERED: ContextVar[bool] = ContextVar("_NUMBERED", default=True)
+LIBRARY = __name__.rpartition(".")[0] + "."
+
+
 @contextmanager
-def own_letters(givens: Mapping[str, sympy.Symbol]) -> Generator[None]:
-    """While a derivation is stated: its givens, and each unknown from where it is named, are known by their letters."""
-    before = _OWN_LETTERS.set(dict(givens))
+def own_letters(givens: Mapping[str, sympy.Symbol], *, numbered: bool = True) -> Generator[None]:
+    """While a derivation is stated: its givens, and each unknown from where it is named, are known by their letters.
+
+    `numbered`: whether the laws of the library have the numbers of the chapter's equations, which mean nothing elsewhere.
+    """
+    before, numbers = _OWN_LETTERS.set(dict(givens)), _NUMBERED.set(numbered)
     try:
         yield
     finally:
         _OWN_LETTERS.reset(before)
+        _NUMBERED.reset(numbers)
 
 
 def known_by_name(letter: str, meaning: Meaning) -> None:
@@ -111,6 +120,8 @@ def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters
         raise ValueError(f"{name}: {', '.join(sorted(extra))} does not occur in {formula!r}")
     if len({len(meaning) for meaning in here.values() if isinstance(meaning, tuple)}) > 1:
         raise ValueError(f"{name}: the vectors in {formula!r} have different numbers of components")
+    if not _NUMBERED.get() and str(sys._getframe(1).f_globals.get("__name__")).startswith(LIBRARY):  # pyright: ignore[reportPrivateUsage]
+        source = ""
     stated = Law(title, relation, here, source, holds)
     try:
         equations(stated)
