@@ -1,6 +1,7 @@
 """Toppling a book: a ball that comes back has changed its momentum more than one that stays."""
 
 from corollary.author import (
+    always,
     choice,
     derivation,
     explain,
@@ -46,6 +47,7 @@ def derive(m, M, v, h, I):
                 )
             ],
         ),
+        always("the elastic ball comes back", u < 0),
         step(
             J,
             "The book was at rest; its impulse is the momentum it has after.",

@@ -124,3 +124,37 @@ def test_kinetic_energy_that_is_created(verified, most, ok):
     energy = [each for each in of_kind(checked, "not created") if "energy" in each.claim]
     assert [each.outcome for each in energy] == ["proven" if ok else "counter-example"]
     assert all(float(each.numbers["t"]) > float(each.numbers["v"]) for each in energy if not ok)
+
+
+@pytest.mark.parametrize(
+    ("sign", "outcomes"), [(">=", ["proven"]), ("<=", ["counter-example"])], ids=["speed", "no speed"]
+)
+def test_a_speed_is_not_negative(verified, sign, outcomes):
+    """The part asks how fast: the other root of the same equation is no answer to that."""
+    checked = verified(
+        CROSSING.replace("u >= 0", f"u {sign} 0") % "", problem=RIVER % "where:\n  - v > 1.15 m/s\n"
+    )
+    signs = of_kind(checked, "claimed sign")
+    assert [each.outcome for each in signs] == outcomes
+    assert signs[0].claim == "part a is not negative, for it asks 'how fast'"
+    assert checked.ok == (sign == ">="), checked.complaints
+
+
+@pytest.mark.parametrize(
+    ("claim", "outcomes"),
+    [
+        ("u < v", ["proven"]),
+        ("(u < v) & (u > 0)", ["proven"]),
+        ("u > v/2", ["counter-example"]),
+    ],
+)
+def test_what_the_statement_says_of_all_numbers(verified, claim, outcomes):
+    """The boat is slower for all numbers; more than half as fast it is not, where t² is more than 3v²."""
+    always = f'), always("it is slower than in still water", {claim}))'
+    checked = verified(CROSSING.replace("%s))", always), problem=RIVER % "where:\n  - v > 1.15 m/s\n")
+    found = of_kind(checked, "claimed")
+    assert [each.outcome for each in found] == outcomes
+    assert checked.ok == (outcomes == ["proven"]), checked.complaints
+    if not checked.ok:
+        assert "it does not hold that it is slower than in still water: " in checked.complaints[0]
+        assert float(found[0].numbers["t"]) ** 2 >= 3 * float(found[0].numbers["v"]) ** 2

@@ -1,16 +1,19 @@
-"""A choice solved: each option's condition in givens."""
+"""Conditions in givens: those of the options of a choice, and what an author claims of all numbers."""
 
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import sympy
 from sympy.logic.boolalg import Boolean
 
+from corollary.derive.cases import relations
 from corollary.derive.known import Known
 from corollary.derive.solution import SolvedChoice
 from corollary.derive.statements import Choice
-from corollary.formula.ast import Relation
+from corollary.formula.ast import Number, Relation
 from corollary.formula.from_sympy import relation
 from corollary.problem.part import Part
 
@@ -31,3 +34,15 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
             )
         options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
     return Choice(entry.statement, options, entry.mistakes)
+
+
+def claimed(condition: Boolean | bool, known: Known) -> tuple[Relation, ...]:
+    """The relations of a claim. Raises ValueError where it is none, or speaks of what is neither given nor found before."""
+    holds = known.with_asides(sympy.sympify(condition))
+    if strange := holds.free_symbols - known.givens:
+        names = ", ".join(sorted(map(str, strange)))
+        raise ValueError(f"always(…): {names} is neither given nor found before by a formula")
+    if holds in (sympy.true, sympy.false):
+        one = Number(Fraction(1))
+        return (Relation("=" if holds == sympy.true else "!=", one, one),)
+    return relations(holds)

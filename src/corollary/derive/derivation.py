@@ -29,6 +29,7 @@ from corollary.derive.statements import (
 
 if TYPE_CHECKING:  # as in statements
     import sympy
+    from sympy.logic.boolalg import Boolean
 
     from corollary.laws.law import Law  # noqa: F401  (named in a text below)
 
@@ -52,13 +53,21 @@ class Special:
     values: Mapping[str, sympy.Expr]
 
 
+@dataclass(frozen=True, slots=True)
+class Always:
+    """What the statement says in words of every variant, as a condition on what is given and found."""
+
+    statement: Statement
+    condition: Boolean | bool
+
+
 StatedForces = Forces["sympy.Expr", "Law"]
 Asserted = Limit | Special | Confirm
 Solved = (
     Step | Optimum | Simulated | StatedChoice | StatedForces | StatedExample | StatedProof | StatedNeglected
 )
-Entry = Solved | Code | Plot | Explain | Printed | Asserted
-ENTRIES = (Step, Optimum, Simulated, Choice, Forces, Example, Proof, Neglected, Code, Plot, Explain, Printed, Limit, Special, Confirm)  # fmt: skip
+Entry = Solved | Code | Plot | Explain | Printed | Asserted | Always
+ENTRIES = (Step, Optimum, Simulated, Choice, Forces, Example, Proof, Neglected, Code, Plot, Explain, Printed, Limit, Special, Confirm, Always)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from corollary.answers.registry import answer_type
-from corollary.derive.derivation import ENTRIES, Asserted, Derivation, Entry
+from corollary.derive.derivation import ENTRIES, Always, Asserted, Derivation, Entry
 from corollary.derive.solution import Unsolved
 from corollary.derive.statements import (
     Example,
@@ -41,7 +41,7 @@ def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int
     given = Counter(
         (entry.statement.part, words_of_kind(entry))
         for entry in derivation.entries
-        if not isinstance(entry, Printed | Neglected | Asserted)
+        if not isinstance(entry, Printed | Neglected | Asserted | Always)
     )
     for part in problem.parts:
         for word in _stated_by(part):

@@ -165,6 +165,15 @@ class Regime:
     solution: Solution
 
 
+@dataclass(frozen=True, slots=True)
+class ClaimedCondition:
+    """What holds for all numbers, as the statement has it in words; the conditions are on givens, the claim at `line` of the solution."""
+
+    words: str
+    conditions: tuple[Relation, ...]
+    line: int
+
+
 @dataclass(frozen=True)
 class Solution:
     """All that is true of a problem; `unknowns` in the order in which they are found, choices and the like by part.
@@ -184,6 +193,7 @@ class Solution:
     regimes: tuple[Regime, ...] = ()
     case: str = ""
     forces: Mapping[str, SolvedForces] = field(default_factory=dict[str, SolvedForces])
+    always: tuple[ClaimedCondition, ...] = ()
 
     @cached_property
     def results(self) -> dict[Hashable, Any]:

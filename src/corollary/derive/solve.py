@@ -11,7 +11,8 @@ from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
 from corollary.derive.cases import Branch, Case, relations
-from corollary.derive.choices import solved_choice
+from corollary.derive.choices import claimed, solved_choice
+from corollary.derive.derivation import Always
 from corollary.derive.example import solved_example
 from corollary.derive.forces import solved_forces
 from corollary.derive.free_body import Forces
@@ -23,6 +24,7 @@ from corollary.derive.parts import misfits, unsolved
 from corollary.derive.paths import with_paths
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
+    ClaimedCondition,
     Regime,
     Rule,
     SceneOutcome,
@@ -109,6 +111,7 @@ class Solver:
         examples: dict[str, SolvedExample] = {}
         proofs: dict[str, SolvedProof] = {}
         forces: dict[str, SolvedForces] = {}
+        always: list[ClaimedCondition] = []
         for entry in entries:
             part = entry.statement.part
             try:
@@ -121,6 +124,12 @@ class Solver:
                         forces[part] = solved_forces(entry, self.problem.part(part), self.known)
                     case Example():
                         examples[part] = solved_example(entry, self.known)
+                    case Always(statement, condition):
+                        always.append(
+                            ClaimedCondition(
+                                statement.because, claimed(condition, self.known), statement.line
+                            )
+                        )
                     case Proof():
                         proofs[part] = applied_proof(entry)
                     case _:
@@ -137,7 +146,16 @@ class Solver:
         left = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         rest, case = unsolved(self.loaded.derivation), self.case
         return Solution(
-            self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces
+            self.problem,
+            tuple(unknowns),
+            choices,
+            examples,
+            proofs,
+            rest,
+            left,
+            case=case,
+            forces=forces,
+            always=tuple(always),
         )
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:

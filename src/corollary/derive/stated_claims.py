@@ -1,16 +1,17 @@
-"""The words in which an author claims what something comes to: in a limit, and in a special case."""
+"""The words in which an author claims what something comes to: in a limit, in a special case, and for all numbers."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from corollary.derive.derivation import Limit, Special
+from corollary.derive.derivation import Always, Limit, Special
 from corollary.derive.spoken import line_of_word
 from corollary.derive.statements import Statement
 from corollary.laws.law import as_expression
 
 if TYPE_CHECKING:
     import sympy
+    from sympy.logic.boolalg import Boolean
 
 
 def limit(of: object, letter: sympy.Symbol, to: object, equals: object, because: str = "") -> Limit:
@@ -23,3 +24,8 @@ def at(because: str = "", /, **values: object) -> Special:
     """Claims what is found in a special case: `at(mA=mB, v_B=v)` for a given `mA` and an unknown `v_B`. `verify` proves it."""
     here = {name: as_expression(value) for name, value in values.items()}
     return Special(Statement("", because, line_of_word()), here)
+
+
+def always(words: str, condition: Boolean | bool) -> Always:
+    """Claims of every variant what the statement says in words: `always("the ball bounces back", u < 0)`. `verify` proves it."""
+    return Always(Statement("", words, line_of_word()), condition)

@@ -27,6 +27,7 @@ from corollary.verify.checked import Tally
 LEAST = 100  # variants
 SIMULATED = 8  # of them: a simulation takes a second where algebra takes a millisecond
 TOO_MANY = 0.8  # of the draws refused: then few numbers are left, and much alike
+MANY = 50  # variants: an option that is right in all of these is right for all numbers
 AGREE = 1e-9  # relative
 
 
@@ -43,6 +44,7 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
     """Draws until `count` variants are admitted (or all are seen)."""
     problem, reasons, met = solution.problem, Counter[str](), 0
     drawn, first = 0, list[Key]()
+    right: dict[str, Counter[str]] = {part: Counter() for part in solution.choices}
     for variant in sample(problem, 20 * count):
         drawn += 1
         key, reason = admitted(solution, variant)
@@ -51,6 +53,8 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
             continue
         met += 1
         tally.count("variants walked")
+        for part, letter in key.choices.items():
+            right[part][letter] += 1
         check_right(key, tally)
         check_neglected(bank, key, tally)
         if met <= SIMULATED:
@@ -67,6 +71,13 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         )
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
+    for part, letters in right.items():
+        for letter in sorted(solution.choices[part].mistakes.keys() & letters):
+            if letters[letter] == met >= MANY:
+                tally.complain(
+                    f"{bank.solution(problem).name}:{solution.choices[part].statement.line}: option {letter} of part {part} is right "
+                    f"for all of {met} variants, and has a mistake; which of both is meant?"
+                )
     own, reason = admitted(solution, chapter(problem))
     tally.count("chapter's own numbers")
     if own is None and reason.startswith("an answer does not exist"):

@@ -9,7 +9,7 @@ from typing import Literal
 from corollary.formula.ast import Expr, Relation
 
 Outcome = Literal["proven", "counter-example", "sampled"]
-Kind = Literal["laws hold", "value exists", "one root", "not zero", "not created", "one case", "mistake apart", "mistakes differ"]  # fmt: skip
+Kind = Literal["laws hold", "value exists", "one root", "not zero", "not created", "one case", "mistake apart", "mistakes differ", "claimed sign", "claimed"]  # fmt: skip
 Clause = tuple[Relation, ...]
 """Relations of which one must hold at least."""
 OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}

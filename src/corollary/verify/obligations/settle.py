@@ -20,6 +20,7 @@ from corollary.verify.obligations.nonlinear import installed, no_exception, only
 from corollary.verify.obligations.obligation import Clause, Obligation, Settled, opposite
 from corollary.verify.obligations.regimes import one_case
 from corollary.verify.obligations.roots import only_roots
+from corollary.verify.obligations.signs import always_so, of_claimed_sign
 from corollary.verify.obligations.subdivision import (
     MOST_BOXES,
     any_holds,
@@ -42,6 +43,8 @@ def obligations(solution: Solution) -> Iterator[Obligation]:
     yield from only_roots(solution)
     yield from not_created(solution)
     yield from not_zero(solution)
+    yield from of_claimed_sign(solution)
+    yield from always_so(solution)
     yield from apart(solution)
     yield from differing(solution)
 
