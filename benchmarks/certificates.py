@@ -46,7 +46,8 @@ def main() -> None:
         print(_row(problem.code, known[problem.code]), flush=True)
         inside = {each.code: known[each.code] for each in bank if each.code in known}
         KNOWN.write_text(json.dumps(inside, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-        RESULT.write_text(_page(inside), encoding="utf-8")
+        if len(inside) == len(list(bank)):  # else the page of the run before is the better one
+            RESULT.write_text(_page(inside), encoding="utf-8")
 
 
 def _certified(solution: Solution, steps: list[CertifiedStep]) -> dict[str, Any]:
