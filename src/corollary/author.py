@@ -208,9 +208,8 @@ def plot(
 
 
 def file(name: str) -> str:
-    """The text of a program that lies beside the solution: `example=file("newtons_cradle/cradle.py")`.
-
-    The imports it opens with are left out: every notebook has made them (numpy as np, matplotlib.pyplot as plt).
+    """The text of a program beside the solution, `example=file("newtons_cradle/cradle.py")`, without the imports it opens with:
+    every notebook has made them (numpy as np, matplotlib.pyplot as plt).
     """
     path = Path(frame_of_word().f_code.co_filename).parent / name
     lines = path.read_text(encoding="utf-8").splitlines(keepends=True)

@@ -4,14 +4,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 
 import sympy
 from sympy.logic.boolalg import Boolean
 
 from corollary.derive.cases import relations
+from corollary.derive.derivation import Always, Entry
 from corollary.derive.known import Known
-from corollary.derive.solution import SolvedChoice
+from corollary.derive.load import NotDerivable
+from corollary.derive.solution import ClaimedCondition, SolvedChoice
 from corollary.derive.statements import Choice
 from corollary.formula.ast import Number, Relation
 from corollary.formula.from_sympy import relation
@@ -36,12 +39,24 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
     return Choice(entry.statement, options, entry.mistakes)
 
 
-def claimed(condition: Boolean | bool, known: Known) -> tuple[Relation, ...]:
-    """The relations of a claim. Raises ValueError where it is none, or speaks of what is neither given nor found before."""
+def claims(
+    entries: Iterable[Entry], known: Known, failing: Callable[[str, int], NotDerivable]
+) -> Iterator[ClaimedCondition]:
+    """What an author claims of all numbers. Raises what `failing` makes where a claim is none, or speaks of what is unknown."""
+    for entry in entries:
+        if isinstance(entry, Always):
+            words, line = entry.statement.because, entry.statement.line
+            try:
+                yield ClaimedCondition(words, _claimed(entry.condition, known), line)
+            except ValueError as error:
+                raise failing(f"always(…): {error}", line) from error
+
+
+def _claimed(condition: Boolean | bool, known: Known) -> tuple[Relation, ...]:
     holds = known.with_asides(sympy.sympify(condition))
     if strange := holds.free_symbols - known.givens:
         names = ", ".join(sorted(map(str, strange)))
-        raise ValueError(f"always(…): {names} is neither given nor found before by a formula")
+        raise ValueError(f"{names} is neither given nor found before by a formula")
     if holds in (sympy.true, sympy.false):
         one = Number(Fraction(1))
         return (Relation("=" if holds == sympy.true else "!=", one, one),)

@@ -11,8 +11,7 @@ from sympy.logic.boolalg import Boolean
 
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
 from corollary.derive.cases import Branch, Case, relations
-from corollary.derive.choices import claimed, solved_choice
-from corollary.derive.derivation import Always
+from corollary.derive.choices import claims, solved_choice
 from corollary.derive.example import solved_example
 from corollary.derive.forces import solved_forces
 from corollary.derive.free_body import Forces
@@ -24,7 +23,6 @@ from corollary.derive.parts import misfits, unsolved
 from corollary.derive.paths import with_paths
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
-    ClaimedCondition,
     Regime,
     Rule,
     SceneOutcome,
@@ -111,7 +109,6 @@ class Solver:
         examples: dict[str, SolvedExample] = {}
         proofs: dict[str, SolvedProof] = {}
         forces: dict[str, SolvedForces] = {}
-        always: list[ClaimedCondition] = []
         for entry in entries:
             part = entry.statement.part
             try:
@@ -124,12 +121,6 @@ class Solver:
                         forces[part] = solved_forces(entry, self.problem.part(part), self.known)
                     case Example():
                         examples[part] = solved_example(entry, self.known)
-                    case Always(statement, condition):
-                        always.append(
-                            ClaimedCondition(
-                                statement.because, claimed(condition, self.known), statement.line
-                            )
-                        )
                     case Proof():
                         proofs[part] = applied_proof(entry)
                     case _:
@@ -145,18 +136,10 @@ class Solver:
         # after all that is found, so that nothing can lean on what is only supposed
         left = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         rest, case = unsolved(self.loaded.derivation), self.case
-        return Solution(
-            self.problem,
-            tuple(unknowns),
-            choices,
-            examples,
-            proofs,
-            rest,
-            left,
-            case=case,
-            forces=forces,
-            always=tuple(always),
+        found = Solution(
+            self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces
         )
+        return replace(found, always=tuple(claims(entries, self.known, self.failing)))
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
         """At the author's own line, or at that of derive where the fault is of the whole."""
