@@ -11,6 +11,7 @@ from corollary.answers.number_words import product_in_signs
 from corollary.answers.preamble import answer_in
 from corollary.answers.question import Question
 from corollary.answers.remark import remark_in
+from corollary.formula.abbreviations import arity, function_words
 from corollary.formula.ast import Expr, names
 from corollary.formula.by_hand import by_hand
 from corollary.formula.errors import ParseError, refused, sentence
@@ -26,6 +27,13 @@ _ = catalogue(__name__)
 
 LONGEST_QUOTED = 80
 MOST_WORDS = 20
+# `1,234` may be thousands, and the comma may part the two numbers of a function.
+DECIMAL_COMMA = re.compile(
+    r"(?<=[0-9]),(?=(?:[0-9]{1,2}|[0-9]{4,})(?![0-9.,]))|(?<=0)(?<![0-9.,]0),(?=[0-9]{3}(?![0-9.,]))"
+)
+SEVERAL = re.compile(
+    rf"(?<![A-Za-z])(?:{'|'.join(sorted(word for word, name in function_words().items() if arity(name) > 1 or name == 'ln'))})(?![A-Za-z])"
+)
 LOGARITHM = re.compile(r"(?<![A-Za-z])log(?![A-Za-z0-9_])")
 
 
@@ -45,11 +53,17 @@ def formula_in(
     if not isinstance(tree, ParseError) or len(text) > LONGEST:
         return tree
     bare, _skipped = answer_in(motion_in_number(by_hand(text)).translate(TO_ASCII))
-    for candidate in dict.fromkeys((bare, _in_signs(bare, letters, unit))):
+    pointed = with_points(bare)
+    for candidate in dict.fromkeys((bare, pointed, _in_signs(pointed, letters, unit))):
         again = parse(candidate, letters, lean=lean)
         if not isinstance(again, ParseError) or again.status == "asked":
             return again
     return tree
+
+
+def with_points(formula: str) -> str:
+    """Decimal commas as points, where they can be nothing else: `0,5*m*v^2`, but not `1,234*v` nor `hypot(3,4)`."""
+    return formula if SEVERAL.search(formula) else DECIMAL_COMMA.sub(".", formula)
 
 
 def _in_signs(text: str, letters: Collection[str], unit: Unit | None) -> str:

@@ -81,14 +81,15 @@ def _alone(text: str, normalized: str, expected: Unit | None) -> Reading | Parse
     """The number, the calculation, or the number said twice, that a text is without what stands around it."""
     normalized = in_digits(normalized, pure=expected is not None and expected.dimension == ONE)
     found = _number_and_unit(text, normalized, expected)
+    twice = _same_twice(normalized, expected) if isinstance(found, ParseError) else None
+    if twice is not None:
+        return twice
     if (
         isinstance(found, ParseError)
         and found.status == "refused"
         and not isinstance(worked := _worked(text, normalized, expected), ParseError)
     ):
         return worked
-    if isinstance(found, ParseError) and (twice := _same_twice(normalized, expected)) is not None:
-        return twice
     return found
 
 
@@ -122,8 +123,8 @@ def _otherwise(before: str, last: Reading, expected: Unit | None) -> Reading | N
     )
 
 
-def _same_twice(normalized: str, expected: Unit | None) -> Reading | None:
-    """`0.4 (40 %)`, `20 m/s (72 km/h)`: the first of the two, when both say the same."""
+def _same_twice(normalized: str, expected: Unit | None) -> Reading | ParseError | None:
+    """`0.4 (40 %)`, `20 m/s (72 km/h)`: the first of the two, when both say the same; it is refused when they do not."""
     both = TWICE.fullmatch(normalized)
     if both is None:
         return None
@@ -140,7 +141,12 @@ def _same_twice(normalized: str, expected: Unit | None) -> Reading | None:
         or second.fit != "fits"
     ):
         return None
-    return first if math.isclose(in_si(first), in_si(second), rel_tol=0.01) else None
+    if math.isclose(in_si(first), in_si(second), rel_tol=0.01):
+        return first
+    if first.unit is None or second.unit is None:
+        return None
+    why = _("{one} and {other} are not the same", one=first.as_read, other=second.as_read)
+    return refused(why, None, _("write one number and a unit"))
 
 
 def _number_and_unit(text: str, normalized: str, expected: Unit | None) -> Reading | ParseError:

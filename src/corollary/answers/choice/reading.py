@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Sequence
 from typing import final
 
 from corollary.answers.answer import Answer, Blank, Letter, Unclear
@@ -23,6 +24,7 @@ AROUND = r"[\s()\[\].:;,!*_\"'“”„‘’`$]*"
 LEAD = r"(?:i (?:think|choose|chose|pick|believe|say) |it is |it's |it must be |my )?(?:the )?"
 NAMED = r"(?:option|answer|choice|alternative|letter|svar|alternativ|antwort|lösung)(?: is)?"
 HOLDS = r"(?:is|ist|er) (?:the )?(?:correct|right|true|richtig|korrekt|riktig|rett|sann)(?: (?:one|answer|option|choice))?"
+REASON = r"because|since|as|weil|da|denn|fordi|siden"
 LETTER = re.compile(
     rf"{AROUND}(?:{LEAD}(?:{NAMED}{AROUND})?)?(?P<letter>[A-Za-z]){AROUND}(?:{HOLDS}{AROUND})?",
     re.IGNORECASE,
@@ -61,6 +63,7 @@ class ChoiceType(AnswerType):
             case Text(text) if len(text) <= LONGEST and (letter := _by_its_words(text, question)):
                 return Letter(letter, f"({letter})")
             case Text(text):
+                text = _without_reason(text, question.options)
                 found = LETTER.fullmatch(by_hand(text).translate(TO_ASCII)) if len(text) <= LONGEST else None
                 if found and (letter := found["letter"].lower()) in question.options:
                     return Letter(letter, f"({letter.upper()})")
@@ -69,6 +72,14 @@ class ChoiceType(AnswerType):
                 return turned_away(value)
             case _:
                 return Unclear(_("{wanted}, as text", wanted=wanted), _("no letter"))
+
+
+def _without_reason(text: str, options: Sequence[str]) -> str:
+    """`A` of `A because momentum has a direction`; all of a text whose reason names an option."""
+    pieces = re.split(rf"[\s,;:–-]+({REASON})\b", text, maxsplit=1, flags=re.IGNORECASE)
+    letter, reason, words = (*pieces, "", "")[:3]
+    named = re.search(rf"\b[{''.join(options).upper()}]\b", words)
+    return letter if reason and len(text) <= LONGEST and not named else text
 
 
 def _by_its_words(text: str, question: Question) -> str:

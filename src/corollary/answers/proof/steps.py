@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from corollary.answers.answer import Equation, Unclear
+from corollary.answers.formula import with_points
 from corollary.answers.proof.line_text import (
     Readable,
     equations,
@@ -56,7 +57,7 @@ def _typed(lines: Sequence[tuple[int, str]], known: Sequence[str]) -> list[tuple
     for number, line in without_bullets(lines):
         if says_nothing(line):
             continue
-        if not (found := equations(line, readable)):
+        if not (found := equations(with_points(line), readable)):
             return _unclear(number, line, _(" must be one equation, with one = sign"))
         typed += [(number, each) for each in found if not is_prose(each, readable)]
     return typed
