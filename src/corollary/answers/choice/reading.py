@@ -63,8 +63,8 @@ class ChoiceType(AnswerType):
             case Text(text) if len(text) <= LONGEST and (letter := _by_its_words(text, question)):
                 return Letter(letter, f"({letter})")
             case Text(text):
-                text = _without_reason(text, question.options)
-                found = LETTER.fullmatch(by_hand(text).translate(TO_ASCII)) if len(text) <= LONGEST else None
+                bare = _without_reason(text, question.options) if len(text) <= LONGEST else ""
+                found = LETTER.fullmatch(by_hand(bare).translate(TO_ASCII))
                 if found and (letter := found["letter"].lower()) in question.options:
                     return Letter(letter, f"({letter.upper()})")
                 return Unclear(wanted, text.strip()[:40])
@@ -75,11 +75,11 @@ class ChoiceType(AnswerType):
 
 
 def _without_reason(text: str, options: Sequence[str]) -> str:
-    """`A` of `A because momentum has a direction`; all of a text whose reason names an option."""
+    """`A` of `A because momentum has a direction`, a text of bounded length; all of it where the reason names an option."""
     pieces = re.split(rf"[\s,;:–-]+({REASON})\b", text, maxsplit=1, flags=re.IGNORECASE)
     letter, reason, words = (*pieces, "", "")[:3]
     named = re.search(rf"\b[{''.join(options).upper()}]\b", words)
-    return letter if reason and len(text) <= LONGEST and not named else text
+    return letter if reason and not named else text
 
 
 def _by_its_words(text: str, question: Question) -> str:
