@@ -161,7 +161,7 @@ def spheres(rng: random.Random) -> dict[str, Any]:
     }
 
 
-def of_spheres(given: dict[str, Any], found: Run, steps: int = 128) -> Reference:
+def of_spheres(given: dict[str, Any], found: Run, steps: int = 64) -> Reference:
     """Energy's integrals by the tanh-sinh rule in 450 binary digits, with x = top (1 - y^2) where the spheres turn back.
 
     Differences are written out so that none cancels; with twice the nodes forty digits stay (a test holds it to mpmath's rule).

@@ -37,13 +37,13 @@ def nudged_through_a_spring(draw: Random) -> Case:
     static = tuple(c * draw.uniform(1, 1.5) for c in mu)
     k, v, until = draw.uniform(20, 120), draw.uniform(1, 5), draw.uniform(0.5, 3)
     scene = Scene(
-        (Body(m[0], (0.5,), (v,)), Body(m[1], (0.0,), (0.0,))),
-        (Spring((0, 1), k, 0.5), *(Friction(i, mu[i], G, static[i]) for i in range(2))),
+        (Body(m[0], (3.0,), (v,)), Body(m[1], (0.0,), (0.0,))),
+        (Spring((0, 1), k, 3.0), *(Friction(i, mu[i], G, static[i]) for i in range(2))),
         until=until,
     )
 
     def force(t: Any, x: Any, v: Any) -> Any:
-        pull = k * (x[0] - x[1] - 0.5)
+        pull = k * (x[0] - x[1] - 3)
         return -pull, pull
 
     weigh = [each * G for each in m]
@@ -52,7 +52,7 @@ def nudged_through_a_spring(draw: Random) -> Case:
         [a * w for a, w in zip(mu, weigh, strict=True)],
         [a * w for a, w in zip(static, weigh, strict=True)],
         force,
-        (0.5, 0.0),
+        (3.0, 0.0),
         (v, 0.0),
         until,
     )
@@ -128,17 +128,17 @@ def chain_on_a_table(draw: Random) -> Case:
     static = [c * draw.uniform(1, 1.5) for c in mu]
     k, v, until = (draw.uniform(30, 200), draw.uniform(30, 200)), draw.uniform(0.5, 3), draw.uniform(0.3, 3)
     scene = Scene(
-        (Body(m[0], (0.0,), (0.0,)), Body(m[1], (0.5,), (v,)), Body(m[2], (1.0,), (0.0,))),
+        (Body(m[0], (0.0,), (0.0,)), Body(m[1], (2.0,), (v,)), Body(m[2], (4.0,), (0.0,))),
         (
-            Spring((0, 1), k[0], 0.5),
-            Spring((1, 2), k[1], 0.5),
+            Spring((0, 1), k[0], 2.0),
+            Spring((1, 2), k[1], 2.0),
             *(Friction(i, mu[i], G, static[i]) for i in range(3)),
         ),
         until=until,
     )
 
     def force(t: Any, x: Any, v: Any) -> Any:
-        left, right = k[0] * (x[1] - x[0] - 0.5), k[1] * (x[2] - x[1] - 0.5)
+        left, right = k[0] * (x[1] - x[0] - 2), k[1] * (x[2] - x[1] - 2)
         return left, right - left, -right
 
     x, u = sliding(
@@ -146,7 +146,7 @@ def chain_on_a_table(draw: Random) -> Case:
         [a * b * G for a, b in zip(mu, m, strict=True)],
         [a * b * G for a, b in zip(static, m, strict=True)],
         force,
-        (0, 0.5, 1),
+        (0, 2, 4),
         (0, v, 0),
         until,
     )

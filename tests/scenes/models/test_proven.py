@@ -5,14 +5,16 @@ import math
 from fractions import Fraction
 from pathlib import Path
 
+import mpmath as mp
 import pytest
 from flint import arb
 
 from corollary.formula.ball import precision_of
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.models import certain
 from corollary.scenes.models.pair import Pair, touch, turned_and_lasted
-from corollary.scenes.models.proven import follow
+from corollary.scenes.models.proven import collisions, follow
 from corollary.scenes.models.proven.laws import PairLaw, RowLaw
 from corollary.scenes.models.proven.maximum import maximum
 from corollary.scenes.models.proven.step import State, disc, enclosed_step
@@ -173,3 +175,23 @@ def test_a_largest_value_is_found_between_and_at_the_ends():
         two = maximum(lambda t: (t * (1 - t) ** 2, (1 - t) * (1 - 3 * t)), arb(1.3), arb(0))
         agree(two, arb(4) / 27)
         assert math.isfinite(float(two))
+
+
+@pytest.mark.parametrize("q", [1.0, 1.25, 1.5, 3.0, 4.7])
+@pytest.mark.parametrize("gap", [0.0, 1e-3])
+def test_two_balls_that_are_followed_agree_with_a_beta_function(q, gap):
+    masses, v, k = (0.013, 2.9), 3.7, 4.1e6
+    found = certain.found(lambda: collisions.row(masses, (v, 0.0), (gap,), k, q), collisions.PRECISIONS)
+    with mp.workdps(40):
+        a, b, u, power = mp.mpf(masses[0]), mp.mpf(masses[1]), mp.mpf(v), mp.mpf(q) + 1
+        top = (a * b / (a + b) * u**2 * power / (2 * mp.mpf(k))) ** (1 / power)
+        true = {
+            "velocities": ((a - b) / (a + b) * u, 2 * a / (a + b) * u),
+            "largest_overlap": (top,),
+            "peak_force": (mp.mpf(k) * top ** mp.mpf(q),),
+            "duration": (2 * top / u * mp.beta(1 / power, mp.mpf("0.5")) / power,),
+        }
+        for name, exact in true.items():
+            values, errors = (components(x[name]) for x in (found.observed, found.errors))
+            for value, error, x in zip(values, errors, exact, strict=True):
+                assert abs(mp.mpf(value) - x) <= error <= 2.3e-16 * abs(value)
