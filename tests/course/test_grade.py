@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sqlite3
 from collections.abc import Callable
 from pathlib import Path
@@ -50,6 +51,14 @@ def test_a_gradebook_without_the_marks_is_filled_again(
     assert scores(graded) == dict.fromkeys(STUDENTS, 5.0)
     again = grade(graded)
     assert (again.document["graded"], again.document["skipped"]) == (0, 3)
+
+
+def test_feedback_that_was_lost_is_made_again_without_marking(graded: Path) -> None:
+    page = graded / "feedback/ada/one/one.html"
+    before = page.read_bytes()
+    shutil.rmtree(graded / "feedback")
+    assert grade(graded).document["graded"] == 0
+    assert page.read_bytes() == before
 
 
 def test_only_those_are_marked_again_whose_scores_are_others(graded: Path) -> None:

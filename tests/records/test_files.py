@@ -42,6 +42,15 @@ def test_made_again_it_keeps_the_key_and_takes_the_new_roster(course: Course):
     assert [student.id for student in students(again)] == ["ada", "emilie", "bob"]
 
 
+@pytest.mark.parametrize(
+    "content", ["", "id,first_name\nada,Ada\n", "id,first_name,last_name,email\n/etc,a,b,c\n"]
+)
+def test_a_damaged_roster_is_named(course: Course, content: str):
+    (course.folder / ".corollary/roster.csv").write_text(content)
+    with pytest.raises(NotACourse, match=r"is damaged: .*roster\.csv:\d: .*generate again with --roster"):
+        students(course)
+
+
 def test_an_id_that_could_not_name_a_folder_is_remembered(course: Course):
     roster = [
         Student("Lukasz-c57b4f3a", "Łukasz", ids=(("id", "Łukasz"), ("Login", "lz"))),

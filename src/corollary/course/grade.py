@@ -247,7 +247,7 @@ def _marked_again(
 def _write_pages(
     course: Course, problem_set: ProblemSet, report: Report, manual: ManualMarks, those: Iterable[str]
 ) -> None:
-    """The report, and the feedback of those to whom a person gave something since theirs was made."""
+    """The report, and the feedback of those to whom a person gave something since theirs was made, or whose was lost."""
     page = report_page(report, problem_set, formgrader=read_settings(course.folder).formgrader)
     write_whole(report_place(course, problem_set.name), page)
     for student, text in stale_pages(course, problem_set.name, manual, those).items():

@@ -102,9 +102,13 @@ def _follow_points(
 def stale_pages(
     course: Course, set_name: str, manual: ManualMarks, students: Iterable[str]
 ) -> dict[str, str]:
-    """The pages of those to whom a person gave something since theirs was made, as they are to be."""
+    """The pages of those to whom a person gave something since theirs was made, or whose was lost, as they are to be."""
     entries = manual.by_student(set_name)
-    pages = {one: page_now(course, set_name, one, entries[one]) for one in students if one in entries}
+    pages = {
+        one: page_now(course, set_name, one, entries.get(one, {}))
+        for one in students
+        if one in entries or not feedback_place(course, set_name, one).exists()
+    }
     return {
         one: page
         for one, page in pages.items()

@@ -99,15 +99,21 @@ def students(course: Course) -> tuple[Student, ...]:
     """Everybody on the course's own copy of the roster. Raises NotACourse."""
     path = course.folder / ".corollary" / "roster.csv"
     try:
-        (_, headings), *rows = read_table(path, COLUMNS).rows
-        places = [headings.index(name) for name in COLUMNS]
-    except (Malformed, ValueError) as error:
+        rows = read_table(path, COLUMNS).rows
+    except Malformed as error:
         raise NotACourse(
             f"the roster of {course.folder} is damaged: {error}; generate again with --roster"
         ) from None
+    headings = rows[0][1] if rows else ()
+    if not set(COLUMNS) <= set(headings):
+        raise NotACourse(
+            f"the roster of {course.folder} is damaged: {path}:1: has no columns {', '.join(COLUMNS)}; "
+            "generate again with --roster"
+        )
+    places = [headings.index(name) for name in COLUMNS]
     others = [(at, heading) for at, heading in enumerate(headings) if at not in places]
     found: list[Student] = []
-    for line, row in rows:
+    for line, row in rows[1:]:
         if len(row) != len(headings) or not row[places[0]] or OUTSIDE.search(row[places[0]]):
             raise NotACourse(
                 f"the roster of {course.folder} is damaged: {path}:{line}: {', '.join(row)} is no student; "
