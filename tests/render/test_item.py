@@ -111,7 +111,9 @@ def test_a_range_holds_what_the_mark_holds(value, reach, off):
         assert mark.met_by([number]) == (low <= number <= high)
 
 
-@pytest.mark.parametrize("text", ["kg*m/s", "N", "m/s", "J", "deg", "N/m", "m/s^2", "kg/s", "W", "s", "1"])
+@pytest.mark.parametrize(
+    "text", ["kg*m/s", "N", "m/s", "J", "deg", "N/m", "m/s^2", "kg/s", "W", "s", "rad/s", "1"]
+)
 def test_units_are_listed_as_they_are_read(text):
     asked = unit(text)
     units = typed_units(asked)
@@ -129,3 +131,10 @@ def test_the_usual_spellings_are_listed():
     assert dict(typed_units(unit("N")))["kN"] == pytest.approx(1e-3)
     assert dict(typed_units(unit("m/s")))["km/h"] == pytest.approx(3.6)
     assert typed_units(unit("degC")) == []
+
+
+def test_hertz_is_no_name_for_an_angular_velocity():
+    names = {name for name, _ in typed_units(unit("rad/s"))}
+    assert {"rad/s", "rpm"} <= names
+    assert not [name for name in names if name.lower().endswith(("hz", "hertz", "hertzs"))]
+    assert "Hz" in {name for name, _ in typed_units(unit("s^-1"))}

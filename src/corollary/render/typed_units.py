@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import combinations
 
+from corollary.answers.unit_meant import unit_meant
 from corollary.formula.errors import ParseError
 from corollary.units.table import ENGLISH, UNITS
 from corollary.units.unit import ONE, Unit, canonical, read_unit, show
@@ -23,7 +24,7 @@ LEAST, MOST = 1e-9, 1e9
 def typed_units(unit: Unit) -> list[tuple[str, float]]:
     """Each name with how many of it make one of the unit; the unit itself first. None for a plain number and a temperature.
 
-    Only what our own reader reads, and reads as this quantity.
+    Only what our own reader reads as this quantity where the unit is asked for: no Hz for rad/s.
     """
     if not show(unit) or unit.offset:
         return []
@@ -31,7 +32,7 @@ def typed_units(unit: Unit) -> list[tuple[str, float]]:
     for text in _candidates(unit):
         name = text.replace(" ", "")
         meant = read_unit(text)
-        if isinstance(meant, ParseError) or isinstance(read_unit(name), ParseError) or name in found:
+        if isinstance(meant, ParseError) or isinstance(unit_meant(name, unit), ParseError) or name in found:
             continue
         size = unit.si / meant.si
         if meant.dimension == unit.dimension and not meant.offset and LEAST <= size <= MOST:
