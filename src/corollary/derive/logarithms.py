@@ -19,8 +19,8 @@ def logarithms_together(expr: sympy.Expr) -> sympy.Expr:
         return expr
     inner: Any = expr.func(*(logarithms_together(cast(sympy.Expr, each)) for each in expr.args))
     match inner:
-        case sympy.log() if inner.args[0].is_Pow and inner.args[0].base.is_positive:
-            return inner.args[0].exp * sympy.log(inner.args[0].base)
+        case sympy.log(args=(sympy.Pow(base=base, exp=exp),)) if base.is_positive:
+            return exp * sympy.log(base)
         case sympy.Add():
             return _added(inner)
         case sympy.Mul() if inner.could_extract_minus_sign():

@@ -128,7 +128,7 @@ def _opened(row: Row, width: int) -> Row:
     if len(cells) > 1:
         return [Text(cell) for cell in cells]
     pieces = pieces_of(text.text, width)
-    return [Text(piece) for piece in pieces if isinstance(piece, str)] if isinstance(pieces, list) else row
+    return [Text(piece) for piece in pieces] if isinstance(pieces, list) else row
 
 
 def _lines(text: str) -> list[str]:
