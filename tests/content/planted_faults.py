@@ -185,7 +185,7 @@ where:
 A, of mass {{M}}, meets B, of mass {{m}}, with {{v}}; B, which was at rest, goes on with {{w}}.
 
 ## Velocity of A {#a .value unit="m/s"}
-How fast is A afterwards?
+What is the velocity of A afterwards?
 
 ## Restitution {#b .value unit="1"}
 Which share of the relative speed is left?

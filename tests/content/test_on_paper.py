@@ -31,7 +31,7 @@ def test_every_exercise_of_the_chapter_with_its_marking_scheme_and_worked_soluti
     bank = chapter_bank()
     for problem in bank:
         run = run_of(problem, bank)
-        files = run.printed(run.sheets[0]).files
+        files = run.printed(run.sheets[0])
         assert all(each.startswith(b"%PDF-") for each in files.values()), problem.code
         assert len(files) == 2
 

@@ -32,7 +32,8 @@ def told(code: str, index: int | None = None) -> str:
 def test_law_letters_number_and_unit():
     text = told("X12.5")
     first = text[: text.index("### (b)")]
-    assert first.startswith("### (a) Change of momentum")
+    assert first.startswith("*Letters:* $m$ (mass of the ball), ")
+    assert "\n\n### (a) Change of momentum" in first
     assert "Change of momentum (12.29)" in first
     assert r"$$\Delta p = m\, v_{1} - m\, v_{0}$$" in first  # the textbook
     assert r"$$\Delta p = m\, v - m \cdot 0$$" in first  # its letters here, nothing simplified

@@ -64,8 +64,9 @@ def alone(asked: list[tuple[Key, str, dict]]) -> list[dict]:
 
 @pytest.fixture
 def manual(tmp_path) -> Bank:
-    """The whole examples of the manual for authors."""
-    for number, (problem, solution) in enumerate(EXAMPLE.findall(MANUAL.read_text(encoding="utf-8"))):
+    """The whole examples of the manual for authors, but for those of programs, which no page judges."""
+    examples = EXAMPLE.findall(MANUAL.read_text(encoding="utf-8"))
+    for number, (problem, solution) in enumerate(each for each in examples if "file(" not in each[1]):
         for folder, ending, text in (("problems", "md", problem), ("solutions", "py", solution)):
             place = tmp_path / folder / "examples" / f"example_{number}.{ending}"
             place.parent.mkdir(parents=True, exist_ok=True)
