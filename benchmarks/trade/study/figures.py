@@ -116,15 +116,19 @@ def _curve(axes: Any, draws: list[list[Timed]], label: str, colour: str) -> None
     axes.fill_between(x, low, high, color=colour, alpha=0.12, linewidth=0)
     wide = 2.2 if label == "Corollary" else 1.2
     axes.plot(x, middle, color=colour, linewidth=wide, marker="o", markersize=2.5)
-    left = label in ("DOP853", "heyoka")
+    side = "right" if label in ("DOP853", "heyoka") else "left"
+    end = (x[-1], max(middle[-1], 4e-15))
+    above = 9 * sum(
+        each.get_ha() == side and math.dist(np.log10(each.xy), np.log10(end)) < 1 for each in axes.texts
+    )
     axes.annotate(
         label,
-        (x[-1], max(middle[-1], 4e-15)),
-        (-4, -4) if left else (4, 2),
+        end,
+        (-4, above - 4) if side == "right" else (4, above + 2),
         textcoords="offset points",
         color=colour,
         fontsize=8,
-        ha="right" if left else "left",
+        ha=side,
         annotation_clip=False,
     )
 
