@@ -30,11 +30,10 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
         )
     options: dict[str, Relation | bool] = {}
     for letter, condition in entry.options.items():
-        holds = known.with_asides(sympy.sympify(condition))
-        if strange := holds.free_symbols - known.givens:
-            raise ValueError(
-                f"option {letter}: {', '.join(sorted(map(str, strange)))} is neither given nor found before by a formula"
-            )
+        try:
+            holds = known.in_givens_alone(condition)
+        except ValueError as error:
+            raise ValueError(f"option {letter}: {error}") from None
         options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
     return Choice(entry.statement, options, entry.mistakes)
 
@@ -53,10 +52,7 @@ def claims(
 
 
 def _claimed(condition: Boolean | bool, known: Known) -> tuple[Relation, ...]:
-    holds = known.with_asides(sympy.sympify(condition))
-    if strange := holds.free_symbols - known.givens:
-        names = ", ".join(sorted(map(str, strange)))
-        raise ValueError(f"{names} is neither given nor found before by a formula")
+    holds = known.in_givens_alone(condition)
     if holds in (sympy.true, sympy.false):
         one = Number(Fraction(1))
         return (Relation("=" if holds == sympy.true else "!=", one, one),)

@@ -13,7 +13,7 @@ from corollary.derive.applied import applied
 from corollary.derive.free_body import Acting, Along, Forces
 from corollary.derive.known import Known, vanishes
 from corollary.derive.solution import SolvedForces
-from corollary.formula.ast import Expr, Relation
+from corollary.formula.ast import Relation
 from corollary.formula.from_sympy import tree
 from corollary.formula.syntax import author_formula
 from corollary.formula.to_sympy import expression
@@ -39,22 +39,13 @@ def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedFo
     return Forces(
         entry.statement,
         tuple(
-            Acting(letter, _in_givens(size, known), _in_givens(angle, known)) for letter, size, angle in pulls
+            Acting(letter, tree(known.in_givens_alone(size)), tree(known.in_givens_alone(angle)))
+            for letter, size, angle in pulls
         ),
         tuple(Along(str(each.way), applied(each.law)) for each in entry.balances),
         entry.mistakes,
         None if slope is None else tree(slope),
     )
-
-
-def _in_givens(stated: Any, known: Known) -> Expr:
-    """A magnitude or an angle in the givens alone. Raises ValueError where it has another letter, or one that is measured."""
-    found = known.with_asides(sympy.sympify(stated))
-    if strange := found.free_symbols - known.givens:
-        raise ValueError(
-            f"{', '.join(sorted(map(str, strange)))} is neither given nor found before by a formula"
-        )
-    return tree(found)
 
 
 def angle_of(way: Any, slope: sympy.Expr | None) -> sympy.Expr:

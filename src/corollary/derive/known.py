@@ -176,6 +176,15 @@ class Known:
         """The same with the unknowns put in, too, that laws needed and nobody asks for."""
         return substitute(self.in_givens(expression), self.aside)
 
+    def in_givens_alone(self, stated: Any) -> Any:
+        """The same of an expression or a condition that an author states. Raises ValueError where it has another letter, or one that is
+        measured."""
+        found = self.with_asides(sympy.sympify(stated))
+        if strange := found.free_symbols - self.givens:
+            names = ", ".join(sorted(map(str, strange)))
+            raise ValueError(f"{names} is neither given nor found before by a formula")
+        return found
+
     def tree_in_givens(self, expression: object) -> Expr:
         return tree(self.in_givens(as_expression(expression)))
 

@@ -136,10 +136,10 @@ class Solver:
         # after all that is found, so that nothing can lean on what is only supposed
         left = tuple(self.neglected(entry) for entry in entries if isinstance(entry, Neglected))
         rest, case = unsolved(self.loaded.derivation), self.case
-        found = Solution(
-            self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces
-        )
-        return replace(found, always=tuple(claims(entries, self.known, self.failing)))
+        return Solution(
+            self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces,
+            always=tuple(claims(entries, self.known, self.failing)),
+        )  # fmt: skip
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
         """At the author's own line, or at that of derive where the fault is of the whole."""

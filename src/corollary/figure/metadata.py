@@ -51,16 +51,14 @@ def _segments(raw: bytes) -> Iterator[tuple[int, bytes]]:
     while True:
         if raw[at] != 0xFF:
             raise Damaged("a marker is missing")
-        start = at
         while raw[at] == 0xFF:  # bytes that fill
             at += 1
         marker = raw[at]
         at += 1
-        if marker == EOI:
+        if marker == EOI or marker in ALONE:
             yield marker, raw[at - 2 : at]
-            return
-        if marker in ALONE:
-            yield marker, raw[at - 2 : at]
+            if marker == EOI:
+                return
             continue
         (length,) = struct.unpack_from(">H", raw, at)
         end = at + length
@@ -70,7 +68,6 @@ def _segments(raw: bytes) -> Iterator[tuple[int, bytes]]:
             raise Damaged("it ends too early")
         yield marker, b"\xff" + raw[at - 1 : end]
         at = end
-        assert at > start
 
 
 def _end_of_scan(raw: bytes, at: int) -> int:

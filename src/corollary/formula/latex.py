@@ -17,6 +17,9 @@ COMPARE, ADD, TIMES, RAISE, ATOM = range(5)  # how tightly a formula holds toget
 
 GREEK = re.compile("|".join((*WORDS, "pi", "eps", LAMBDA)))
 INDEX = re.compile(r"[0-9]+|[A-Z](?=[xyz]?(?![a-z]))|[xyz](?![a-z])|[A-Za-z][a-z]*")
+IN_LATEX = {
+    "eps": r"\varepsilon", "epsilon": r"\varepsilon", "phi": r"\varphi", "lam": r"\lambda", "lamda": r"\lambda",
+}  # fmt: skip
 SIGNS = {"=": "=", "!=": r"\neq", "<": "<", "<=": r"\leq", ">": ">", ">=": r"\geq"}
 DEGREE = r"{}^{\circ}"
 NO_LETTERS: Mapping[str, str] = {}
@@ -36,19 +39,7 @@ def letter(name: str) -> str:
         return rf"\Delta {letter(change[1])}"
     greek = GREEK.match(name)
     head, rest = (greek[0], name[greek.end() :]) if greek else (name[:1], name[1:])
-    head = (
-        (
-            "\\varepsilon"
-            if head in ("eps", "epsilon")
-            else "\\varphi"
-            if head == "phi"
-            else "\\lambda"
-            if head in ("lam", "lamda")
-            else "\\" + head
-        )
-        if greek
-        else head
-    )
+    head = IN_LATEX.get(head, "\\" + head) if greek else head
     indices = [
         rf"\mathrm{{{each}}}" if len(each) > 1 and each.isalpha() else each for each in INDEX.findall(rest)
     ]

@@ -87,8 +87,8 @@ def _rows(value: Value, question: Question) -> list[Row] | Unclear:
     """The entries as they stand, row by row."""
     height, width = len(question.rows), len(question.columns)
     match value:
-        case Text(text) if len(text) <= LONGEST and RULED.search(text):
-            named = _of_markdown(text, question)
+        case Text(text) if len(text) <= LONGEST and (ruled := RULED.search(text)):
+            named = _of_markdown(ruled, question)
             return named if isinstance(named, Unclear) else _rows(named, question)
         case Text(text) if len(text) <= LONGEST:
             rows: list[Row] = [[Text(row)] for row in _lines(text)]
@@ -142,10 +142,9 @@ def _lines(text: str) -> list[str]:
     return [line.strip().rstrip(",") for line in ROWS.split(bare) if line.strip()]
 
 
-def _of_markdown(text: str, question: Question) -> Value | Unclear:
+def _of_markdown(ruled: re.Match[str], question: Question) -> Value | Unclear:
     """A table whose heads name the columns asked for, in their units, and its rows under their names where it has these."""
-    ruled = RULED.search(text.strip())
-    lines = [ruled["head"], *ruled["rows"].splitlines()] if ruled else []
+    lines = [ruled["head"], *ruled["rows"].splitlines()]
     head, *rows = [[cell.strip() for cell in _unframed(line).split("|")] for line in lines if line.strip()]
     named = len(head) == len(question.columns) + 1
     columns = [_head(each, question) for each in head[named:]]
