@@ -42,6 +42,7 @@ BESIDE = (
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)#:\s]*)(#[^)]*)?\)")
 SHIM = "iframe-worker@1.0.4"  # by whom the theme is: the search of a page that lies in a folder, where browsers start no worker
 SHIM_ADDRESS = "assets/iframe-worker.js"
+SEARCH = 'data-md-component="search" role="dialog"'
 LETTERS_ALONE = {"law"}  # modules of corollary.laws that hold no laws
 
 
@@ -73,6 +74,18 @@ def on_page_markdown(markdown: str, page: Page, config: Any, files: Files) -> st
     if page.file.abs_src_path is not None:
         markdown = _linked(markdown, Path(page.file.abs_src_path))
     return markdown + "".join(_laws()) if page.file.src_uri == "reference.md" else markdown
+
+
+def on_post_page(output: str, page: Page, config: Any) -> str:
+    """The search, which the theme leaves without a name, is named for screen readers."""
+    return output.replace(SEARCH, f'{SEARCH} aria-label="Search"')
+
+
+def on_post_template(output_content: str, template_name: str, config: Any) -> str:
+    """The page for what is not there has the same search, and no label for its switch."""
+    return output_content.replace(SEARCH, f'{SEARCH} aria-label="Search"').replace(
+        'id="__search"', 'id="__search" aria-label="Search"'
+    )
 
 
 def _shim() -> str:

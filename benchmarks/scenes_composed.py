@@ -1,6 +1,6 @@
 """Composed scenes by the dozen against references found another way: what became of each family, and how far stated errors hold.
 
-    python benchmarks/scenes_composed.py [--each 7] [--seed 1] [--tolerance 1e-10] [--unseen]
+    python benchmarks/scenes_composed.py [--each 7] [--seed 1] [--tolerance 1e-10] [--unseen | --exact]
 
 right: the truth lies within the stated error, which is below 1e-6 of the value's size; honest: within a larger one; refused: named;
 wrong: outside. A run with any wrong ends with status 1.
@@ -19,13 +19,26 @@ from random import Random
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from benchmarks.composed import extremes, falls, fields, hits, lines, links, planes, rough
+from benchmarks.composed import (
+    exact,
+    exact_planes,
+    extremes,
+    falls,
+    fields,
+    hits,
+    lines,
+    links,
+    planes,
+    rough,
+)
 from benchmarks.composed.case import Case, Verdict, drawn, judged
 
 FIRST = (*lines.FAMILIES, *planes.FAMILIES, *extremes.FAMILIES)
 """The families the estimate was made with."""
 UNSEEN = (*rough.FAMILIES, *falls.FAMILIES, *links.FAMILIES, *fields.FAMILIES, *hits.FAMILIES)
 """Families that were chosen afterwards, without regard to how the engine works."""
+EXACT = (*exact.FAMILIES, *exact_planes.FAMILIES)
+"""Chosen after those, with closed forms: long times, masses over many powers of ten, edges; nothing was fitted to them."""
 
 
 def cases(each: int, seed: int, families: Sequence[Callable[[Random], Case]] = FIRST) -> list[Case]:
@@ -59,9 +72,11 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tolerance", type=float, default=1e-10)
     parser.add_argument("--unseen", action="store_true", help="the families that were chosen afterwards")
+    parser.add_argument("--exact", action="store_true", help="those chosen last, with closed forms")
     asked = parser.parse_args()
+    families = UNSEEN if asked.unseen else EXACT if asked.exact else FIRST
     verdicts: list[tuple[Verdict, float]] = []
-    for case in cases(asked.each, asked.seed, UNSEEN if asked.unseen else FIRST):
+    for case in cases(asked.each, asked.seed, families):
         begin = time.process_time()
         verdicts.append((judged(case, asked.tolerance), time.process_time() - begin))
     print("\n".join(table(verdicts)))

@@ -142,6 +142,34 @@ def dropped_together(draw: Random) -> Case:
     )
 
 
+def dropped_into_a_wedge(draw: Random) -> Case:
+    """A ball let go from rest bounces in a wedge that is not right-angled: what it was let go from doubles at every few bounces."""
+    angle, until = draw.uniform(0.7, 1.1), draw.uniform(8, 13)
+    ball = (draw.uniform(0.1, 0.5), draw.uniform(1.0, 2.5))
+    c, s = math.cos(angle), math.sin(angle)
+    with mp.workdps(60):
+        x, v, left = mp.matrix(ball), mp.matrix([0, 0]), mp.mpf(until)
+        weight, normals = mp.matrix([0, -mp.mpf(G)]), (mp.matrix([s, c]), mp.matrix([-s, c]))
+
+        def hit(n: Any) -> Any:
+            half, rate, gap = mp.fdot(n, weight) / 2, mp.fdot(n, v), mp.fdot(n, x)
+            return (-rate - mp.sqrt(rate * rate - 4 * half * gap)) / (2 * half)
+
+        while True:
+            lasts, n = min(((hit(n), n) for n in normals), key=lambda each: each[0])
+            if lasts > left:
+                break
+            x, v, left = x + v * lasts + weight * lasts**2 / 2, v + weight * lasts, left - lasts
+            v -= 2 * mp.fdot(n, v) / mp.fdot(n, n) * n
+            # On the side itself, which the next hit is not to be at once.
+            x -= mp.fdot(n, x) / mp.fdot(n, n) * n
+        x, v = x + v * left + weight * left**2 / 2, v + weight * left
+    scene = Scene(
+        (Body(0.5, ball, (0.0, 0.0)),), (Weight(G), HardWall((s, c)), HardWall((-s, c))), until=until
+    )
+    return Case("dropped into a wedge", scene, {V: floats(*v), X: floats(*x)}, (until,))
+
+
 def right_wedge(draw: Random) -> Case:
     """A ball bounces in a right wedge: each side knows only its own share of the weight."""
     angle, until = draw.uniform(0.3, 1.2), draw.uniform(1, 5)
@@ -533,6 +561,7 @@ FAMILIES = (
     fermi_ulam,
     lift,
     dropped_together,
+    dropped_into_a_wedge,
     right_wedge,
     into_the_corner,
     down_a_rough_incline,

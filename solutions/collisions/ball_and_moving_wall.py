@@ -7,7 +7,7 @@ from corollary.laws import after_elastic, in_the_limit, law, seen_from, wrong
 
 
 def derive(vA, vB):
-    w_0, w_1, v_1 = unknowns("w_0 w_1 v_1")
+    w_0, w_1, v_1 = unknowns("w_0 w_1 v_1", w_1="velocity after the collision, relative to the wall")
     eps = unknowns("epsilon")[0]
     n, heavy = supposed("n", "10000", "the wall is at least so many times as heavy as the ball")
     m, M = sympy.symbols("m M", positive=True)

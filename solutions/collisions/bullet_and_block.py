@@ -5,7 +5,7 @@ from corollary.laws import change_of_kinetic_energy, law, level_floor, sliding_t
 
 
 def derive(m, M, mu, d, g):
-    N, u, v, dK = unknowns("N u v dK")
+    N, u, v, dK = unknowns("N u v dK", u="speed of block and bullet after the hit", N="normal force")
     return derivation(
         step(
             N,

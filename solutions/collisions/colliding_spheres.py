@@ -24,7 +24,7 @@ from corollary.laws import distance, overlap, sphere_contact, within
 
 
 def derive(R, mA, mB, dx, dy, ux, uy, k, eta):
-    r, delta, theta = unknowns("r delta theta")
+    r, delta, theta = unknowns("r delta theta", theta="1 during the contact, 0 otherwise")
     F = vector("F")
 
     def contact(k=k, eta=eta):

@@ -7,8 +7,18 @@ from corollary.laws import change_of_kinetic_energy, law, sticking, wrong
 
 
 def derive(m, v0, u, m2, w):
-    V, dK, V_c, K_0, K_1, dK_c, V_h, dK_h = unknowns("V dK V_c K_0 K_1 dK_c V_h dK_h")
-    x_1, x_2, X, E_0, E_1, dE = unknowns("x_1 x_2 X E_0 E_1 dE")
+    V, dK, V_c, K_0, K_1, dK_c, V_h, dK_h = unknowns(
+        "V dK V_c K_0 K_1 dK_c V_h dK_h",
+        V="velocity of the wreck",
+        V_c="velocity of the wreck, seen from one of the cars",
+        V_h="velocity of the wreck, with unequal masses",
+    )
+    x_1, x_2, X, E_0, E_1, dE = unknowns(
+        "x_1 x_2 X E_0 E_1 dE",
+        x_1="velocity of the first car, as the observer sees it",
+        x_2="that of the second car",
+        X="velocity of the wreck, as the observer sees it",
+    )
     return derivation(
         step(
             dK,

@@ -5,7 +5,7 @@ from corollary.laws import conservation_of_momentum, elastic, law, restitution, 
 
 
 def derive(mA, mB, vA, vB):
-    v_A1, v_B1 = unknowns("v_A1 v_B1")
+    v_A1, v_B1 = unknowns("v_A1 v_B1", v_B1="velocity of B after the collision")
     before, after = [(mA, vA), (mB, vB)], [(mA, v_A1), (mB, v_B1)]
     wrong_way = [(mA, vA), (mB, -vB)]
     return derivation(

@@ -16,7 +16,7 @@ from corollary.laws import (
 
 
 def derive(mA, mB, vA):
-    v_A1, v_B1, q, p = unknowns("v_A1 v_B1 q p")
+    v_A1, v_B1, q, p = unknowns("v_A1 v_B1 q p", v_B1="velocity of B after the collision")
     e, f, g = vector("e", "A B"), vector("f", "A B"), vector("g", "A B")
     before, after = [(mA, vA), (mB, 0)], [(mA, v_A1), (mB, v_B1)]
     twins, apart = [(mA, vA), (mA, 0)], [(mA, e[0]), (mA, e[1])]

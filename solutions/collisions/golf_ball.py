@@ -17,7 +17,11 @@ from corollary.laws import (
 
 
 def derive(v, M, m, r):
-    u_a, u_b, u_c, V_b, V_c = unknowns("u_a u_b u_c V_b V_c")
+    u_a, u_b, u_c, V_b, V_c = unknowns(
+        "u_a u_b u_c V_b V_c",
+        V_b="velocity of the club after an elastic hit",
+        V_c="velocity of the club after the real hit",
+    )
     eps = unknowns("epsilon")[0]
     before, after_b, after_c = [(M, v), (m, 0)], [(M, V_b), (m, u_b)], [(M, V_c), (m, u_c)]
     return derivation(

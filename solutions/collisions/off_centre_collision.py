@@ -32,10 +32,21 @@ def plane_energy(m, v0, A, B) -> Law:
 
 
 def derive(v0, theta, s, D, mA, mB):
-    w, b, speeds, psi = unknown("w"), vector("b"), vector("v", "A B"), unknown("psi")
+    w, b, speeds, psi = (
+        unknown("w", "speed of A after the collision"),
+        vector("b", meaning="velocity of B after the collision"),
+        vector("v", "A B"),
+        unknown("psi"),
+    )
     a = (w * sympy.cos(theta), w * sympy.sin(theta))
     n, A, B, V = vector("n"), vector("A"), vector("B"), vector("V")
-    w_A, w_B, u_A, u_B, many, equations = unknowns("w_A w_B u_A u_B N_unknown N_equations")
+    w_A, w_B, u_A, u_B, many, equations = unknowns(
+        "w_A w_B u_A u_B N_unknown N_equations",
+        w_A="component of A's velocity along n afterwards",
+        w_B="that of B",
+        u_A="component of A's velocity along n, with the unequal masses",
+        u_B="that of B",
+    )
     momentum_ab = conservation_of_momentum(before=[(mA, (v0, 0)), (mA, (0, 0))], after=[(mA, a), (mA, b)])
     energy_ab = plane_energy(mA, v0, a, b)
     momentum_AB = conservation_of_momentum(before=[(mA, (v0, 0)), (mA, (0, 0))], after=[(mA, A), (mA, B)])

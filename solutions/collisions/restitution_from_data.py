@@ -5,7 +5,7 @@ from corollary.laws import damped_frequency, damped_rebound, damping_rate, law, 
 
 
 def derive(vA0, vB0, vA1, vB1, h0, h1, m, k, c):
-    r_v, r_h, beta, omega, T, r_c = unknowns("r_v r_h beta omega T r_c")
+    r_v, r_h, beta, omega, T, r_c = unknowns("r_v r_h beta omega T r_c", T="duration of the contact")
     return derivation(
         step(
             r_v,

@@ -20,7 +20,12 @@ from corollary.laws import change_of_kinetic_energy, falling, law, restitution, 
 
 
 def derive(m, v0, r, h0, n, g):
-    v_1, dK, w, u, h_1, q, h_n = unknowns("v_1 dK w u h_1 q h_n")
+    v_1, dK, w, u, h_1, q, h_n = unknowns(
+        "v_1 dK w u h_1 q h_n",
+        w="speed at the floor",
+        u="speed after the bounce",
+        q="share of the height that is kept",
+    )
     u_g, eps = unknowns("u_g epsilon")
     _tau, touch = supposed("tau", "0.2 ms", "a hard ball touches a hard floor no longer")
     kept = unknown("e_1"), unknown("e_0")

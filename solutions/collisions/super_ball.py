@@ -29,8 +29,17 @@ from corollary.laws import (
 
 
 def derive(mA, mB, h0, g):
-    v_0, v_B1, v_A1, h_1, v_most, h_most = unknowns("v_0 v_B1 v_A1 h_1 v_most h_most")
-    f, other = vector("f", "third equal triple heavy"), vector("a", "third equal triple heavy")
+    v_0, v_B1, v_A1, h_1, v_most, h_most = unknowns(
+        "v_0 v_B1 v_A1 h_1 v_most h_most",
+        v_A1="velocity of A after both have met",
+        v_most="speed of B with a very heavy A",
+    )
+    f, other = (
+        vector("f", "third equal triple heavy"),
+        vector(
+            "a", "third equal triple heavy", meaning="velocity of A after both have met, in units of $v_0$"
+        ),
+    )
     lightness = (sympy.Integer(3), sympy.Integer(1), sympy.Rational(1, 3), sympy.Integer(0))
     u, eps = unknowns("u epsilon")
     tau, touch = supposed("tau", "1 ms", "small balls of hard rubber touch no longer")

@@ -26,7 +26,13 @@ from corollary.laws import (
 
 
 def derive(m, M, v, h, I):
-    u, V, V_s, J, J_s, rho, omega, u_h = unknowns("u V V_s J J_s rho omega u_h")
+    u, V, V_s, J, J_s, rho, omega, u_h = unknowns(
+        "u V V_s J J_s rho omega u_h",
+        V="velocity of the book after the elastic hit",
+        u="velocity of the ball then",
+        V_s="velocity of both after the sticky hit",
+        u_h="velocity of the ball after it has hit the book that turns",
+    )
     R, J_f = unknowns("R J_f")
     _tau, touch = supposed("tau", "1 ms", "hard things touch no longer")
     _mu, rough = supposed("mu", "0.5", "wood on paper or cloth slides more easily")

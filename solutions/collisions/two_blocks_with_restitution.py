@@ -7,7 +7,11 @@ from corollary.laws import change_of_kinetic_energy, conservation_of_momentum, l
 
 
 def derive(mA, mB, vA, vB, r):
-    v_A1, v_B1, dK, r_most = unknowns("v_A1 v_B1 dK r_most")
+    v_A1, v_B1, dK, r_most = unknowns(
+        "v_A1 v_B1 dK r_most",
+        v_B1="velocity of B after the collision",
+        r_most="coefficient of restitution at which most is lost",
+    )
     momentum_kept = conservation_of_momentum(before=[(mA, vA), (mB, vB)], after=[(mA, v_A1), (mB, v_B1)])
     given_r = restitution(r, A=(vA, v_A1), B=(vB, v_B1))
     energy = change_of_kinetic_energy(dK, before=[(mA, vA), (mB, vB)], after=[(mA, v_A1), (mB, v_B1)])

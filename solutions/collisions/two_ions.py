@@ -17,9 +17,9 @@ from corollary.laws import distance, ionic, law, reduced_mass, wrong
 
 
 def derive(C, mA, mB, v, r0, s, dx, dy):
-    r, mu, E, r_b, r_c = unknowns("r mu E r_b r_c")
+    r, mu, E, r_b, r_c = unknowns("r mu E r_b r_c", E="energy of the relative motion")
     F = vector("F")
-    w = unknown("w")
+    w = unknown("w", "relative speed at the closest approach")
     return derivation(
         step(
             r,

@@ -5,7 +5,7 @@ from corollary.laws import change_of_momentum, energy_at_heights, force_on_stand
 
 
 def derive(m, v0, dt, g):
-    v_1, dp, F, N = unknowns("v_1 dp F N")
+    v_1, dp, F, N = unknowns("v_1 dp F N", v_1="velocity after the contact")
     return derivation(
         step(
             v_1,

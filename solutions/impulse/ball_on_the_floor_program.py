@@ -21,7 +21,7 @@ from corollary.laws import change_of_momentum, energy_at_heights, force_on_stand
 
 
 def derive(g, R, m, y0, v0, k):
-    v, v_1, dp, N, F, T, F_m = unknowns("v v_1 dp N F T F_m")
+    v, v_1, dp, N, F, T, F_m = unknowns("v v_1 dp N F T F_m", v_1="velocity after the contact")
     x = sympy.Symbol("x", positive=True)  # a length that is measured: its power 3/2 is real
     contact = {"m": m, "k": k, "q": sympy.Rational(3, 2), "R": R, "y0": R, "v0": v, "g": g}
     return derivation(

@@ -13,7 +13,7 @@ from corollary.laws import (
 
 
 def derive(h, m, dt, s, g):
-    v, dp, F, N, F_s, N_s = unknowns("v dp F N F_s N_s")
+    v, dp, F, N, F_s, N_s = unknowns("v dp F N F_s N_s", F_s="net force, from the way")
     return derivation(
         step(
             v,

@@ -43,11 +43,25 @@ from corollary.laws import (
 
 
 def derive(m, k, b, d, vA0, x, xp, yp, eps, epsx, v0, v, s, alpha, v1):
-    U_0, T, v_far, theta, f = unknowns("U_0 T v_far theta f")
-    u, V, V_e, u_e, v_e = unknowns("u V V_e u_e v_e")
-    r_p, kappa, lambda_0, w_e, r_max, T_r, phi = unknowns("r_p kappa lambda_0 w_e r_max T_r phi")
-    r_c, v_max, q = unknowns("r_c v_max q")
-    lambda_k, V_k, u_k, lambda_s, v_s, w_b, x_l = unknowns("lambda_k V_k u_k lambda_s v_s w_b x_l")
+    U_0, T, v_far, theta, f = unknowns("U_0 T v_far theta f", theta="1 inside the well, 0 outside")
+    u, V, V_e, u_e, v_e = unknowns(
+        "u V V_e u_e v_e",
+        V_e="speed of the pair at which both just get out",
+        u_e="speed of A before that collision",
+    )
+    r_p, kappa, lambda_0, w_e, r_max, T_r, phi = unknowns(
+        "r_p kappa lambda_0 w_e r_max T_r phi",
+        lambda_0="share of the velocity that is left at the edge",
+        w_e="speed along the radius that would just reach the edge",
+        kappa="ratio of the kinetic energy to $k b^2/2$",
+    )
+    r_c, v_max, q = unknowns("r_c v_max q", q="share that is left")
+    lambda_k, V_k, u_k, lambda_s, v_s, w_b, x_l = unknowns(
+        "lambda_k V_k u_k lambda_s v_s w_b x_l",
+        V_k="speed of the pair after the collision, in the limiting case",
+        lambda_s="share of A's speed outside that the pair has across the radius at the edge",
+        w_b="speed of A along the radius at r = b",
+    )
     swing = d * sympy.sqrt(eps)
     p = (unknown("x_near"), unknown("x_far"))
     F = vector("F")

@@ -36,7 +36,7 @@ from corollary.laws import (
 
 
 def derive(m, h0, r, k, v0, g):
-    u_0, V, h_1, h_in, mu, T, x = unknowns("u_0 V h_1 h_in mu T x")
+    u_0, V, h_1, h_in, mu, T, x = unknowns("u_0 V h_1 h_in mu T x", V="velocity of the two balls together")
     t, x_a, a_p, eps = unknowns("t x_a a_p epsilon")
     _ell, thread = supposed("ell", "0.5 m", "the threads are at least so long, for the ball was lifted far")
     v, w = vector("v", "A B"), vector("w", "A B")

@@ -7,7 +7,7 @@ from corollary.laws import law, rocket_equation, wrong
 
 
 def derive(m, L, v0, y, g):
-    mu, R, F, W, E, D = unknowns("mu R F W E D")
+    mu, R, F, W, E, D = unknowns("mu R F W E D", mu="mass per length", R="mass lifted per time")
     lifted = sympy.Dummy("y", positive=True)
     work = sympy.integrate(m / L * (v0**2 + g * lifted), (lifted, 0, L))
     return derivation(

@@ -45,7 +45,10 @@ def words(page: str) -> str:
 def test_twenty_variants_with_key_mistakes_and_tolerance(bank, problem):
     page = previewed(bank, problem)
     assert len(re.findall(r'<section class="sheet"', page)) >= 21
-    reasons = ("the condition abs(v - w) &gt; v/5 does not hold</td>", "cannot be told from the truth</td>")
+    reasons = (
+        "the condition <code>abs(v - w) &gt; v/5</code> does not hold</td>",
+        "cannot be told from the truth</td>",
+    )
     assert page.count('<tr class="redrawn">') == sum(page.count(reason) for reason in reasons)
     shown = words(page)
     assert "20 variants as students get them" in shown

@@ -11,11 +11,8 @@ from corollary.problem.reader import read_problem
 
 FIELDS = Path(__file__).parents[2] / "examples/banks/corollary-fields/src/corollary_fields/problems"
 BANKS = FIELDS.parents[3]
-PLAYED = ("energy", "gravitation", "kinematics", "newton", "oscillations")
-STEADY = {
-    "cyclist_uphill",
-    "pump_power",
-}  # nothing changes its motion; scenes do not turn bodies about an axis, so rotation is left out
+PLAYED = ("energy", "gravitation", "kinematics", "newton", "oscillations", "rotation")
+STEADY = {"pump_power"}  # water, of which only the power is asked
 
 
 def test_every_problem_has_a_figure_and_what_moves_a_scene():

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from corollary.grading.solutions import Solutions
-from corollary.notebook.worksheet import worksheet
+from corollary.notebook.worksheet import SheetPlan
 from corollary.problem.bank import Bank, chapter_bank, open_bank
 from corollary.problem.problem import Problem
 from corollary.problem.problem_set import ProblemSet, Scheme
@@ -22,7 +22,7 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "banks").glob("*/src
 
 def run_of(problem: Problem, bank: Bank) -> PrintRun:
     alone = ProblemSet(problem.name, problem.title, "", (problem,), (1.0,), None, Scheme(), "no")
-    sheet = PaperSheet(worksheet(alone, Student("ada"), [chapter(problem)]))
+    sheet = PaperSheet(SheetPlan(alone, Student("ada"), (chapter(problem),)))
     return PrintRun(alone, [sheet], Solutions(bank), formulas=True, worked=True)
 
 
@@ -31,7 +31,7 @@ def test_every_exercise_of_the_chapter_with_its_marking_scheme_and_worked_soluti
     bank = chapter_bank()
     for problem in bank:
         run = run_of(problem, bank)
-        files = run.printed(run.sheets[0])
+        files = run.printed(run.sheets[0], run.pages(run.sheets[0]))
         assert all(each.startswith(b"%PDF-") for each in files.values()), problem.code
         assert len(files) == 2
 

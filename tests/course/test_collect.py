@@ -135,7 +135,7 @@ def test_a_folder_of_renamed_notebooks(course: Path, tmp_path: Path) -> None:
     (inbox / "Bóol, Ben").mkdir(parents=True)
     (inbox / "one (1).ipynb").write_bytes(sheet(course, "ada"))
     (inbox / "Bóol, Ben" / "final.ipynb").write_bytes(sheet(course, "ben"))
-    (inbox / "Lösung_Cyd_Charisse.ipynb").write_bytes(sheet(course, "cyd", student=""))
+    (inbox / "Lösung_Cyd_Charisse.ipynb.txt").write_bytes(sheet(course, "cyd", student=""))
     (inbox / "one.ipynb").write_bytes(sheet(course, "ada", note="later"))
     os.utime(inbox / "one (1).ipynb", (1_796_000_000, 1_796_000_000))
     os.utime(inbox / "one.ipynb", (1_796_000_600, 1_796_000_600))

@@ -60,7 +60,7 @@ def test_another_range_and_another_unit_move_no_marks(ball: ChangingBank) -> Non
     outcome = ball.grade(made.course)
     assert {student: record.points for student, record in outcome.records.items()} == {"ada": 3.0, "ben": 2.0}
     assert not [record.notes for record in outcome.records.values() if record.notes]
-    sheets = {sheet.student.id: sheet for sheet in sheets_of_course(made.course, ball.problem_set)}
+    sheets = {plan.student.id: plan.worksheet() for plan in sheets_of_course(made.course, ball.problem_set)}
     assert sheets["ada"].exercises[0].statement.startswith("A ball of")
     assert sheets["cyd"].exercises[0].statement.startswith("A heavy ball of")
 

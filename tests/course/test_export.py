@@ -35,7 +35,7 @@ def test_a_course_keeps_its_numbers_and_who_has_none_gets_no_sheet(small: Proble
     for student, index in (("ada", 817), ("ben", 3)):
         record.students[student] = {kick.code: numbers_of(at(kick, index), record.place(kick, 1.0))}
     save_record(course, small, record)
-    sheets = sheets_of_course(course, small)
+    sheets = [plan.worksheet() for plan in sheets_of_course(course, small)]
     assert [(sheet.student.id, sheet.exercises[0].variant.index) for sheet in sheets] == [
         ("ada", 817),
         ("ben", 3),
@@ -49,13 +49,13 @@ def test_a_course_keeps_its_numbers_and_who_has_none_gets_no_sheet(small: Proble
 def test_variants_are_distinct_and_the_same_again(small: ProblemSet) -> None:
     def indices() -> list[int | None]:
         sheets = sheets_for(small, SOLUTIONS, tuple(owners(5)))
-        return [sheet.exercises[0].variant.index for sheet in sheets]
+        return [sheet.variants[0].index for sheet in sheets]
 
     assert len(set(indices())) == 5
     assert indices() == indices()
 
 
 def test_without_anybody_there_is_one_sheet_with_the_chapters_numbers(small: ProblemSet) -> None:
-    sheet = chapters_sheet(small)
+    sheet = chapters_sheet(small).worksheet()
     assert sheet.exercises[0].variant.index is None
     assert list(sheet_files(target("ipynb"), small, [sheet], None)) == ["small.ipynb"]

@@ -132,3 +132,34 @@ def test_the_search_works_in_a_folder(site: Path, chromium):
     found.wait_for(timeout=60_000)
     assert "estitution" in page.locator(".md-search-result__list").inner_text()
     page.close()
+
+
+@pytest.mark.browser
+@pytest.mark.client
+@pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
+def test_axe_finds_nothing_serious(site: Path, chromium, axe, scheme, width):
+    context = chromium.new_context(
+        bypass_csp=True, color_scheme=scheme, viewport={"width": width, "height": 900}
+    )
+    page, found = context.new_page(), list[tuple[str, str, str]]()
+    for path in (
+        *sorted(site.glob("*.html")),
+        site / "gallery" / "X12.5.html",
+        site / "trade" / "tables.html",
+    ):
+        page.goto(path.as_uri())
+        page.evaluate(axe)
+        done = page.evaluate("axe.run()")
+        found += [
+            (path.name, each["id"], each["nodes"][0]["html"][:100])
+            for each in done["violations"]
+            if each["impact"] in {"serious", "critical"}
+        ]
+    context.close()
+    assert not found
+
+
+def test_a_list_goes_on_behind_its_code(site: Path):
+    text = (site / "student.html").read_text(encoding="utf-8")
+    first = text.partition("<ol>")[2].partition("</ol>")[0]
+    assert first.count("<li>") == 4

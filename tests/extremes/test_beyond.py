@@ -9,7 +9,7 @@ from corollary.scenes.catalogue import SCENES, run
 from corollary.scenes.run import BadSetting, GuardFailed, components
 
 # Scenes that are followed in steps take too long for many draws.
-IN_STEPS = {"ballistic_pendulum", "cradle", "growing_drop", "touching_spheres", "super_ball"}
+IN_STEPS = {"ballistic_pendulum", "cradle", "touching_spheres", "super_ball"}
 
 
 def drawn(scene, rng):

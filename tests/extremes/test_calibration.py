@@ -9,11 +9,20 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 
-from calibration import FAMILIES, calibrated, of_ball, of_spheres
+pytest.importorskip("numba")  # references are followed in compiled steps
 
-from corollary.scenes.catalogue import run
+from calibration import FAMILIES, calibrated
+from ready.integrals import of_ball, of_spheres
+from ready.motion import followed
+
+from corollary.scenes.catalogue import SCENES, run
 
 
+def test_every_ready_scene_is_calibrated():
+    assert {family.scene for family in FAMILIES} == set(SCENES)
+
+
+@pytest.mark.whole
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 def test_stated_errors_hold(family):
     found = calibrated(family, 15)
@@ -42,3 +51,19 @@ def test_the_rule_of_the_references_agrees_with_another():
         top = (mp.mpf(given["m"]) * mp.mpf("2.25") * mp.mpf("2.5") / (2 * mp.mpf(2e4))) ** (1 / mp.mpf("2.5"))
         exact = 2 * top / mp.mpf("1.5") * mp.beta(mp.mpf("0.4"), mp.mpf("0.5")) / mp.mpf("2.5")
         assert abs(lasts - exact) < 1e-30 * exact
+
+
+@pytest.mark.whole
+def test_steps_of_31_digits_find_a_contact_whose_end_is_known():
+    """Two balls and a spring: half a swing; a Hertz contact: a beta function."""
+    m, k, v = 0.1, 1e4, 1.0
+    half = followed((m, m), (0, 0, 1, 0), (v, 0, 0, 0), [(0, 1, 1.0, k, 1.0, 0.0)], (1e-3, v), accuracy=1e-22)
+    with mp.workdps(40):
+        lasts = half.last - half.first
+        true = mp.pi * mp.sqrt(mp.mpf(m) / 2 / mp.mpf(k))
+        assert abs(mp.mpf(lasts.numerator) / lasts.denominator - true) < 1e-21 * true
+        hertz = followed((m, m), (0, 0, 1, 0), (v, 0, 0, 0), [(0, 1, 1.0, k, 1.5, 0.0)], (1e-3, v))
+        lasts = hertz.last - hertz.first
+        deep = (mp.mpf("1.25") * mp.mpf(m) / 2 / mp.mpf(k)) ** mp.mpf("0.4")
+        true = 2 * deep * mp.mpf("0.4") * mp.beta(mp.mpf("0.4"), mp.mpf("0.5"))
+        assert abs(mp.mpf(lasts.numerator) / lasts.denominator - true) < 1e-17 * true

@@ -28,12 +28,24 @@ def test_a_drawing_without_a_size_gets_that_of_its_sheet():
     assert (svg.get("width"), svg.get("height")) == tuple(svg.get("viewBox", "").split()[2:])
 
 
-@pytest.mark.parametrize("size", ['width="3"', 'height="2"', 'width="3" height="2"'])
-def test_a_size_of_its_own_is_kept(size):
-    for svg in (f"<svg {size} viewBox='0 0 5 1'><g/></svg>", f"<svg viewBox='0 0 5 1' {size}><g/></svg>"):
-        found = on_paper(svg)
-        assert size in found
-        assert found.count("width=") + found.count("height=") == size.count("=") + 2  # the sheet has both
+@pytest.mark.parametrize(
+    ("size", "grown"),
+    [
+        ('width="420" height="90"', {"width": "444", "height": "114"}),
+        ("width='210px' height='45px'", {"width": "222px", "height": "57px"}),
+        ('height="9cm"', {"height": "11.4cm"}),
+        ('width="100%"', {"width": "100%"}),
+    ],
+)
+def test_a_drawing_stays_as_large_as_its_size_says(size, grown):
+    """420 by 90 units with a margin of 12 all round: the sheet is larger, and the drawing is not squeezed into its old size."""
+    for svg in (
+        f"<svg {size} viewBox='0 0 420 90'><g/></svg>",
+        f"<svg viewBox='0 0 420 90' {size}><g/></svg>",
+    ):
+        found = fromstring(on_paper(svg))
+        assert {name: found.get(name) for name in ("width", "height") if found.get(name)} == grown
+        assert found.get("viewBox") == "-12 -12 444 114"
 
 
 def test_without_a_view_box_the_sheet_fills_the_drawing():

@@ -11,6 +11,7 @@ import pytest
 from nbformat import NotebookNode
 
 from corollary.grading.integrity import elsewhere, notes
+from corollary.messages import language, languages
 from corollary.notebook.cells import checksum
 from corollary.notebook.notebook import notebook
 from corollary.notebook.worksheet import Worksheet, worksheet
@@ -79,6 +80,16 @@ def test_a_deadline_that_moved_and_a_typo_that_was_mended_accuse_nobody(named: b
     assert notebook(sheet).cells[0].source != nb.cells[0].source
     assert cell(notebook(sheet), "X12_5_statement").source != cell(nb, "X12_5_statement").source
     assert notes(sheet, nb) == ()
+
+
+@pytest.mark.parametrize("code", [each for each in languages() if each != "en"])
+def test_who_is_marked_in_another_language_than_the_sheet_was_printed_in_is_left_in_peace(code: str) -> None:
+    nb = notebook(ADA)
+    with language(code):
+        sheet, other = paper("ada", 1000), paper("ada", 2000)
+        assert cell(notebook(sheet), "X12_5_statement").source != cell(nb, "X12_5_statement").source
+        assert notes(sheet, nb) == ()
+        assert "X12_5_statement" in notes(other, nb)[0]
 
 
 @pytest.mark.parametrize("named", [True, False])

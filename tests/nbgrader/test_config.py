@@ -64,3 +64,14 @@ def test_a_course_made_before_the_exchange_was_ours_gets_it_before_what_its_owne
     before = path.read_bytes()
     settings(course)
     assert path.read_bytes() == before
+
+
+def test_a_course_made_before_its_feedback_was_released_by_us_gets_that_once(course: Course) -> None:
+    write_config(course)
+    path = course.folder / "nbgrader_config.py"
+    now = path.read_text()
+    line = next(each for each in now.splitlines() if "ReleaseOwnFeedback" in each)
+    path.write_text(now.replace(f"{line}\n", "") + "c.ExecutePreprocessor.timeout = 77\n")
+    assert settings(course).ExchangeFactory.release_feedback.endswith(".ReleaseOwnFeedback")
+    path.write_text(now.replace(line, f"# {line}"))
+    assert "release_feedback" not in settings(course).ExchangeFactory

@@ -31,6 +31,7 @@ pytestmark = [
 ]
 SET = "---\ntitle: One exercise\nproblems:\n  - X12.5\n---\nOne exercise.\n"
 NBGRADER = Path(sys.executable).with_name("nbgrader")
+COROLLARY = NBGRADER.with_name("corollary")
 ORDINARY_USER = Path(__file__).parents[1] / "adversary" / "ordinary_user.py"
 # Accounts that every Debian has: no user is made for a test.
 ADA, BEN, TEACHER = (pwd.getpwnam(name) for name in ("daemon", "games", "bin"))
@@ -58,14 +59,16 @@ class Hub:
     def home(self, who: pwd.struct_passwd) -> Path:
         return self.folder / who.pw_name
 
-    def run(self, who: pwd.struct_passwd | None, *words: object) -> subprocess.CompletedProcess[str]:
-        """A command of nbgrader's, by a student or by the instructor, who is root or an account."""
+    def run(
+        self, who: pwd.struct_passwd | None, *words: object, program: Path = NBGRADER
+    ) -> subprocess.CompletedProcess[str]:
+        """A command of nbgrader's or ours, by a student or by the instructor, who is root or an account."""
         home = self.course if who in (None, TEACHER) else self.home(who)
         by = [] if who is None else [sys.executable, ORDINARY_USER]
         about = {"HOME": home, "PATH": os.environ["PATH"], "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": home}
         about |= {} if who is None else {"AS_ACCOUNT": who.pw_uid}
         return subprocess.run(
-            list(map(str, (*by, NBGRADER, *words))), cwd=home, env={name: str(value) for name, value in about.items()},
+            list(map(str, (*by, program, *words))), cwd=home, env={name: str(value) for name, value in about.items()},
             capture_output=True, encoding="utf-8", timeout=200, check=False,
         )  # fmt: skip
 
@@ -119,6 +122,34 @@ def test_each_fetches_the_own_sheet_and_can_read_no_other(hub: Hub) -> None:
     assert theirs["metadata"]["corollary"]["student"] == ADA.pw_name
 
 
+def test_feedback_comes_back_to_who_handed_in_through_it_and_the_others_are_named(hub: Hub) -> None:
+    """Ada hands in through the exchange, Ben by mail."""
+    for who, words in ((None, ("release_assignment",)), (ADA, ("fetch_assignment",)), (ADA, ("submit",))):
+        assert hub.run(who, *words, "one").returncode == 0
+    assert hub.run(None, "collect", "one").returncode == 0
+    by_mail = hub.course / "submitted" / BEN.pw_name / "one"
+    by_mail.mkdir(parents=True)
+    shutil.copy(hub.course / "release" / BEN.pw_name / "one" / "one.ipynb", by_mail)
+    nothing = hub.run(None, "release_feedback", "one")
+    assert nothing.returncode != 0
+    assert "nobody has a feedback page of one; run corollary grade one" in nothing.stderr
+    # once as graded, and once more when the pages were lost and made again
+    for _ in range(2):
+        graded = hub.run(None, "grade", "one", program=COROLLARY)
+        assert graded.returncode == 0, graded.stderr
+        released = hub.run(None, "release_feedback", "one")
+        assert released.returncode == 0, released.stderr
+        assert f"{BEN.pw_name} did not hand in one through this exchange" in released.stderr
+        assert "Traceback" not in released.stderr
+        fetched = hub.run(ADA, "fetch_feedback", "one")
+        assert fetched.returncode == 0, fetched.stderr
+        (page,) = (hub.home(ADA) / "one" / "feedback").glob("*/*.html")
+        own = hub.course / "feedback" / ADA.pw_name / "one" / "one.html"
+        assert page.read_bytes() == own.read_bytes()
+        shutil.rmtree(hub.home(ADA) / "one" / "feedback")
+        shutil.rmtree(hub.course / "feedback")
+
+
 def test_released_again_for_newcomers_and_never_the_chapters_numbers(hub: Hub) -> None:
     hub.outbound.mkdir(parents=True)
     shutil.copy(hub.course / "release" / "one" / "one.ipynb", hub.outbound)  # as a version before released it
@@ -145,7 +176,7 @@ def test_zip_collect_works_by_default(hub: Hub) -> None:
     downloaded = hub.course / "downloaded" / "one" / "archive"
     downloaded.mkdir(parents=True)
     sheets = {who.pw_name: hub.course / "release" / who.pw_name / "one" / "one.ipynb" for who in (ADA, BEN)}
-    shutil.copy(sheets[ADA.pw_name], downloaded / "one (1).ipynb")
+    shutil.copy(sheets[ADA.pw_name], downloaded / "one (1).ipynb.txt")
     inner = downloaded / "games_18_assignsubmission_file_"
     inner.mkdir()
     deep = (

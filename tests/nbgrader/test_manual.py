@@ -231,6 +231,14 @@ def test_a_course_of_an_earlier_version_is_carried_over(marked_course: Course) -
     assert "Well argued." in page(marked_course, "ada")
 
 
+def test_a_set_whose_place_is_lost_is_a_sentence_in_nbgrader_too(marked_course: Course) -> None:
+    (marked_course.folder / ".corollary/origin/words.json").unlink()
+    done = run(marked_course, "nbgrader", "autograde", "words")
+    assert done.status == 1
+    assert "origin/words.json is lost" in done.errors
+    assert "Traceback" not in done.errors
+
+
 def test_the_gradebook_is_an_ordinary_one_still(given: Course) -> None:
     assert grade(given).status == 0
     done = run(given, "nbgrader", "db", "upgrade")

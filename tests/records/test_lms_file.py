@@ -99,6 +99,15 @@ def test_semicolons_cp1252_and_decimal_commas_stay(tmp_path: Path) -> None:
     assert made.content.decode("cp1252") == german.replace("no;;", "no;4,5;")
 
 
+def test_an_id_with_a_comma_is_no_decimal_comma(tmp_path: Path) -> None:
+    """Moodle 4.1 and 4.5 refuse a file with `4,5` where their language writes points."""
+    assert ",4.5," in filled(tmp_path / "points.csv", MOODLE.replace(",0100,", ',"12,5",')).content.decode()
+    with_commas = MOODLE.replace("3.00", '"3,00"').replace("2.50", '"2,50"')
+    assert ',"4,5",' in filled(tmp_path / "commas.csv", with_commas).content.decode()
+    blank = MOODLE.replace("ben@uio.no,3.00", "ben@uio.no,-").replace("2.50", "-").replace("3.00", '"3,00"')
+    assert ',"4,5",' in filled(tmp_path / "another.csv", blank).content.decode()
+
+
 def test_a_name_is_enough_where_one_has_it_and_is_said(tmp_path: Path) -> None:
     """No id of the file is on the roster; two of the name would be nobody."""
     text = "Name,Login,Points\nLovelace  ada,al17,\nBITDIDDLE, bb3,\nBen Bitdiddle,bb3,\n"

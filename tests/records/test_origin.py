@@ -10,7 +10,7 @@ import pytest
 from corollary.problem.bank import Bank, UnknownCode, chapter_bank
 from corollary.problem.roster import Student
 from corollary.records.files import Course, NotACourse, create_course
-from corollary.records.origin import read_origin, set_of, write_origin
+from corollary.records.origin import set_of, write_origin
 
 SET = "---\ntitle: Kicks\nproblems:\n  - X12.5\n---\nKick it.\n"
 
@@ -36,7 +36,6 @@ def test_the_bank_it_was_generated_from_needs_no_naming(course: Course, foreign:
     bank, found = set_of(course, "kicks")
     assert bank.folder == foreign.folder
     assert [problem.code for problem in found.problems] == ["X12.5"]
-    assert read_origin(course, "kicks") == (bank, found)
 
 
 def test_a_bank_that_has_moved_is_asked_for_and_may_be_named(
@@ -70,6 +69,18 @@ def test_without_a_record_it_is_the_chapters_and_a_damaged_one_is_told(course: C
     path.write_text("{")
     with pytest.raises(NotACourse, match="does not say which bank momentum_1 comes from"):
         set_of(course, "momentum_1")
+
+
+def test_a_lost_record_is_said_and_the_sets_file_or_bank_may_be_named(course: Course, foreign: Bank) -> None:
+    assigned = course.folder / ".corollary" / "assigned" / "kicks.json"
+    assigned.parent.mkdir(parents=True)
+    assigned.write_text("{}")
+    with pytest.raises(UnknownCode, match=r"has numbers of kicks.*origin/kicks.json is lost.*--bank"):
+        set_of(course, "kicks")
+    assert set_of(course, str(foreign.sets / "kicks.md"))[0].folder == foreign.folder
+    assert set_of(course, "kicks", foreign.folder)[0].folder == foreign.folder
+    with pytest.raises(UnknownCode, match=r"did you mean kicks.*course has: kicks"):
+        set_of(course, "kick")
 
 
 def test_another_set_of_the_bank_of_its_other_sets_is_found(

@@ -58,6 +58,11 @@ def test_points_verdicts_answers_and_feedback_are_all_there(of, work):
     assert "1 part still waits for your teacher" in words
 
 
+def test_where_to_complain_is_said_below_the_total_and_not_at_the_foot_of_twenty_pages(of, work):
+    page = feedback_page(work, of)
+    assert page.index("Total") < page.index("not fair") < page.index("<section>")
+
+
 def test_the_numbers_are_the_students_own(of, work):
     words = Page(feedback_page(work, of)).words
     own = work.grades[0].variant

@@ -38,3 +38,9 @@ def test_scaling_is_advised_where_it_would_help(points: float, out_of: float, ad
     assert ("Moodle takes no file with a mark above 100" in notes) is (advised is not None)
     assert ("--out-of 100 scales them" in notes) is bool(advised)
     assert ("for extra credit" in notes) is (advised is False)
+
+
+@pytest.mark.parametrize(("points", "said"), [(3, False), (3.3, True)])
+def test_a_mark_above_what_an_assignment_may_be_out_of_is_said(points: float, said: bool) -> None:
+    notes = " ".join(write_marks(table(*OLD, points=points)).notes)
+    assert ("Moodle 4.5 takes no file" in notes) is said

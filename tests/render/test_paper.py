@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from corollary.grading.solutions import Solutions
 from corollary.messages import language
-from corollary.notebook.worksheet import Worksheet, exercise, worksheet
+from corollary.notebook.worksheet import SheetPlan, exercise
 from corollary.problem.bank import chapter_bank
 from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
@@ -46,10 +46,15 @@ def run() -> PrintRun:
     bank = chapter_bank()
     found = find_set(bank, "momentum_1")
     sheets = [
-        PaperSheet(worksheet(found, owner, [at(problem, index) for problem in found.problems]))
+        PaperSheet(SheetPlan(found, owner, tuple(at(problem, index) for problem in found.problems)))
         for index, owner in ((7, ADA), (11, Student("bo")))
     ]
     return PrintRun(found, sheets, Solutions(bank), formulas=True)
+
+
+def printed(run: PrintRun, at: int) -> dict[str, bytes]:
+    """The files of one sheet."""
+    return run.printed(run.sheets[at], run.pages(run.sheets[at]))
 
 
 FORMULAS = [
@@ -73,7 +78,7 @@ def test_every_formula_is_set_and_has_words(latex: str, display: bool):
 
 
 def test_a_decimal_comma_is_one_number_and_a_unit_stands_upright():
-    assert '#"9";class("normal",#symbol(",");)#"8";' in typst_formula("9{,}8")
+    assert '#"9";class("normal",\\,)#"8";' in typst_formula("9{,}8")
     assert 'upright(#"kg";)' in typst_formula(r"3\,\mathrm{kg}")
 
 
@@ -137,7 +142,7 @@ def test_a_sheet_has_its_owner_its_numbers_and_a_code(run: PrintRun):
         assert number
         assert number[0] in made
     assert "#lines-for(" not in made
-    form = typst_sheet(PaperSheet(run.sheets[0].worksheet, "B"))
+    form = typst_sheet(PaperSheet(run.sheets[0].plan, "B"))
     assert "corollary:momentum_1?form=B" in form
     assert "Ada" not in form
     assert "#lines-for(" in form
@@ -173,16 +178,15 @@ def test_each_answer_has_the_room_it_takes(run: PrintRun):
     assert "Write the program by hand: a function " in of["P12.14"]
     assert "#ruled(" in of["P12.14"]
     assert "#options(" in made or not any(prompt.options for prompt in run.sheets[0].worksheet.prompts)
-    choice = exercise(chapter(next(each for each in chapter_bank() if each.code == "S12.2")))
-    sheet = Worksheet(run.problem_set, ADA, (choice,))
-    boxes = typst_sheet(PaperSheet(sheet))
-    assert boxes.count('[#"A";]') == sum(bool(prompt.options) for prompt in choice.prompts)
+    choice = chapter(next(each for each in chapter_bank() if each.code == "S12.2"))
+    boxes = typst_sheet(PaperSheet(SheetPlan(run.problem_set, ADA, (choice,))))
+    assert boxes.count('[#"A";]') == sum(bool(prompt.options) for prompt in exercise(choice).prompts)
 
 
-def _alone(run: PrintRun, code: str) -> Worksheet:
-    whole = run.sheets[0].worksheet
-    return Worksheet(
-        whole.problem_set, ADA, tuple(each for each in whole.exercises if each.problem.code == code)
+def _alone(run: PrintRun, code: str) -> SheetPlan:
+    whole = run.sheets[0].plan
+    return SheetPlan(
+        whole.problem_set, ADA, tuple(each for each in whole.variants if each.problem.code == code)
     )
 
 
@@ -196,7 +200,7 @@ def test_the_formula_sheet_has_general_laws_and_no_step_of_a_solution(run: Print
 
 def test_files_are_tagged_and_say_language_and_title(run: PrintRun):
     with language("de"):
-        file = run.printed(run.sheets[0])["momentum_1-ada.pdf"]
+        file = printed(run, 0)["momentum_1-ada.pdf"]
     about = catalogue_of(file)
     assert re.search(rb"/Lang ?\(de", about)
     assert b"/StructTreeRoot" in about
@@ -205,7 +209,7 @@ def test_files_are_tagged_and_say_language_and_title(run: PrintRun):
 
 
 def test_the_same_run_gives_the_same_bytes(run: PrintRun):
-    first, again = (run.printed(run.sheets[1]) for _ in range(2))
+    first, again = (printed(run, 1) for _ in range(2))
     assert first == again
     assert set(first) == {"momentum_1-bo.pdf", "keys/momentum_1-bo-key.pdf"}
 
@@ -236,7 +240,7 @@ def text_of(file: bytes) -> str:
 @pytest.mark.client
 def test_poppler_reads_the_students_numbers_pages_and_no_key(run: PrintRun):
     sheet = run.sheets[0]
-    files = run.printed(sheet)
+    files = printed(run, 0)
     text, key = text_of(files["momentum_1-ada.pdf"]), text_of(files["keys/momentum_1-ada-key.pdf"])
     pages = text.count("\f")
     assert f"{pages} of {pages}" in text
@@ -248,7 +252,19 @@ def test_poppler_reads_the_students_numbers_pages_and_no_key(run: PrintRun):
     long = [answer for answer in answers if len(answer.strip("−0.").replace(".", "")) >= 4]
     assert len(long) > 5
     assert not [answer for answer in long if answer in flat]
-    both = text_of(run.together()["momentum_1.pdf"])
+    both = text_of(run.together([run.pages(each) for each in run.sheets])["momentum_1.pdf"])
     first = [at for at, each in enumerate(both.split("\f")) if re.search(rf"\b1 of {pages}", each)]
     assert len(first) == 2
     assert all(at % 2 == 0 for at in first), "each sheet begins on the front of a leaf"
+
+
+@pytest.mark.client
+def test_no_formula_is_wider_than_the_page_however_large_the_print(run: PrintRun):
+    """Neither in the table of formulas nor on a line of its own."""
+    long = " + ".join(rf"\frac{{m_{{{each}}} v_{{{each}}}^2}}{{2}}" for each in range(40))
+    body = f"= Title\n\n{run.formula_sheet()}\n\n{typst_formula(long, display=True)}"
+    file = pdf([f'#sheet("1", [], ("", "", ""))[\n{body}\n]'], "Title", large=True)
+    boxes = subprocess.run(["pdftotext", "-bbox", "-", "-"], input=file, capture_output=True, check=True)
+    ends = [float(end) for end in re.findall(r'xMax="([\d.]+)"', boxes.stdout.decode())]
+    assert len(ends) > 100
+    assert max(ends) < 595.3 - 56  # A4 without its margin, in points

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
 
+from corollary.messages import language
 from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.notebook import Notebook, notebook_of
 
@@ -163,9 +164,23 @@ def test_a_link_a_device_and_a_huge_file_are_refused_by_name(tmp_path: Path) -> 
         assert isinstance(answer, Unreadable)
         assert words in answer.why
         assert answer.why.endswith(".")
-    assert bytes_of(Path("/proc/self/status"), 10) == Unreadable(
-        "The file is larger than 10 bytes: clear the outputs and hand it in again."
-    )
+    growing = bytes_of(Path("/proc/self/status"), 10)
+    assert isinstance(growing, Unreadable)
+    assert growing.why == "The file is larger than 10 bytes: clear the outputs and hand it in again."
+
+
+@pytest.mark.parametrize(("code", "begins"), [("de", "Die Datei "), ("nb", "Filen ")])
+def test_why_it_is_refused_is_said_in_the_students_language_and_recorded_in_one(
+    code: str, begins: str, tmp_path: Path
+) -> None:
+    (tmp_path / "link").symlink_to("/dev/zero")
+    contents = (b"", b"\xff", b'{"cells": [', b"[]", b"[" * 20_000, b'{"a": ' + b"1" * 5_000 + b"}")
+    for refused in (*map(notebook_of, contents), bytes_of(tmp_path / "link"), bytes_of(tmp_path / "none")):
+        assert isinstance(refused, Unreadable)
+        english = refused.why
+        with language(code):
+            assert refused.why.startswith(begins), refused.why
+            assert refused.why != english == refused.in_english
 
 
 def test_no_folder_on_the_way_may_be_a_link(tmp_path: Path) -> None:

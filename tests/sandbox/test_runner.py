@@ -13,6 +13,7 @@ import nbformat
 import pytest
 
 from corollary.formula.value import Exact, Items, Nothing, Real, Text
+from corollary.messages import language
 from corollary.sandbox.isolation import WeakIsolation
 from corollary.sandbox.job import Cell, FunctionCall, Job
 from corollary.sandbox.runner import Runner
@@ -132,6 +133,23 @@ def test_functions_are_called_on_numbers_from_outside(run) -> None:
     assert calls["p/2"].trouble == "not_one is not a function"
     assert calls["p/3"].trouble == "there is no function called missing"
     assert calls["p/4"].trouble == ""
+
+
+def test_what_went_wrong_is_said_in_the_students_language(run) -> None:
+    calls = (FunctionCall("f", "f", ()), FunctionCall("g", "g", ()), FunctionCall("x", "x", ()))
+    with language("de"):
+        failed = run("def f(): return 1 / 0\nx = 3", calls=calls)
+        died = run("x = 1", "import os; os._exit(0)")
+    assert {key: call.trouble for key, call in failed.calls.items()} == {
+        "f": "in der Funktion kam ZeroDivisionError: division by zero",
+        "g": "es gibt keine Funktion namens g",
+        "x": "x ist keine Funktion",
+    }
+    assert died.trouble == (
+        "Der Prozess des Notebooks hat sich in Codezelle 2 selbst beendet, wie es os._exit tut. "
+        "Der Rest wurde noch einmal ohne das ausgeführt."
+    )
+    assert died.cells[1].error == "der Prozess des Notebooks endete in dieser Zelle"
 
 
 def test_arguments_do_not_show_in_the_notebook(run) -> None:

@@ -20,6 +20,8 @@ CASES = [
     ("bullet_block", {"v": 20.0}, {"velocities", "energy_change", "distance"}),
     ("chain", {"N": 100.0}, {"impulse", "work", "energy_lost", "mean_force"}),
     ("cradle", {"N": 2.0, "q": 1.5}, {"velocities", "duration", "largest_overlap", "peak_force"}),
+    ("growing_drop", {"u": 2.0}, {"velocities", "way", "mass"}),
+    ("growing_drop", {"m": 2.23e-4, "t": 0.024, "v": -1.2, "R": 0.117}, {"velocities", "way"}),
     ("ions", {"s": 0.02}, {"turning_points", "peak_force"}),
     ("kick", {"pulse": 3.0}, {"velocities", "impulse", "way", "peak_force"}),
     ("railway_car", {"ux": 1.0}, {"mean_force", "impulse", "work", "energy_lost"}),

@@ -59,13 +59,13 @@ BALANCE = 'confirm("Work of weight and drag.", law("Energy", "m*g*s = m*v1^2/2 +
 
 @pytest.fixture
 def checked(tmp_path):
-    def verified(newton: str, confirm: str):
+    def verified(newton: str, confirm: str, scene: str = ""):
         for folder in ("problems", "solutions"):
             (tmp_path / folder / "x").mkdir(parents=True, exist_ok=True)
         problem = tmp_path / "problems" / "x" / "honey.md"
         problem.write_text(PROBLEM, encoding="utf-8")
         text = SOLUTION.replace("NEWTON", newton).replace("CONFIRM", confirm)
-        text += SCENE if confirm == SCENE_BEHIND else ""
+        text += scene or (SCENE if confirm == SCENE_BEHIND else "")
         (tmp_path / "solutions" / "x" / "honey.py").write_text(text, encoding="utf-8")
         return verify(Bank(tmp_path), read_problem(problem), 2)
 
@@ -165,3 +165,23 @@ def test_a_scene_that_cannot_be_made_with_another_answer_needs_that_one(checked)
     (note,) = unchecked(checked("m*dv/dt = m*g - b*v", SCENE_BEHIND))
     assert "Newton's second law" not in note
     assert "Way (line 11)" in note
+
+
+BEHIND = """
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.scene import Body, Scene
+
+def scene(m, b, g, t1, answer):
+    from math import exp
+    way = SHARE * m * g / b * (t1 - m / b * (1 - exp(-b * t1 / m)))
+    force = ForceFunction(0, lambda t, place, velocity: (SHARE * m * answer["b"],))
+    return [simulate(Scene((Body(m, (0.0,), (0.0,)),), (force,), until=2.0), velocities=(2 * way,))]
+"""
+
+
+@pytest.mark.parametrize(("share", "named"), [("1.0", False), ("0.0", True)])
+def test_an_answer_that_enters_a_force_is_checked_where_another_contradicts_the_scene(checked, share, named):
+    """The way (b) drives the body (or nothing does), and what is expected never mentions it."""
+    found = checked("m*dv/dt = m*g - b*v", "", BEHIND.replace("SHARE", share))
+    assert found.complaints == ()
+    assert any("Way (line 11)" in note for note in unchecked(found)) == named

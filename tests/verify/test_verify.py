@@ -217,6 +217,15 @@ def test_one_mistake_is_few(verified, good):
     assert "cart.py:10: part b foresees one mistake; say at least two" in verified(good).notes
 
 
+def test_a_letter_that_nothing_introduces_is_noted(verified, good):
+    unnamed = good.replace(
+        "return derivation(",
+        '(r,) = unknowns("r")\nreturn derivation(\n    step(r, "Way.", law("Way", "2*r = 2*v*t")),',
+    )
+    said = [note for note in verified(unnamed).notes if "stands for" in note]
+    assert said == ['cart.py:10: nothing says what r stands for; say it where it is named, unknowns(r="…")']
+
+
 def test_an_erratum_is_on_record_and_one_that_is_none_is_said(verified, good):
     known = good.replace('"1.5 kg m/s", "(1.1)"', '"1.9 kg m/s", "(1.1)", erratum="v is 3.8 there"')
     checked = verified(known)

@@ -24,7 +24,7 @@ from corollary.course.marks_export import Template, marks_file, marks_table
 from corollary.course.paper import form_owners, print_files
 from corollary.grading.solutions import Solutions
 from corollary.messages import few
-from corollary.notebook.worksheet import Worksheet
+from corollary.notebook.worksheet import SheetPlan
 from corollary.problem.bank import Bank
 from corollary.problem.problem_set import ProblemSet, bank_of_set, find_set
 from corollary.problem.roster import read_roster
@@ -128,7 +128,7 @@ def _of_one_set(
     solutions = Solutions(bank)
     if chosen.paper is not None:
         if given["forms"] is None:
-            sheets = [PaperSheet(each) for each in _sheets(course, problem_set, solutions, given)]
+            sheets = [PaperSheet(each) for each in _plans(course, problem_set, solutions, given)]
         else:
             dealt = sheets_for(problem_set, solutions, form_owners(given["forms"]))
             sheets = [PaperSheet(each, each.student.id) for each in dealt]
@@ -139,7 +139,7 @@ def _of_one_set(
             return Made(print_files(run_of, done))
     if chosen.worksheet is None and chosen.problem_set is None:
         refuse(f"{to} is for single exercises; write it with: corollary show CODE --format {to}")
-    worksheets = _sheets(course, problem_set, solutions, given)
+    worksheets = [each.worksheet() for each in _plans(course, problem_set, solutions, given)]
     return Made(sheet_files(chosen, problem_set, worksheets, solutions if given["solution"] else None))
 
 
@@ -166,9 +166,9 @@ def _say_of_marks(table: MarksTable, made: FilledIn) -> None:
             say(f"{counted(len(who), 'student')} {what}: {few(who)}")
 
 
-def _sheets(
+def _plans(
     course: Course | None, problem_set: ProblemSet, solutions: Solutions, given: ExportOptions
-) -> list[Worksheet]:
+) -> list[SheetPlan]:
     """The course's own sheets, else new ones for a roster or for so many variants, else one with the chapter's numbers."""
     if course is not None:
         sheets = sheets_of_course(course, problem_set)

@@ -42,13 +42,14 @@ def previewed(place: Bank, path: Path) -> str:
     now, heading = edition(place, path), path.stem
     complaints: list[Diagnostic] = []
     sheets: list[Sheet] = []
-    redrawn = 0
+    redrawn, advice = 0, ""
     try:
         problem = read_problem(path)
         heading, draws = f"{problem.code} {problem.title}", [Draw(chapter(problem), None, "")]
         solutions = Solutions(place)
         try:
-            draws, redrawn = drawn(solutions.of(problem), DRAWS)
+            found = drawn(solutions.of(problem), DRAWS)
+            draws, redrawn, advice = found.draws, found.redrawn, found.advice
         except NotDerivable as error:  # then at least what the problem asks is on the page
             complaints += _complaints(error)
         for draw in draws:
@@ -57,7 +58,7 @@ def previewed(place: Bank, path: Path) -> str:
         Exception
     ) as error:  # an author's program may raise anything: the page says so and waits for the next
         complaints += _complaints(error)
-    return preview_page(heading, sheets, redrawn, complaints, now)
+    return preview_page(heading, sheets, redrawn, complaints, now, advice)
 
 
 def _sheet(solutions: Solutions, draw: Draw, complaints: list[Diagnostic]) -> Sheet:

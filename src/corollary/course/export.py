@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from corollary.atomic import write_whole
+from corollary.atomic import write_each_whole
 from corollary.grading.solutions import Solutions
-from corollary.notebook.worksheet import Worksheet, worksheet
+from corollary.notebook.worksheet import SheetPlan, Worksheet
 from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.problem.variant import Variant, chapter
@@ -20,19 +20,19 @@ from corollary.render.exports import Target
 NOBODY = Student("")
 
 
-def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[Worksheet]:
+def sheets_of_course(course: Course, problem_set: ProblemSet) -> list[SheetPlan]:
     """The sheets as they were handed out; empty when the set was never generated. Raises NotACourse."""
     record = open_record(course, problem_set)
     complete_dates(course, problem_set, record)
     assigned = sheets(course, problem_set, record)
     return [
-        worksheet(as_printed(problem_set, record, student.id), student, assigned[student.id].variants)
+        SheetPlan(as_printed(problem_set, record, student.id), student, tuple(assigned[student.id].variants))
         for student in students(course)
         if student.id in assigned
     ]
 
 
-def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[Student]) -> list[Worksheet]:
+def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[Student]) -> list[SheetPlan]:
     """Sheets without a course: distinct numbers that follow from the owners' ids alone, the same each time.
 
     Raises NotDerivable and NoVariant.
@@ -44,12 +44,12 @@ def sheets_for(problem_set: ProblemSet, solutions: Solutions, owners: Sequence[S
             variant = solutions.assign_variant(problem, b"", owner.id, used[problem.code]).variant
             used[problem.code] |= set() if variant.index is None else {variant.index}
             assigned[owner.id].append(replace(variant, problem=problem))
-    return [worksheet(problem_set, owner, assigned[owner.id]) for owner in owners]
+    return [SheetPlan(problem_set, owner, tuple(assigned[owner.id])) for owner in owners]
 
 
-def chapters_sheet(problem_set: ProblemSet) -> Worksheet:
+def chapters_sheet(problem_set: ProblemSet) -> SheetPlan:
     """The sheet with the chapter's own numbers, which is nobody's."""
-    return worksheet(problem_set, NOBODY, map(chapter, problem_set.problems))
+    return SheetPlan(problem_set, NOBODY, tuple(map(chapter, problem_set.problems)))
 
 
 def sheet_files(
@@ -75,9 +75,9 @@ def _worked(solutions: Solutions, sheet: Worksheet) -> dict[str, str]:
 
 def write_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     """Writes them below the folder, and says where they are."""
-    for name, content in files.items():
-        write_whole(folder / name, content)
-    return [folder / name for name in files]
+    placed = {folder / name: content for name, content in files.items()}
+    write_each_whole(placed)
+    return list(placed)
 
 
 def owners(count: int) -> Iterable[Student]:

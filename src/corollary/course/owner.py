@@ -114,7 +114,7 @@ def identified(
         return left(by_place, UNUSABLE if by_place else NOBODY, f"{what} ask for {problem_set.name}.ipynb")
     read = notebook_of(member.content) if isinstance(member.content, bytes) else member.content
     if isinstance(read, Unreadable) or isinstance(member.content, Unreadable):
-        return left(by_place, UNUSABLE, read.why if isinstance(read, Unreadable) else "")
+        return left(by_place, UNUSABLE, read.in_english if isinstance(read, Unreadable) else "")
     says = origin(read.node)
     owner = by_place or (says.student if says.student in roster else None)
     person = lms is not None and again(lms.name)[0].casefold() not in problem_set.name.casefold()

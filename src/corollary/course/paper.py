@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 from itertools import product
+from typing import TypeVar
 
 from corollary.messages import speak, spoken
 from corollary.parallel import begin, cores, way_to_start
 from corollary.problem.roster import Student
-from corollary.render.paper.print_run import PrintRun
+from corollary.render.paper.print_run import Pages, PrintRun
+
+T = TypeVar("T")
 
 WORTH_A_POOL = 8  # fewer are done sooner than processes start
 
@@ -30,18 +33,26 @@ def print_files(run: PrintRun, done: Callable[[str], None]) -> dict[str, bytes]:
     """Every file of a print run by its name; `done` is told the name of each sheet. Raises CannotTypeset, NotDerivable, Undefined."""
     run.prepare()
     if cores() < 2 or len(run.sheets) < WORTH_A_POOL:
-        return _collected(run, map(run.printed, run.sheets), done) | run.together()
+        pages = [run.pages(sheet) for sheet in run.sheets]
+        return _collected(run, map(run.printed, run.sheets, pages), done) | run.together(pages)
     with ProcessPoolExecutor(
         cores(), mp_context=way_to_start(), initializer=_start, initargs=(run, spoken())
     ) as pool:
         try:
-            together = pool.submit(_together)  # the longest job is the first, so that none waits for it
-            futures = [pool.submit(_printed, at) for at in range(len(run.sheets))]
+            written = [pool.submit(_pages, at) for at in range(len(run.sheets))]
+            pages = [
+                _result(future, partial(run.pages, sheet))
+                for future, sheet in zip(written, run.sheets, strict=True)
+            ]
+            together = pool.submit(
+                _together, pages
+            )  # the longest job is the first, so that none waits for it
+            futures = [pool.submit(_printed, at, each) for at, each in enumerate(pages)]
             each = (
-                _result(future, partial(run.printed, sheet))
-                for future, sheet in zip(futures, run.sheets, strict=True)
+                _result(future, partial(run.printed, sheet, pages[at]))
+                for at, (future, sheet) in enumerate(zip(futures, run.sheets, strict=True))
             )
-            return _collected(run, each, done) | _result(together, run.together)
+            return _collected(run, each, done) | _result(together, partial(run.together, pages))
         finally:
             pool.shutdown(cancel_futures=True)
 
@@ -57,7 +68,7 @@ def _collected(
     return files
 
 
-def _result(future: Future[dict[str, bytes]], here: Callable[[], dict[str, bytes]]) -> dict[str, bytes]:
+def _result(future: Future[T], here: Callable[[], T]) -> T:
     try:
         return future.result()
     except BrokenProcessPool:  # a process was killed: what it was at is done here
@@ -70,10 +81,15 @@ def _start(run: PrintRun, language: str) -> None:
     _at_work.append(run)
 
 
-def _printed(at: int) -> dict[str, bytes]:
+def _pages(at: int) -> Pages:
     run = _at_work[0]
-    return run.printed(run.sheets[at])
+    return run.pages(run.sheets[at])
 
 
-def _together() -> dict[str, bytes]:
-    return _at_work[0].together()
+def _printed(at: int, pages: Pages) -> dict[str, bytes]:
+    run = _at_work[0]
+    return run.printed(run.sheets[at], pages)
+
+
+def _together(pages: Sequence[Pages]) -> dict[str, bytes]:
+    return _at_work[0].together(pages)

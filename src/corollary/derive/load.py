@@ -6,8 +6,8 @@ import importlib.util
 import inspect
 import re
 import traceback
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
@@ -37,13 +37,15 @@ class NotDerivable(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """What a solution file says: the derivation (of its first case), the line where derive begins, and what to simulate."""
+    """What a solution file says: the derivation (of its first case), the line where derive begins, what to simulate, and what
+    letters stand for, where it says so."""
 
     path: Path
     derivation: Derivation
     line: int
     scene: Callable[..., Any] | None
     branches: tuple[Branch, ...]
+    meanings: Mapping[str, str] = field(default_factory=dict[str, str])
 
 
 def load(bank: Bank, problem: Problem) -> Loaded:
@@ -79,7 +81,7 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
 
     symbols = {name: symbol_of(problem, name) for name in have}
     try:
-        with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)):
+        with own_letters(symbols, numbered=problem.path.is_relative_to(chapter_bank().problems)) as meanings:
             derivation = derive(**{name: symbols[name] for name in wanted})
     except (Exception, SystemExit) as error:
         raise NotDerivable(
@@ -89,7 +91,8 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
     if not all(isinstance(each, Branch) for each in stated) or not stated:
         raise NotDerivable(path, line, "derive must return derivation(…)")
     scene = getattr(module, "scene", None)
-    return Loaded(path, stated[0].derivation, line, scene if inspect.isfunction(scene) else None, stated)
+    scene = scene if inspect.isfunction(scene) else None
+    return Loaded(path, stated[0].derivation, line, scene, stated, meanings)
 
 
 def source(bank: Bank, problem: Problem) -> bytes:

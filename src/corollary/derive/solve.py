@@ -138,7 +138,7 @@ class Solver:
         rest, case = unsolved(self.loaded.derivation), self.case
         return Solution(
             self.problem, tuple(unknowns), choices, examples, proofs, rest, left, case=case, forces=forces,
-            always=tuple(claims(entries, self.known, self.failing)),
+            always=tuple(claims(entries, self.known, self.failing)), meanings=self.loaded.meanings,
         )  # fmt: skip
 
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:

@@ -54,6 +54,7 @@ def translated(solution: Solution, say: Say) -> Solution:
         entries=tuple(_entry(entry, say) for entry in solution.entries),
         neglected=tuple(_neglected(each, say) for each in solution.neglected),
         case=say(solution.case) if solution.case else "",
+        meanings={letter: say(meaning) for letter, meaning in solution.meanings.items()},
         regimes=tuple(replace(each, solution=translated(each.solution, say)) for each in solution.regimes),
     )
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from corollary.answers.options import option_named
 from corollary.answers.spellings import main_spelling
 from corollary.derive.chain import broken, without_repetition
-from corollary.derive.introduction import introduced
+from corollary.derive.introduction import asked_for, explained, found_first, introduced
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -74,10 +74,17 @@ def worked_steps(
     lines = [*introduced(solution, problem), *lines, *[""] * bool(lines)]
     if solution.case:
         lines += [_("**Here {case}.**", case=solution.case), ""]
+    met = set[str]()
     for find, numbers in zip(solution.unknowns, values, strict=True):
         part = problem.part(find.part) if find.part else None
-        heading = _heading(part) if part else _("**First find {names}.**", names=_names(find))
-        lines += [heading, "", *_unknown(find, numbers, part, known), ""]
+        heading = (
+            f"{_heading(part)}: {asked_for(find)}"
+            if part
+            else _("**First find {names}.**", names=found_first(find, solution))
+        )
+        letters_here = explained(find, solution, met)
+        met |= set(find.names).union(*(names(relation) for law in find.laws for relation in law.here))
+        lines += [heading, "", *letters_here, *_unknown(find, numbers, part, known), ""]
         for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
             known[name] = quantity(value, si_unit(dimension), in_formula=True)
         for each, (most, share) in zip(solution.neglected, neglected, strict=True):
@@ -282,10 +289,6 @@ def _forces(stated: SolvedForces, part: Part) -> list[str]:
     acting = [f"- {names[each.letter]}: ${latex(each.magnitude)}$" for each in stated.forces]
     laws = [_law(each.law) + "\n" for each in stated.balances]
     return [stated.statement.because, "", *acting, "", *laws]
-
-
-def _names(find: Unknown) -> str:
-    return ", ".join(f"${letter(name)}$" for name in find.names)
 
 
 def _empty(relation: Relation) -> bool:

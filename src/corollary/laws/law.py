@@ -71,29 +71,41 @@ class Law:
 _OWN_LETTERS: ContextVar[dict[str, Meaning] | None] = ContextVar("_OWN_LETTERS", default=None)
 
 
+_EXPLAINED: ContextVar[dict[str, str] | None] = ContextVar("_EXPLAINED", default=None)
 _NUMBERED: ContextVar[bool] = ContextVar("_NUMBERED", default=True)
 LIBRARY = __name__.rpartition(".")[0] + "."
 
 
 @contextmanager
-def own_letters(givens: Mapping[str, sympy.Symbol], *, numbered: bool = True) -> Generator[None]:
+def own_letters(givens: Mapping[str, sympy.Symbol], *, numbered: bool = True) -> Generator[dict[str, str]]:
     """While a derivation is stated: its givens, and each unknown from where it is named, are known by their letters.
 
+    Gives what those stand for whose author has said so, by letter, filled as they are named.
     `numbered`: whether the laws of the library have the numbers of the chapter's equations, which mean nothing elsewhere.
     """
-    before, numbers = _OWN_LETTERS.set(dict(givens)), _NUMBERED.set(numbered)
+    words: dict[str, str] = {}
+    before, explained = _OWN_LETTERS.set(dict(givens)), _EXPLAINED.set(words)
+    numbers = _NUMBERED.set(numbered)
     try:
-        yield
+        yield words
     finally:
         _OWN_LETTERS.reset(before)
+        _EXPLAINED.reset(explained)
         _NUMBERED.reset(numbers)
 
 
-def known_by_name(letter: str, meaning: Meaning) -> None:
-    """A letter that laws may use from here on in the derivation that is being stated (anywhere else, none)."""
-    own = _OWN_LETTERS.get()
+def known_by_name(letter: str, meaning: Meaning, words: str = "") -> None:
+    """A letter that laws may use from here on in the derivation that is being stated (anywhere else, none).
+
+    `words` say to the reader of the worked solution what it stands for. Raises TypeError where they are no text.
+    """
+    if not isinstance(words, str):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise TypeError(f"what {letter} stands for is a text for the reader, not {words!r}")
+    own, explained = _OWN_LETTERS.get(), _EXPLAINED.get()
     if own is not None:
         own[letter] = meaning
+    if explained is not None and words:
+        explained[letter] = words
 
 
 def law(name: str, formula: str, *, source: str = "", holds: str = "", **letters: object) -> Law:

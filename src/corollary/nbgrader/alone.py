@@ -15,8 +15,13 @@ from nbgrader.coursedir import CourseDirectory
 
 from corollary.nbgrader.manual import synchronize
 from corollary.nbgrader.marks import stale_pages
+from corollary.problem.bank import UnknownCode
+from corollary.problem.diagnostic import Malformed
 from corollary.records.files import BeingGraded, Course, NotACourse, one_writer, open_course, students
 from corollary.records.marks import write_page
+from corollary.records.renames import NotSettled
+
+REFUSALS = (BeingGraded, NotACourse, UnknownCode, NotSettled, Malformed)
 
 
 def alone(run: BaseConverter, convert: Callable[[], None]) -> None:
@@ -29,12 +34,12 @@ def alone(run: BaseConverter, convert: Callable[[], None]) -> None:
                 return
             held.enter_context(one_writer(course))
             everybody = [student.id for student in students(course)]
-        except (BeingGraded, NotACourse) as error:
+            with Gradebook(place.db_url, place.course_id) as book:
+                manual = synchronize(course, book)
+            convert()
+        except REFUSALS as error:
             run.log.error(str(error))
             raise NbGraderException(str(error)) from None
-        with Gradebook(place.db_url, place.course_id) as book:
-            manual = synchronize(course, book)
-        convert()
         for student, page in stale_pages(course, place.assignment_id, manual, everybody).items():
             write_page(course, place.assignment_id, student, page)
 

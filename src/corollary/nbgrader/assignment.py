@@ -19,7 +19,7 @@ from corollary.records.assigned import is_assigned, read_assigned
 from corollary.records.causes import dependencies
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, open_course, students
-from corollary.records.origin import read_origin
+from corollary.records.origin import set_of
 from corollary.records.settings import read_settings
 from corollary.records.submission import fingerprint, read_submission, submissions
 from corollary.sandbox.notebook import Notebook
@@ -64,7 +64,7 @@ def assignment_of(about: Mapping[str, str]) -> Assignment | None:
         return None
     if code := read_settings(here).language:
         speak(code)
-    bank, problem_set = read_origin(course, name)
+    bank, problem_set = set_of(course, name)
     assigned = read_assigned(course, problem_set)
     who = next((each for each in students(course) if each.id == student), None)
     if who is None or student not in assigned:

@@ -37,7 +37,7 @@ from corollary.records.deadlines import read_deadlines
 from corollary.records.hand_in_time import guessed_time, settle_time, why_guessed
 from corollary.records.manual import read_manual
 from corollary.records.marks import with_out_of
-from corollary.records.origin import read_origin
+from corollary.records.origin import set_of
 from corollary.records.submission import submissions
 from corollary.sandbox.file import Unreadable, bytes_of
 from corollary.sandbox.runner import Runner
@@ -142,7 +142,7 @@ def _with_times(run: Autograde, convert: Callable[[], None]) -> None:
     """nbgrader cannot go on where a timestamp.txt says no time: ours are settled first."""
     course, name = course_of(run), cast(CourseDirectory, run.coursedir).assignment_id
     if course is not None and is_assigned(course, name):
-        deadlines, now = read_deadlines(course, read_origin(course, name)[1]), datetime.now(UTC)
+        deadlines, now = read_deadlines(course, set_of(course, name)[1]), datetime.now(UTC)
         for student in submissions(course, name):
             settle_time(course, name, student, deadlines.terms(student, now))
             guess = guessed_time(course, name, student)
@@ -150,7 +150,7 @@ def _with_times(run: Autograde, convert: Callable[[], None]) -> None:
                 run.log.warning("%s: %s", student, why)
     convert()
     if course is not None and is_assigned(course, name):
-        follow_points(course, read_origin(course, name)[1])
+        follow_points(course, set_of(course, name)[1])
 
 
 def _without_links(run: Autograde, init: Callable[[str, str], None], assignment: str, student: str) -> None:

@@ -16,10 +16,20 @@ from pathlib import Path
 from typing import cast
 
 from nbgrader.coursedir import CourseDirectory
-from nbgrader.exchange.default import ExchangeFetchAssignment, ExchangeReleaseAssignment, ExchangeSubmit
+from nbgrader.exchange.default import (
+    ExchangeFetchAssignment,
+    ExchangeReleaseAssignment,
+    ExchangeReleaseFeedback,
+    ExchangeSubmit,
+)
 from nbgrader.utils import get_username
 
-from corollary.records.files import open_course, students
+from corollary.atomic import write_whole
+from corollary.messages import few
+from corollary.records.assigned import is_assigned
+from corollary.records.files import BESIDE, Course, open_course, students
+from corollary.records.hand_in_time import beside
+from corollary.records.marks import feedback_place
 
 INSTEAD = "give the sheets out with corollary release --to zip, mail, moodle or canvas instead"
 MOST_NAMED = 5
@@ -127,12 +137,51 @@ class SubmitOwnSheet(ExchangeSubmit):
         self.release_path = _own(self.release_path, cast(CourseDirectory, self.coursedir))
 
 
+class ReleaseOwnFeedback(ExchangeReleaseFeedback):
+    """Feedback: to those who handed in through the exchange. The pages of others have no place in it, and it is said whose."""
+
+    def copy_files(self) -> None:
+        coursedir = cast(CourseDirectory, self.coursedir)
+        name, course = str(coursedir.assignment_id), _ours(Path(coursedir.root))
+        if course is None or not is_assigned(course, name):
+            super().copy_files()
+            return
+        pages = [each.id for each in students(course) if feedback_place(course, name, each.id).is_file()]
+        if not pages:
+            self.fail(f"nobody has a feedback page of {name}; run corollary grade {name}, then release again")
+        without = [student for student in pages if not _can_be_fetched(course, name, student)]
+        if without:
+            self.log.warning(
+                "%s did not hand in %s through this exchange, so their pages cannot be fetched from it; "
+                "give them back with corollary export %s --to feedback-zip, or by mail",
+                few(without, MOST_NAMED),
+                name,
+                name,
+            )
+            coursedir.student_id_exclude = ",".join(
+                (*filter(None, (coursedir.student_id_exclude,)), *without)
+            )
+        super().copy_files()
+
+
 def _own_sheets(root: Path, name: str) -> dict[str, Path]:
     """The folder with the own sheet of each student; none where the course or the assignment is none of ours."""
-    if not (root / ".corollary" / "key").is_file():
-        return {}
-    places = {each.id: root / "release" / each.id / name for each in students(open_course(root))}
+    course = _ours(root)
+    places = {each.id: root / "release" / each.id / name for each in students(course)} if course else {}
     return {student: place for student, place in places.items() if place.is_dir()}
+
+
+def _can_be_fetched(course: Course, name: str, student: str) -> bool:
+    """Whether what nbgrader finds a page by lies beside it, put there from what was handed in where it is missing."""
+    place = course.place("feedback", student, name)
+    for each in BESIDE:
+        if not (place / each).is_file() and (content := beside(course, name, student, each)):
+            write_whole(place / each, content)
+    return all((place / each).is_file() for each in BESIDE)
+
+
+def _ours(root: Path) -> Course | None:
+    return open_course(root) if (root / ".corollary" / "key").is_file() else None
 
 
 def _own(path: str, coursedir: CourseDirectory) -> str:

@@ -113,10 +113,9 @@ def record_several(
                 ("timestamp.txt", stamp),
                 ("submission_secret.txt", _secret(course, name, student)),
             ):
-                if content:
-                    files[course.place("autograded", student, name) / file] = content
-            if stamp:  # ngshare's release_feedback tells by it which hand-in a page is of
-                files[course.place("feedback", student, name) / "timestamp.txt"] = stamp
+                if content:  # release_feedback tells by them which hand-in a page is of, and where the student looks for it
+                    for step in ("autograded", "feedback"):
+                        files[course.place(step, student, name) / file] = content
     if followed and (entries := seen(book)) is not None:
         has_seen(book, entries + followed)
     book.db.commit()

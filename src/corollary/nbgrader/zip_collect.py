@@ -27,11 +27,13 @@ class BoundedExtractor(ExtractorPlugin):
     def extract(self, archive_path: str, extracted_path: str) -> None:
         for number, member in enumerate(members(Path(archive_path))):
             if not isinstance(member.content, bytes):
-                why = "is no notebook" if member.content is None else member.content.why
+                why = "is no notebook" if member.content is None else member.content.in_english
                 self.log.warning("%s %s, and is left out", member.name, why)
                 continue
             folders = [file_name(part) for part in member.parts[:-1]]
             place = Path(extracted_path, *folders, file_name(member.parts[-1]))
+            if place.stem.lower().endswith(".ipynb"):  # saved as text; nbgrader looks at notebooks only
+                place = place.with_suffix("")
             if place.exists():
                 place = place.with_name(f"{place.stem} ({number}){place.suffix}")
             write_whole(place, member.content)

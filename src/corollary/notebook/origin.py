@@ -49,12 +49,14 @@ def is_of(sheet: Worksheet, nb: NotebookNode) -> bool:
 
 
 def other_numbers(theirs: str, ours: str) -> bool:
-    """Whether two statements or questions give different numbers, however they are worded and whatever they earn."""
+    """Whether two statements or questions give different numbers, however they are worded, in whatever language, and whatever
+    they earn."""
     return _numbers(theirs) != _numbers(ours)
 
 
 def _numbers(text: str) -> Counter[str]:
-    return Counter(NUMBER.findall(HEAD.sub("", text)))
+    asked = HEAD.sub("", text).replace("{,}", ",")  # a decimal comma in TeX
+    return Counter(each.replace(",", ".") for each in NUMBER.findall(asked))
 
 
 def _word(value: object) -> str:

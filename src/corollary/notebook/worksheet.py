@@ -73,6 +73,19 @@ class Worksheet:
         return tuple(prompt for exercise in self.exercises for prompt in exercise.prompts)
 
 
+@dataclass(frozen=True, slots=True)
+class SheetPlan:
+    """A worksheet yet to be made: whose it is, and its numbers in the order of the set's problems."""
+
+    problem_set: ProblemSet
+    student: Student
+    variants: tuple[Variant, ...]
+
+    def worksheet(self) -> Worksheet:
+        """Raises Malformed, as `exercise`."""
+        return worksheet(self.problem_set, self.student, self.variants)
+
+
 def exercise(variant: Variant, weight: float = 1.0) -> Exercise:
     """What a student reads of one variant. Raises Malformed when a part's heading does not fit its answer type."""
     problem = checked(in_language(variant.problem))

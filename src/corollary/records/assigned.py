@@ -31,7 +31,7 @@ from corollary.records.numbers import (
     words_of,
     write_numbers,
 )
-from corollary.records.origin import read_origin
+from corollary.records.origin import set_of
 from corollary.records.renames import NotSettled, Rename, proposed, settled
 
 
@@ -165,7 +165,7 @@ def variant_anywhere(course: Course, problem: Problem, student: str) -> Variant 
 def _carried(course: Course, set_name: str, problem: Problem, student: str) -> Variant | None:
     """From a set of an earlier version, which is carried over by this."""
     with suppress(LookupError):
-        _, problem_set = read_origin(course, set_name)
+        _, problem_set = set_of(course, set_name)
         sheet = read_assigned(course, problem_set).get(student)
         return sheet.variant(problem) if sheet is not None else None
     return None

@@ -37,7 +37,7 @@ def dependencies(
     it is. `state` is what they share with everybody's."""
     content = bytes_of(path, within=course.folder / "submitted")
     found = {
-        NOTEBOOK: content if isinstance(content, bytes) else content.why.encode(),
+        NOTEBOOK: content if isinstance(content, bytes) else content.in_english.encode(),
         DEADLINE: repr((terms.due and terms.due.isoformat(), terms.excused)).encode(),
         "the numbers": assigned.numbers.encode(),
         **({"what is called otherwise": assigned.names.encode()} if assigned.names else {}),

@@ -20,6 +20,8 @@ from corollary.problem.roster import COLUMNS, Student
 from corollary.problem.table import read_table
 
 KEY_BYTES = 32
+# What nbgrader puts beside a notebook that was handed in.
+BESIDE = {"timestamp.txt", "submission_secret.txt"}
 GIVEN = "id as given"  # in the roster's copy: what stood in the column `id` before it became a folder's name
 OUTSIDE = re.compile(r"^\.|[/\\\x00]")  # what would lead out of the course's folders
 

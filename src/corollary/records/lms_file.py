@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 from pathlib import Path
 
 from corollary.messages import few, visible
@@ -22,6 +23,8 @@ KIND = re.compile(r"[^:]{1,40}:\s*(?=\S)")
 AS_POINTS = re.compile(r"\s*\((?:real|\d+)\)$")
 MARK = re.compile(r"-?\d+(?:[.,]\d+)?$")
 WITH_COMMA = re.compile(r"-?\d+,\d+$")
+DECIMAL = re.compile(r"-?\d+[.,]\d+$")
+NO_MARK = ("", "-")
 POINTS = "points possible"
 
 
@@ -48,7 +51,7 @@ def fill_in(path: Path, table: MarksTable, headings: Sequence[str] = ()) -> Fill
     people = row_owners(Directory(table.students), first, rows)
     if not people.students:
         raise _refused(path, f"names no student of the course; its columns are {', '.join(first)}")
-    notation = replace(table.notation, point="," if _with_commas(rows) else ".")
+    notation = replace(table.notation, point="," if _with_commas(rows, places) else ".")
     texts, overlooked = _texts(cells, replace(table, notation=notation), places, people)
     present = set(people.students.values())
     notes = [
@@ -161,9 +164,16 @@ def _on_scale(
             )
 
 
-def _with_commas(rows: Sequence[tuple[int, Sequence[str]]]) -> bool:
-    """Whether the file writes decimal commas."""
-    return any(WITH_COMMA.match(cell) for _, values in rows for cell in values)
+def _with_commas(rows: Sequence[tuple[int, Sequence[str]]], places: Collection[int]) -> bool:
+    """Whether the file writes decimal commas: in the columns to fill in, or else in one that holds nothing but marks; an id may
+    be `12,5` anywhere."""
+    columns = {at: [cell for cell in column if cell not in NO_MARK]
+               for at, column in enumerate(zip_longest(*(values for _, values in rows), fillvalue=""))}  # fmt: skip
+    own = [cell for at in places for cell in columns.get(at, []) if DECIMAL.match(cell)]
+    if own:
+        return any(WITH_COMMA.match(cell) for cell in own)
+    marks = (cells for cells in columns.values() if all(MARK.match(cell) for cell in cells))
+    return any(WITH_COMMA.match(cell) for cells in marks for cell in cells)
 
 
 def _called(values: Sequence[str]) -> str:

@@ -143,7 +143,7 @@ class Directory:
     def of_parts(self, parts: Sequence[str], set_name: str) -> str | None:
         """By the names of the folders around a file and its own: whose id or whose whole name stands in the first that has one."""
         for part in parts:
-            stem = again(part.removesuffix(".ipynb").removesuffix(".zip"))[0]
+            stem = again(re.sub(r"(\.ipynb(\.txt|\.json)?|\.zip)$", "", part))[0]
             rest = re.sub(re.escape(set_name), " ", stem, flags=re.IGNORECASE)
             words = [word for word in re.split(r"[\s_,;()+]+|(?<=\w)-(?=\w)", rest) if word]
             whole = [rest.strip(" _-"), *re.split(r"[\s_,;()+]+", rest), *words]

@@ -12,7 +12,7 @@ import msgspec
 
 from corollary.atomic import write_each_whole, write_whole
 from corollary.problem.problem_set import ProblemSet
-from corollary.records.files import Course
+from corollary.records.files import BESIDE, Course
 from corollary.records.journal import append, entries, last_lines
 from corollary.records.manual import ManualMark, ManualMarks, Place, journal_place, read_manual
 from corollary.records.record import Record, with_manual
@@ -174,8 +174,13 @@ def page_facts_place(course: Course, set_name: str, student: str) -> Path:
 
 
 def write_page(course: Course, set_name: str, student: str, page: str) -> None:
-    """The feedback page; those that earlier versions wrote beside nbgrader's are gone then."""
-    write_whole(feedback_place(course, set_name, student), page)
+    """The feedback page, and beside it what nbgrader's exchanges go by; pages that earlier versions wrote are gone then."""
+    place = feedback_place(course, set_name, student)
+    write_whole(place, page)
+    for name in sorted(BESIDE):
+        marked = course.place("autograded", student, set_name) / name
+        if marked.is_file() and not (place.parent / name).exists():
+            write_whole(place.parent / name, marked.read_bytes())
     _remove_former_pages(course, set_name, student)
 
 

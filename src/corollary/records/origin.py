@@ -62,18 +62,26 @@ def _age(path: Path) -> float:
 
 
 def _unknown(course: Course, set_name: str, bank: Bank, here: list[str]) -> UnknownCode:
-    generated = sorted(path.stem for path in _origin(course, "any").parent.glob("*.json"))
+    assigned = course.record("assigned", f"{set_name}.json")
+    if assigned.exists():
+        return UnknownCode(
+            f"{course.folder} has numbers of {set_name}, but no longer says where that set is: {_origin(course, set_name)} "
+            f"is lost, and the bank {bank.place} has no set of that name; bring the file back from a backup, or name the "
+            f"set's bank with --bank or its own file ({set_name}.md with its path) in the place of {set_name}; "
+            f"generating it again from there records that anew (everybody keeps their numbers)"
+        )
+    generated = sorted(
+        {
+            path.stem
+            for kind in ("origin", "assigned")
+            for path in course.record(kind, "any").parent.glob("*.json")
+        }
+    )
     near = did_you_mean(set_name, {*generated, *here} - {set_name})
     return UnknownCode(
         f"there is no problem set {set_name}{near}; {course.folder} has: "
         f"{', '.join(generated) or 'none yet'}; the bank {bank.place} has: {', '.join(here) or 'none'}"
     )
-
-
-def read_origin(course: Course, set_name: str) -> tuple[Bank, ProblemSet]:
-    """The bank and the set. Raises NotACourse when nothing was recorded, UnknownCode when it has moved, and Malformed."""
-    bank, file = _recorded(course, set_name)
-    return bank, find_set(bank, set_name if file is None else file, read_settings(course.folder).usual)
 
 
 def _recorded(course: Course, set_name: str) -> tuple[Bank, str | None]:

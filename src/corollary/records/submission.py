@@ -12,15 +12,12 @@ from corollary.problem.problem_set import ProblemSet
 from corollary.problem.roster import Student
 from corollary.records.assigned import AssignedSheet
 from corollary.records.deadlines import Terms
-from corollary.records.files import Course
+from corollary.records.files import BESIDE, Course
 from corollary.records.hand_in_time import file_names, handed_in, handed_in_notebook, lateness, notebook_names
 from corollary.sandbox.file import bytes_of
 
 if TYPE_CHECKING:
     from corollary.grading.submission import Submission
-
-# What nbgrader puts beside a notebook that was handed in.
-BESIDE = {"timestamp.txt", "submission_secret.txt"}
 
 
 def submissions(course: Course, set_name: str) -> dict[str, Path]:
@@ -110,7 +107,7 @@ def fingerprint(
     digest = hashlib.sha256()
     content = bytes_of(path, within=course.folder / "submitted")
     for each in (
-        content if isinstance(content, bytes) else content.why.encode(),
+        content if isinstance(content, bytes) else content.in_english.encode(),
         str(handed_in(course, set_name, student)).encode(),
         assigned.identity.encode(),
         repr((terms.due and terms.due.isoformat(), terms.excused, terms.reveal)).encode()

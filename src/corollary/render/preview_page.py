@@ -43,10 +43,15 @@ class Sheet:
 
 
 def preview_page(
-    heading: str, sheets: Sequence[Sheet], redrawn: int, complaints: Sequence[Diagnostic], edition: str
+    heading: str,
+    sheets: Sequence[Sheet],
+    redrawn: int,
+    complaints: Sequence[Diagnostic],
+    edition: str,
+    advice: str = "",
 ) -> str:
     """One page that needs nothing but the server that gave it, and asks it whether `edition` still holds; `redrawn` counts
-    those too that no sheet is of."""
+    those too that no sheet is of, and `advice` says what would leave fewer."""
     return page(
         "preview.html",
         title=f"{heading}: preview",
@@ -56,6 +61,7 @@ def preview_page(
         sheets=sheets,
         dealt=sum(not sheet.draw.reason for sheet in sheets[1:]),
         redrawn=redrawn,
+        advice=advice,
         complaints=complaints,
         edition=edition,
         wanted=wanted,

@@ -23,7 +23,8 @@ MOST_TIMES = 100  # text and drawings shrink to a tenth; what shrinks to a hundr
 LEAST_BOUND = 500 << 20
 FIRST_YEAR = 1981  # 1980 is what an archive says that has no time
 SKIPPED = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".ipynb_checkpoints"}
-READ = (".ipynb",)  # nothing else can be of use
+# Nothing else can be of use; some browsers save a notebook as text.
+READ = (".ipynb", ".ipynb.txt", ".ipynb.json")
 FAILURES = (
     zipfile.BadZipFile,
     zlib.error,
@@ -61,7 +62,9 @@ def members(path: Path) -> Iterator[Member]:
             with path.open("rb") as file:
                 yield from _of_archive(file, path.stat().st_size, (), path.name, 1)
         except OSError as error:
-            yield Member((path.name,), Unreadable(f"cannot be opened: {error.strerror}", True), None)
+            yield Member(
+                (path.name,), Unreadable(f"cannot be opened: {error.strerror}", machine_failed=True), None
+            )
     else:
         yield from _of_file((path.name,), path, None)
 
@@ -93,12 +96,12 @@ def _of_file(parts: tuple[str, ...], path: Path, within: Path | None) -> Iterato
         modified = datetime.fromtimestamp(path.lstat().st_mtime, UTC)
     except (OSError, OverflowError, ValueError):
         modified = None
-    suffix = path.suffix.lower()
-    if suffix not in (*READ, ".zip"):
+    name = path.name.lower()
+    if not name.endswith((*READ, ".zip")):
         yield Member(parts, None, modified)
         return
     content = bytes_of(path, within=within)
-    if suffix == ".zip" and isinstance(content, bytes):
+    if name.endswith(".zip") and isinstance(content, bytes):
         yield from _of_archive(io.BytesIO(content), len(content), parts, "/".join(parts), 2)
     else:
         yield Member(parts, content, modified)
@@ -124,15 +127,15 @@ def _of_archive(
                 if info.is_dir() or not parts or SKIPPED & set(parts) or parts[-1].startswith("._"):
                     continue
                 content = _refusal(info, parts)
-                ending = Path(parts[-1]).suffix.lower()
-                if content is None and ending in (*READ, ".zip"):
+                name = parts[-1].lower()
+                if content is None and name.endswith((*READ, ".zip")):
                     content = (
                         _content(archive, info)
                         if left > 0
                         else Unreadable("is in an archive that unpacks without end")
                     )
                     left -= len(content) if isinstance(content, bytes) else 0
-                if ending == ".zip" and isinstance(content, bytes):
+                if name.endswith(".zip") and isinstance(content, bytes):
                     nested = (*inside, *parts)
                     yield from _of_archive(io.BytesIO(content), len(content), nested, label, depth + 1)
                 else:

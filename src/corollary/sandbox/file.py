@@ -5,19 +5,35 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+
+from corollary.messages import N_, catalogue
+
+_ = catalogue(__name__)
 
 MOST_BYTES = 20 << 20
 
 
 @dataclass(frozen=True, slots=True)
 class Unreadable:
-    """A file that is no notebook; `why` is a sentence for the student. `machine_failed`: through no fault of theirs, such as
-    rights that whoever marks does not have."""
+    """A file that is no notebook. `message` is a sentence in English, with the `values` of its holes, where it has any.
+    `machine_failed`: through no fault of the student's, such as rights that whoever marks does not have."""
 
-    why: str
+    message: str
+    values: Mapping[str, object] = field(default_factory=dict[str, object])
     machine_failed: bool = False
+
+    @property
+    def why(self) -> str:
+        """The sentence in the student's language."""
+        return _(self.message, **self.values)
+
+    @property
+    def in_english(self) -> str:
+        """The sentence for whoever teaches, and for records: the same in every language."""
+        return self.message.format(**self.values) if self.values else self.message
 
 
 # Rights, broken disks, and too many open files: of this machine, and nothing that was handed in.
@@ -36,22 +52,26 @@ def bytes_of(
     try:
         descriptor = _opened(Path(path), Path(within) if within is not None else None)
     except (OSError, ValueError) as error:
-        return Unreadable(_why(error), isinstance(error, OSError) and error.errno in OF_THE_MACHINE)
+        return _refused(error)
     status = os.fstat(descriptor)
     if not stat.S_ISREG(status.st_mode) or status.st_size > most_bytes:
         os.close(descriptor)
-        return too_large(most_bytes) if stat.S_ISREG(status.st_mode) else Unreadable("This is not a file.")
+        return (
+            too_large(most_bytes) if stat.S_ISREG(status.st_mode) else Unreadable(N_("This is not a file."))
+        )
     with open(descriptor, "rb") as file:
         try:
             content = file.read(most_bytes + 1)  # it may be growing
         except OSError as error:
-            return Unreadable(f"The file cannot be read: {error.strerror}.", error.errno in OF_THE_MACHINE)
+            values = {"what": error.strerror}
+            return Unreadable(N_("The file cannot be read: {what}."), values, error.errno in OF_THE_MACHINE)
     return content if len(content) <= most_bytes else too_large(most_bytes)
 
 
 def too_large(most_bytes: int) -> Unreadable:
     size = f"{most_bytes >> 20} MB" if most_bytes >= 1 << 20 else f"{most_bytes} bytes"
-    return Unreadable(f"The file is larger than {size}: clear the outputs and hand it in again.")
+    message = N_("The file is larger than {size}: clear the outputs and hand it in again.")
+    return Unreadable(message, {"size": size})
 
 
 def _opened(path: Path, within: Path | None) -> int:
@@ -84,16 +104,19 @@ def _opened_by_name(path: Path, within: Path | None) -> int:
     return os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
 
 
-def _why(error: OSError | ValueError) -> str:
+def _refused(error: OSError | ValueError) -> Unreadable:
     if isinstance(error, ValueError):
-        return f"The file cannot be opened: {error}."
-    if error.errno in (
-        errno.ELOOP,
-        errno.EMLINK,
-    ):  # what O_NOFOLLOW says of a link (open(2); FreeBSD has EMLINK)
-        return "The file is a link, which is not followed: hand in the file itself."
-    if error.errno == errno.ENOTDIR:  # O_DIRECTORY with O_NOFOLLOW says this of a link to a folder
-        return (
-            "The folder it lies in is a link or no folder, which is not followed: hand in the folder itself."
-        )
-    return f"The file cannot be opened: {error.strerror}."
+        return Unreadable(N_("The file cannot be opened: {what}."), {"what": error})
+    match error.errno:
+        case errno.ELOOP | errno.EMLINK:  # what O_NOFOLLOW says of a link (open(2); FreeBSD has EMLINK)
+            return Unreadable(N_("The file is a link, which is not followed: hand in the file itself."))
+        case errno.ENOTDIR:  # O_DIRECTORY with O_NOFOLLOW says this of a link to a folder
+            message = N_(
+                "The folder it lies in is a link or no folder, which is not followed: hand in the folder itself."
+            )
+            return Unreadable(message)
+        case errno.ENXIO:  # a socket
+            return Unreadable(N_("This is not a file."))
+        case number:
+            values = {"what": error.strerror}
+            return Unreadable(N_("The file cannot be opened: {what}."), values, number in OF_THE_MACHINE)

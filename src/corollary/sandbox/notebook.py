@@ -12,6 +12,7 @@ from typing import Any
 
 import nbformat
 
+from corollary.messages import N_
 from corollary.sandbox.file import MOST_BYTES, Unreadable, too_large
 
 MOST_CELLS = 2_000
@@ -39,33 +40,32 @@ def notebook_of(content: bytes) -> Notebook | Unreadable:
     if len(content) > MOST_BYTES:
         return too_large(MOST_BYTES)
     if not content.strip():
-        return Unreadable("The file is empty.")
+        return Unreadable(N_("The file is empty."))
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return Unreadable("The file is not text in UTF-8, so it is not a notebook.")
+        return Unreadable(N_("The file is not text in UTF-8, so it is not a notebook."))
     if _values_in(content) > MOST_VALUES:
-        return Unreadable(
-            f"The file holds more than {MOST_VALUES} values: clear the outputs and hand it in again."
-        )
+        message = N_("The file holds more than {most} values: clear the outputs and hand it in again.")
+        return Unreadable(message, {"most": MOST_VALUES})
     try:
         raw = json.loads(text, parse_constant=lambda _: None)
     except RecursionError:
-        return Unreadable("The file is nested too deeply to be a notebook.")
+        return Unreadable(N_("The file is nested too deeply to be a notebook."))
     except json.JSONDecodeError as error:
-        return Unreadable(f"The file is not a notebook: its JSON is broken ({error}).")
+        message = N_("The file is not a notebook: its JSON is broken in line {line}, column {column}.")
+        return Unreadable(message, {"line": error.lineno, "column": error.colno})
     except ValueError:  # more digits than Python turns into a number
-        return Unreadable("The file has a number of thousands of digits, so it is not a notebook.")
+        return Unreadable(N_("The file has a number of thousands of digits, so it is not a notebook."))
     if not isinstance(raw, dict):
-        return Unreadable("The file is JSON, but not a notebook: it does not begin with {.")
+        return Unreadable(N_("The file is JSON, but not a notebook: it does not begin with {."))
     _drop_outputs(raw)
     depth, count = _measure(raw)
     if depth > DEEPEST:
-        return Unreadable("The file is nested too deeply to be a notebook.")
+        return Unreadable(N_("The file is nested too deeply to be a notebook."))
     if count > MOST_INPUT_VALUES:
-        return Unreadable(
-            f"The file holds more than {MOST_INPUT_VALUES} values beside the outputs of its cells."
-        )
+        message = N_("The file holds more than {most} values beside the outputs of its cells.")
+        return Unreadable(message, {"most": MOST_INPUT_VALUES})
     if _HALF_SURROGATE.search(text):
         raw = _whole_texts(raw)
     return _mended(raw)
@@ -77,7 +77,7 @@ def _mended(raw: dict) -> Notebook | Unreadable:
     version = raw.get("nbformat")
     if type(version) is not int or not 1 <= version <= 4:
         if "cells" not in raw:
-            return Unreadable("The file is JSON, but not a notebook: it has neither a version nor cells.")
+            return Unreadable(N_("The file is JSON, but not a notebook: it has neither a version nor cells."))
         notes.append(f"the notebook's version {version!r:.20} is unknown: read as version 4")
         raw["nbformat"], raw["nbformat_minor"] = 4, 5
     try:
@@ -88,15 +88,17 @@ def _mended(raw: dict) -> Notebook | Unreadable:
                 notes.append(f"upgraded from notebook version {node.nbformat}")
                 node = nbformat.convert(node, 4)
     except Exception as error:  # the upgrader meets arbitrary data and says so in a dozen ways
-        return Unreadable(f"The notebook is damaged: {type(error).__name__} while reading it.")
+        message = N_("The notebook is damaged: {error} while reading it.")
+        return Unreadable(message, {"error": type(error).__name__})
     cells = node.get("cells")
     if not isinstance(cells, list) or not cells:
-        return Unreadable("The notebook has no cells.")
+        return Unreadable(N_("The notebook has no cells."))
     if len(cells) > MOST_CELLS:
-        return Unreadable(f"The notebook has {len(cells)} cells, more than {MOST_CELLS}.")
+        message = N_("The notebook has {count} cells, more than {most}.")
+        return Unreadable(message, {"count": len(cells), "most": MOST_CELLS})
     node.cells = _sound_cells(cells, notes)
     if not node.cells:
-        return Unreadable("The notebook has no cells that can be read.")
+        return Unreadable(N_("The notebook has no cells that can be read."))
     if not isinstance(node.get("metadata"), dict):
         node.metadata = nbformat.NotebookNode()
     node.nbformat, node.nbformat_minor = 4, 5

@@ -73,7 +73,8 @@ class CallFrame(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="ca
     index: _Index
     value: Encoded
     output: _Words
-    trouble: _Words
+    trouble: Literal["", "missing", "no function", "raised", "late"]
+    error: _Words
 
 
 class Done(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag="done", tag_field="t"):

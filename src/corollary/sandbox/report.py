@@ -9,24 +9,34 @@ from dataclasses import replace
 import msgspec
 
 from corollary.formula.value import Nothing, Value
+from corollary.messages import N_, catalogue
 from corollary.sandbox.decode import to_value
 from corollary.sandbox.isolation import Isolation
-from corollary.sandbox.job import Job
+from corollary.sandbox.job import FunctionCall, Job
 from corollary.sandbox.protocol import CallFrame, Display, Error, Output, Result, Stream
 from corollary.sandbox.result import Axes, CallResult, CellRun, ExecutionResult, Figure, Status
 from corollary.sandbox.session import WorkerState
 
+_ = catalogue(__name__)
+
 _PNG = "image/png"
-_CHANGED = " (changed after it was shown; this is how it was at the end)"
+_CHANGED = N_("changed after it was shown; this is how it was at the end")
 _SIGNALS = {
-    "SIGSEGV": "a crash in compiled code (segmentation fault; very deep recursion does this too)",
-    "SIGABRT": "a crash in compiled code (abort)",
-    "SIGBUS": "a crash in compiled code (bus error)",
-    "SIGFPE": "a crash in compiled code (arithmetic)",
-    "SIGILL": "a crash in compiled code (illegal instruction)",
-    "SIGXCPU": "its computing time was used up",
-    "SIGSYS": "a system call that is not allowed",
-    "SIGKILL": "it was killed, most likely for want of memory",
+    "SIGSEGV": N_("a crash in compiled code (segmentation fault; very deep recursion does this too)"),
+    "SIGABRT": N_("a crash in compiled code (abort)"),
+    "SIGBUS": N_("a crash in compiled code (bus error)"),
+    "SIGFPE": N_("a crash in compiled code (arithmetic)"),
+    "SIGILL": N_("a crash in compiled code (illegal instruction)"),
+    "SIGXCPU": N_("its computing time was used up"),
+    "SIGSYS": N_("a system call that is not allowed"),
+    "SIGKILL": N_("it was killed, most likely for want of memory"),
+}
+# Why there is no value, by the worker's word for it.
+_NO_VALUE = {
+    "missing": N_("there is no function called {function}"),
+    "no function": N_("{function} is not a function"),
+    "raised": N_("the function raised {error}"),
+    "late": N_("the function ran longer than {seconds} s"),
 }
 
 
@@ -38,7 +48,7 @@ def result_of(job: Job, state: WorkerState, isolation: Isolation) -> ExecutionRe
         sent = state.cells[index].values
         values |= {name: to_value(encoded) for name, encoded in sent.items() if name in values}
     calls = {
-        call.key: _call_result(state.calls.get(index), trouble, state, index)
+        call.key: _call_result(state.calls.get(index), call, trouble, state, index)
         for index, call in enumerate(job.calls)
     }
     return ExecutionResult(
@@ -58,27 +68,26 @@ def _trouble(job: Job, state: WorkerState) -> str:
         return ""
     place, code = _place(job, state), state.exit_code
     if state.ended:
-        return f"The notebook was ended {place}: {state.ended}."
+        return _("The notebook was ended {place}: {why}.", place=place, why=state.ended)
     if code is not None and code > 128:
         try:
-            number = signal.Signals(code - 128)
+            name = signal.Signals(code - 128).name
+            why = _(_SIGNALS[name]) if name in _SIGNALS else name
         except ValueError:
-            return f"The notebook's process died {place}: signal {code - 128}."
-        return f"The notebook's process died {place}: {_SIGNALS.get(number.name, number.name)}."
-    return f"The notebook's process ended itself {place}, as os._exit does."
+            why = _("signal {number}", number=code - 128)
+        return _("The notebook's process died {place}: {why}.", place=place, why=why)
+    return _("The notebook's process ended itself {place}, as os._exit does.", place=place)
 
 
 def _place(job: Job, state: WorkerState) -> str:
     if state.working_on is None:
-        return "before its first cell"
+        return _("before its first cell")
     index = state.working_on.index
     if state.working_on.what == "cell":
-        return f"in code cell {index + 1}"
-    return (
-        f"while its function {job.calls[index].function} was called"
-        if index < len(job.calls)
-        else "at its end"
-    )
+        return _("in code cell {number}", number=index + 1)
+    if index < len(job.calls):
+        return _("while its function {function} was called", function=job.calls[index].function)
+    return _("at its end")
 
 
 def _cell_runs(job: Job, state: WorkerState) -> tuple[CellRun, ...]:
@@ -94,9 +103,9 @@ def _cell_runs(job: Job, state: WorkerState) -> tuple[CellRun, ...]:
         elif index == broken:
             status: Status = "timeout" if state.late else "error"
             error = (
-                "the cell ran out of time and did not stop"
+                _("the cell ran out of time and did not stop")
                 if state.late
-                else "the notebook's process ended in this cell"
+                else _("the notebook's process ended in this cell")
             )
             runs.append(CellRun(cell.id, status, (), 0.0, error))
         else:
@@ -114,7 +123,7 @@ def _output(output: Output, state: WorkerState) -> dict[str, object]:
 
 def _with_picture(data: dict[str, str], state: WorkerState) -> dict[str, str]:
     """With the picture in place of its placeholder, where one was drawn."""
-    word, _, place = data.get(_PNG, "").partition(" ")
+    word, place = data.get(_PNG, "").partition(" ")[::2]
     if word != "figure" or not place.isdecimal():
         return data
     rest = {mime: content for mime, content in data.items() if mime != _PNG}
@@ -122,19 +131,23 @@ def _with_picture(data: dict[str, str], state: WorkerState) -> dict[str, str]:
     if picture is None or picture.png is None:
         return rest
     if picture.changed and "text/plain" in rest:
-        rest["text/plain"] += _CHANGED
+        rest["text/plain"] += f" ({_(_CHANGED)})"
     return rest | {_PNG: base64.b64encode(picture.png).decode()}
 
 
-def _call_result(frame: CallFrame | None, trouble: str, state: WorkerState, index: int) -> CallResult:
+def _call_result(
+    frame: CallFrame | None, call: FunctionCall, trouble: str, state: WorkerState, index: int
+) -> CallResult:
     if frame is not None:
-        return CallResult(to_value(frame.value), frame.output, frame.trouble)
+        sentence = _NO_VALUE.get(frame.trouble, frame.trouble)
+        values = {"function": call.function, "error": frame.error, "seconds": f"{call.seconds:g}"}
+        return CallResult(to_value(frame.value), frame.output, _(sentence, **values) if sentence else "")
     here = (
         state.working_on is not None and state.working_on.what == "call" and state.working_on.index == index
     )
     if here and state.late:
-        return CallResult(Nothing(), "", "the function ran out of time and did not stop")
-    return CallResult(Nothing(), "", trouble if here else f"it was not called: {trouble}")
+        return CallResult(Nothing(), "", _("the function ran out of time and did not stop"))
+    return CallResult(Nothing(), "", trouble if here else _("it was not called: {why}", why=trouble))
 
 
 def _figures(job: Job, state: WorkerState) -> tuple[Figure, ...]:

@@ -7,12 +7,15 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from corollary.formula.value import Nothing
+from corollary.messages import N_, catalogue
 from corollary.sandbox.job import Job
 from corollary.sandbox.result import ExecutionResult
 from corollary.sandbox.session import WorkerState
 
+_ = catalogue(__name__)
+
 MOST_RERUNS = 3  # after so many more deaths a notebook is taken as it is
-_AGAIN = "The rest was run again without it."
+_AGAIN = N_("The rest was run again without it.")
 
 Attempt = Callable[[Job], tuple[WorkerState, ExecutionResult]]
 
@@ -57,5 +60,5 @@ def _together(job: Job, result: ExecutionResult, rest: Job, later: ExecutionResu
         name: result.values[name] if isinstance(value, Nothing) else value
         for name, value in later.values.items()
     }
-    trouble = " ".join(filter(None, (result.trouble, _AGAIN, later.trouble)))
+    trouble = " ".join(filter(None, (result.trouble, _(_AGAIN), later.trouble)))
     return replace(later, cells=cells, values=values, calls=result.calls | later.calls, trouble=trouble)

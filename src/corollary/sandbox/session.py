@@ -10,6 +10,7 @@ from typing import assert_never, final
 
 import msgspec
 
+from corollary.messages import catalogue
 from corollary.sandbox.folders import Canary
 from corollary.sandbox.job import Job, Limits
 from corollary.sandbox.protocol import (
@@ -26,6 +27,8 @@ from corollary.sandbox.protocol import (
     worker_frames,
 )
 from corollary.sandbox.zygote import Worker
+
+_ = catalogue(__name__)
 
 _GRACE = (
     1.0  # seconds between the interrupt and the kill: a cell that catches KeyboardInterrupt may still tidy up
@@ -85,21 +88,24 @@ def follow(
             look = time.monotonic() + _DISK_WATCH if disk_used is not None else last
             frame = frames.read(min(deadline, last, look))
         except Garbled:
-            _kill(worker, state, "what its process sent could not be read")
+            _kill(worker, state, _("what its process sent could not be read"))
             return
         match frame:
             case "late":
                 if disk_used is not None and disk_used() > limits.file_bytes:
-                    _kill(worker, state, "it filled the disk")
+                    _kill(worker, state, _("it filled the disk"))
                     return
                 now = time.monotonic()
                 if now >= last:
-                    _kill(worker, state, f"the notebook ran longer than {limits.total_seconds:g} s in all")
+                    seconds = f"{limits.total_seconds:g}"
+                    _kill(
+                        worker, state, _("the notebook ran longer than {seconds} s in all", seconds=seconds)
+                    )
                     return
                 if now >= deadline:
                     state.late = True
                     if interrupted:
-                        _kill(worker, state, "it did not stop when its time was up")
+                        _kill(worker, state, _("it did not stop when its time was up"))
                         return
                     worker.signal(signal.SIGINT)
                     interrupted, deadline = True, now + _GRACE
@@ -121,7 +127,7 @@ def follow(
             case Probed(held):
                 state.held, state.done = held, True
             case Broken(why):
-                state.ended = f"its own process failed ({why})"
+                state.ended = _("its own process failed ({why})", why=why)
             case Done(pictures):
                 state.working_on, state.done = None, True
             case PictureFrame(index):

@@ -54,14 +54,13 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
     try:
         result = modal.collide(line)
     except (ArithmeticError, ValueError) as lost:
-        raise GuardFailed(f"These masses are too unequal for normal modes in doubles: {lost}") from lost
-    # Every opening or closing hands its rounding on to what follows.
-    sure = dict.fromkeys(
-        ("velocities", "overlaps", "forces"), ROUNDING * len(line.masses) * max(result.openings, 1)
-    )
-    errors = sure | {"duration": 10.0 * sure["velocities"]}
+        raise GuardFailed(f"These masses are too unequal for normal modes in doubles: {lost}.") from lost
+    # Every opening or closing hands its rounding on to what follows, and a light body is thrown to and fro: each time, too.
+    thrown = math.sqrt(max(1.0, caught_between(line.masses)))
+    sure = ROUNDING * len(line.masses) * max(result.openings, 1) * thrown
+    errors = {"velocities": sure, "overlaps": sure, "forces": sure, "duration": 30.0 * sure}
     # A rounding of momentum is much of the speed of a light body.
-    errors["velocities"] *= max(1.0, caught_between(line.masses)) ** 1.5
+    errors["velocities"] *= thrown**2
     errors["velocities"] = max(errors["velocities"], _energy_lost(line, result))
     return Collided(
         result,

@@ -287,5 +287,9 @@ def independent(scene: str, settings: Settings, tolerance: float) -> Run | None:
         from corollary.scenes.library.spheres import stepped as stepped_pair
 
         return stepped_pair(settings, tolerance)
+    if scene == "growing_drop":
+        from corollary.scenes.library.growing_drop import stepped as stepped_drop
+
+        return stepped_drop(settings, tolerance)
     second = INDEPENDENT.get(scene)
     return second(settings, tolerance) if second else None

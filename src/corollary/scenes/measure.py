@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
-from dataclasses import replace
 from functools import lru_cache
 
 from corollary.scenes.motion.energy import kinetic
@@ -12,6 +11,7 @@ from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.lookup import contact_span, flat
 from corollary.scenes.motion.observe import look, outcome, state_at
 from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.perturbation import CHANGED, perturbed
 from corollary.scenes.progress import part
 from corollary.scenes.run import (
     BadSetting,
@@ -22,7 +22,7 @@ from corollary.scenes.run import (
     Run,
     components,
 )
-from corollary.scenes.scene import Body, Scene, place, start_of, velocity
+from corollary.scenes.scene import Scene, place, start_of, velocity
 
 FINER = 20.0
 """How much finer the run is whose values are given than the one it is compared with."""
@@ -32,8 +32,6 @@ FINEST = 2e-14
 COARSEST = 1e-6
 """From here on steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
 BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
-CHANGED = 1e-7
-"""The relative change of the data with which the condition is found."""
 CHAOTIC = 1e6
 """From this condition on a change of the data by CHANGED comes out as large as the value: it is said."""
 
@@ -49,7 +47,7 @@ def _paths(scene: Scene, tolerance: float) -> tuple[Trajectory, Trajectory, Traj
         right = follow(scene, fine)
     try:
         with part(0.7, 0.95):
-            other = follow(_changed(scene), max(tolerance, FINER * FINEST))
+            other = follow(perturbed(scene), max(tolerance, FINER * FINEST))
     except (BadSetting, GuardFailed):
         other = None
     return rough, right, other
@@ -68,24 +66,6 @@ def _grazing(scene: Scene, tolerance: float) -> tuple[Trajectory | None, ...]:
         except (BadSetting, GuardFailed):
             found.append(None)
     return tuple(found)
-
-
-def _changed(scene: Scene) -> Scene:
-    """The same with velocities and spins changed a little, each in its own way; what is at rest stays at rest."""
-
-    def other(x: float, i: int) -> float:
-        return x * (1.0 + CHANGED * math.cos(1.0 + 2.4 * i))
-
-    bodies: list[Body] = []
-    for i, body in enumerate(scene.bodies):
-        if math.isinf(body.mass):
-            bodies.append(body)
-            continue
-        velocity = tuple(other(v, 3 * i + j) for j, v in enumerate(body.velocity))
-        bodies.append(
-            replace(body, velocity=velocity, spin=other(body.spin, 3 * i + 2), mass=other(body.mass, i + 7))
-        )
-    return replace(scene, bodies=tuple(bodies))
 
 
 def measured(

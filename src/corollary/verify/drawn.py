@@ -20,6 +20,8 @@ from corollary.problem.part import Part
 from corollary.problem.sampling import spread
 from corollary.problem.variant import Variant, chapter, first_broken
 from corollary.units.unit import show
+from corollary.verify.narrowing import TriedDraw, narrower
+from corollary.verify.walk import HALF
 
 REDRAWN = 10  # are enough to see what it is
 MOST_DRAWS = 2000  # a student's numbers are sought as long
@@ -57,24 +59,37 @@ class Draw:
     reason: str
 
 
-def drawn(solution: Solution, count: int) -> tuple[list[Draw], int]:
-    """The chapter's own numbers, then points of the grid as they come until so many may be assigned, with the first few of
-    those that are redrawn; and how many are redrawn in all."""
-    draws, redrawn = [_draw(solution, chapter(solution.problem))], 0
+@dataclass(frozen=True, slots=True)
+class PreviewDraws:
+    """Draws that may be assigned, with the first few of those that are redrawn, how many are redrawn in all, and where more than
+    half of those that keep all conditions are, what limit would leave fewer."""
+
+    draws: list[Draw]
+    redrawn: int
+    advice: str
+
+
+def drawn(solution: Solution, count: int) -> PreviewDraws:
+    """The chapter's own numbers, then points of the grid as they come until so many may be assigned."""
+    draws, redrawn, tried = [_draw(solution, chapter(solution.problem))], 0, list[TriedDraw]()
     for variant in spread(solution.problem, MOST_DRAWS, salt="preview"):
-        if redrawn >= REDRAWN and (first_broken(variant) or admitted(solution, variant)[0] is None):
+        broken = first_broken(variant) is not None
+        if not broken:
+            tried.append(TriedDraw(variant, admitted(solution, variant)[0] is not None))
+        if broken or not tried[-1].admitted:
             redrawn += 1
-            continue
+            if redrawn > REDRAWN:
+                continue
         draws.append(_draw(solution, variant))
-        redrawn += bool(draws[-1].reason)
         if len(draws) - 1 - min(redrawn, REDRAWN) == count:
             break
-    return draws, redrawn
+    refused = sum(not each.admitted for each in tried)
+    return PreviewDraws(draws, redrawn, narrower(tried) if refused > HALF * len(tried) else "")
 
 
 def _draw(solution: Solution, variant: Variant) -> Draw:
     if (broken := first_broken(variant)) is not None:
-        reason = f"the condition {broken.text} does not hold"
+        reason = f"the condition `{broken.text}` does not hold"
     else:
         key, reason = admitted(solution, variant)
         if key is not None:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from corollary.answers.expected import Values
+from corollary.derive.introduction import unexplained
 from corollary.derive.solution import ClosedForms, SceneOutcome, Solution, Unknown
 from corollary.derive.statements import Code, Plot
 from corollary.formula.ast import names
@@ -30,7 +31,7 @@ def remark(bank: Bank, solution: Solution, key: Key, tally: Tally) -> None:
         )
     for line, sentence in (*_outside(solution.problem), *_unused(solution)):
         tally.note(f"{file}:{line}: {sentence}")
-    for line, sentence in (*_few(key.solution), *_alike(key)):
+    for line, sentence in (*_few(key.solution), *_alike(key), *_unknown_letters(solution)):
         tally.note(f"{path}:{line}: {sentence}")
 
 
@@ -69,6 +70,16 @@ def _unused(solution: Solution) -> Iterator[tuple[int, str]]:
                 given.line,
                 f"the given {given.symbol} is used in no answer; leave it out, unless it is there to be left aside",
             )
+
+
+def _unknown_letters(solution: Solution) -> Iterator[tuple[int, str]]:
+    """Letters that a student meets in the worked solution and nobody has told them of, each once."""
+    every = [each.solution for each in solution.regimes] or [solution]
+    for line, letter in dict.fromkeys(found for each in every for found in unexplained(each)):
+        yield (
+            line,
+            f'nothing says what {letter} stands for; say it where it is named, unknowns({letter}="…")',
+        )
 
 
 def _letters(find: Unknown) -> set[str]:

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from corollary.derive.derivation import Asserted
 from corollary.derive.load import NotDerivable, load
 from corollary.derive.put_back import unseen
-from corollary.derive.simulation import Seen, simulations
+from corollary.derive.simulation import Seen, Simulation, simulations
 from corollary.derive.statements import Printed
 from corollary.grading.key import Key
 from corollary.grading.neglect import neglected_in
 from corollary.grading.replay import ancestors
 from corollary.problem.bank import Bank
 from corollary.verify.checked import Tally
+from corollary.verify.walk import check_scene
 
 OTHER = 1.25  # times an answer: what a scene must find for it then is something else
 
@@ -52,18 +53,27 @@ def _unchecked(bank: Bank, key: Key) -> Iterator[tuple[str, int]]:
 
 
 def _in_scenes(bank: Bank, key: Key) -> Iterator[str]:
-    """The parts whose answers a scene is held against: with another answer it expects something else."""
+    """The parts whose answers a scene is held against: with another answer it expects something else, or shows something else."""
     answers: dict[str, Seen] = {part: truth.value for part, truth in key.truths.items()}
-    usual = _expected(bank, key, answers)
-    for part, value in answers.items():
+    neglected = neglected_in(key)
+    usual = simulations(bank, key.variant, answers, neglected)
+    for part, value in answers.items() if usual else ():
         other = tuple(OTHER * x for x in value) if isinstance(value, tuple) else OTHER * value
         try:
-            found = _expected(bank, key, answers | {part: other}) if usual else usual
+            found = simulations(bank, key.variant, answers | {part: other}, neglected)
         except NotDerivable:  # the scene cannot even be made with another answer, such as a sine of 1.1
-            found = None
-        if found != usual:
+            yield part
+            continue
+        if [dict(each.expect) for each in found] != [dict(each.expect) for each in usual] or any(
+            map(_differs, found, usual)
+        ):
             yield part
 
 
-def _expected(bank: Bank, key: Key, answers: dict[str, Seen]) -> list[object]:
-    return [dict(each.expect) for each in simulations(bank, key.variant, answers, neglected_in(key))]
+def _differs(other: Simulation, usual: Simulation) -> bool:
+    """Whether what an answer changes in a scene itself, such as a force, contradicts what the scene must show."""
+    if isinstance(other.scene, str) and other.settings == usual.settings:
+        return False
+    tally = Tally()
+    check_scene(other, usual.name, tally)
+    return bool(tally.complaints)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from corollary.answers.registry import answer_type
 from corollary.answers.verdict import Right, word
-from corollary.derive.simulation import Seen, simulations
+from corollary.derive.simulation import Seen, Simulation, simulations
 from corollary.derive.solution import Solution
 from corollary.formula.text import text
 from corollary.formula.value import Items, Real, Text, Value
@@ -23,10 +23,12 @@ from corollary.scenes.catalogue import run
 from corollary.scenes.independent import composed
 from corollary.scenes.run import BadSetting, GuardFailed, components
 from corollary.verify.checked import Tally
+from corollary.verify.narrowing import TriedDraw, narrower
 
 LEAST = 100  # variants
 SIMULATED = 8  # of them: a simulation takes a second where algebra takes a millisecond
 TOO_MANY = 0.8  # of the draws refused: then few numbers are left, and much alike
+HALF = 0.5  # of them: a student waits no longer for it, but what is left may be less than the ranges promise
 MANY = 50  # variants: an option that is right in all of these is right for all numbers
 AGREE = 1e-9  # relative
 
@@ -43,11 +45,11 @@ class Walked:
 def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Walked:
     """Draws until `count` variants are admitted (or all are seen)."""
     problem, reasons, met = solution.problem, Counter[str](), 0
-    drawn, first = 0, list[Key]()
+    tried, first = list[TriedDraw](), list[Key]()
     right: dict[str, Counter[str]] = {part: Counter() for part in solution.choices}
     for variant in sample(problem, 20 * count):
-        drawn += 1
         key, reason = admitted(solution, variant)
+        tried.append(TriedDraw(variant, key is not None))
         if key is None:
             reasons[reason] += 1
             continue
@@ -62,13 +64,15 @@ def walk(bank: Bank, solution: Solution, tally: Tally, count: int = LEAST) -> Wa
         if met == count:
             break
     refused = sum(reasons.values())
-    share = refused / drawn if drawn else 0.0
+    share = refused / len(tried) if tried else 0.0
     ranges = f"{problem.path.name}:{problem.givens[0].line if problem.givens else 1}"
-    if drawn and share > TOO_MANY:
-        why = reasons.most_common(1)[0][0]
-        tally.complain(
-            f"{ranges}: {share:.0%} of the draws may not be assigned ({why}); change the ranges, or ask for the formula"
+    if share > HALF:
+        say = tally.complain if share > TOO_MANY else tally.note
+        why, how = (
+            reasons.most_common(1)[0][0],
+            narrower(tried) or "change the ranges, or ask for the formula",
         )
+        say(f"{ranges}: {share:.0%} of the draws may not be assigned ({why}); {how}")
     elif size(problem) > 1 and not met:
         tally.complain(f"{ranges}: no variant keeps all the conditions; widen the ranges, or drop one")
     for part, letters in right.items():
@@ -126,26 +130,30 @@ def check_scenes(bank: Bank, key: Key, tally: Tally) -> None:
     }
     path = bank.solution(key.variant.problem)
     for wanted in simulations(bank, key.variant, answers, neglected_in(key)):
-        about = f"{path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}"
-        try:
-            found = (
-                run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
-                if isinstance(wanted.scene, str)
-                else composed(wanted.scene, wanted.expect.keys(), tolerance=1e-10)
-            )
-        except (BadSetting, GuardFailed) as error:
-            tally.complain(f"{about}: {error}")
+        check_scene(wanted, f"{path.name}:{wanted.line}: scene {wanted.name} on {key.variant.label}", tally)
+
+
+def check_scene(wanted: Simulation, about: str, tally: Tally) -> None:
+    """One scene, run and held against what it must show."""
+    try:
+        found = (
+            run(wanted.scene, wanted.settings, tolerance=1e-10, second_way=True)
+            if isinstance(wanted.scene, str)
+            else composed(wanted.scene, wanted.expect.keys(), tolerance=1e-10)
+        )
+    except (BadSetting, GuardFailed) as error:
+        tally.complain(f"{about}: {error}")
+        return
+    for name, expected in wanted.expect.items():
+        if name not in found.observed:
+            tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
             continue
-        for name, expected in wanted.expect.items():
-            if name not in found.observed:
-                tally.complain(f"{about} does not observe {name}; it observes {', '.join(found.observed)}")
-                continue
-            mine, theirs = _list(expected), _list(found.observed[name])
-            allowed = (AGREE + wanted.neglected) * max(map(abs, (*mine, *theirs)))
-            allowed += 3 * math.hypot(*components(found.errors[name]))
-            agree = len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed
-            if not tally.check(agree, "simulations met"):
-                tally.complain(f"{about}: {name} is {theirs} where the algebra says {mine}")
+        mine, theirs = _list(expected), _list(found.observed[name])
+        allowed = (AGREE + wanted.neglected) * max(map(abs, (*mine, *theirs)))
+        allowed += 3 * math.hypot(*components(found.errors[name]))
+        agree = len(mine) == len(theirs) and math.dist(mine, theirs) <= allowed
+        if not tally.check(agree, "simulations met"):
+            tally.complain(f"{about}: {name} is {theirs} where the algebra says {mine}")
 
 
 def own_answer(key: Key, part: str) -> Value:

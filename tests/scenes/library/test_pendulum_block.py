@@ -49,3 +49,12 @@ def test_the_swing_during_the_touch_stays_within_the_error_stated(k):
     assert 1e-3 * found.relative_error("velocities") < off < found.relative_error("velocities")
     height = (true[0] ** 2 / 19.6 - found.observed["height"]) / 1.0
     assert abs(height) < found.relative_error("height")
+
+
+def test_a_sphere_that_all_but_stops_is_known_no_better_than_the_swing_lets_it():
+    """With a block as heavy as itself it keeps next to nothing: what the swing adds is all there is."""
+    settings = {"m": 9.0625, "M": 9.0077, "L": 0.11743, "g": 25.112, "k": 4.4e5}
+    found = run("pendulum_block", settings)
+    level, _ = swinging_hit(4.4e5, 9.0625, 9.0077, 0.11743, 25.112)
+    off = abs(level**2 / (2.0 * 25.112) - found.observed["height"])
+    assert 3.0 * found.observed["height"] < off < found.errors["height"]

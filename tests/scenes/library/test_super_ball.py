@@ -5,7 +5,7 @@ import math
 import pytest
 
 from corollary.scenes.catalogue import run
-from corollary.scenes.run import BadSetting
+from corollary.scenes.run import BadSetting, GuardFailed, components
 
 HARD = {"q": 1.0, "k": 1e9}
 
@@ -56,3 +56,29 @@ def test_no_gap_is_the_limit_of_a_small_one():
     none, small = (run("super_ball", law | {"gap": gap}) for gap in (0.0, 1e-12))
     assert none.observed["velocities"] == pytest.approx(small.observed["velocities"], rel=1e-6)
     assert none.observed["duration"] == pytest.approx(small.observed["duration"], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        # The lower ball is turned back so slowly that weight decides when it touches again.
+        {"mA": 7.107, "mB": 2.452, "h0": 1.0635, "k": 1.39e11, "q": 2.0, "gap": 2.11e-3},
+        {"mA": 0.1113, "mB": 0.303, "h0": 0.98, "k": 1.486e9, "q": 1.0, "gap": 1e-3},
+    ],
+)
+def test_a_slow_ball_between_two_touches_makes_weight_count_for_more(settings):
+    free, weighed = (run("super_ball", settings | {"weighed": w}) for w in (0, 1))
+    for name, each in weighed.measured.items():
+        rows = (each.value, free.observed[name], each.error, free.errors[name])
+        for a, b, e, f in zip(*map(components, rows), strict=True):
+            assert abs(a - b) <= e + f, name
+
+
+def test_balls_that_meet_again_in_flight_are_refused():
+    edge = {"mA": 0.03971979654166992, "mB": 0.1191126973454789, "h0": 1.6157752941287855, "q": 1.5}
+    for weighed in (0, 1):
+        with pytest.raises(GuardFailed, match="in flight"):
+            run(
+                "super_ball",
+                edge | {"k": 13611078436.25629, "gap": 0.0021322453004471486, "weighed": weighed},
+            )

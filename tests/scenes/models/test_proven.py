@@ -119,6 +119,22 @@ def test_estimates_hold_what_is_proven(scene, settings):
             assert bound <= 2e-16 * max(abs(x), 0.3 * each.size)
 
 
+def test_spheres_that_begin_squeezed_gain_what_the_contact_had_stored():
+    """Proven, too: an elastic contact gives back what it took, and here it took less."""
+    ma, mb, k, q, reach = 0.1, 0.1, 2e4, 1.5, 0.04
+    for va in ((-0.3254744980301535, 0.0), (0.0, 0.0)):
+        given = {"eta": 0.0, "q": q, "k": k, "vA": va, "dx": 0.0371, "dy": 0.0046}
+        usual, sure = (run("spheres", given, proven=proven) for proven in (False, True))
+        assert sure.observed.keys() == usual.observed.keys()
+        stored = k * (reach - math.hypot(0.0371, 0.0046)) ** (q + 1.0) / (q + 1.0)
+        had, now = 0.5 * ma * va[0] ** 2, components(sure.observed["velocities"])
+        has = 0.5 * ma * math.hypot(*now[:2]) ** 2 + 0.5 * mb * math.hypot(*now[2:]) ** 2
+        assert has == pytest.approx(had + stored, rel=1e-13)
+        if had:
+            assert sure.observed["energy_ratio"] == pytest.approx(has / had, rel=1e-13)
+        assert sure.model == "integration"
+
+
 def test_what_is_a_bound_already_stays_as_it_is():
     assert run("ball_on_floor", {}, proven=True).observed == run("ball_on_floor", {}).observed
 

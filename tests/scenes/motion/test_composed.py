@@ -339,3 +339,12 @@ def test_a_force_that_grows_moves_a_puck_as_soon_as_friction_lets_it():
     t, a = until - 0.1 / c, mu * 9.8 * c
     holds(found, "velocities", x * a * t**2 / 2, y * a * t**2 / 2)
     holds(found, "trajectory", x * a * t**3 / 6, y * a * t**3 / 6)
+
+
+def test_equal_balls_that_all_but_stand_still_are_not_waited_for():
+    """Each hands its velocity on and keeps errors of steps, with which it would come to the next in a million seconds."""
+    row = tuple(Body(0.3, (0.3 * i,), (1.0 if i == 0 else 0.0,), 0.05) for i in range(5))
+    contacts = tuple(
+        Contact(10.0 ** (5 + i % 2), 1.0 + 0.5 * (i % 2), chosen=((i, i + 1),)) for i in range(4)
+    )
+    holds(play(Scene(row, contacts), {O.VELOCITIES}), "velocities", 0.0, 0.0, 0.0, 0.0, 1.0)

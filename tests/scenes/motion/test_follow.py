@@ -7,6 +7,7 @@ import pytest
 from corollary.scenes.catalogue import run
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
+from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
 from corollary.scenes.motion import steps
@@ -99,3 +100,18 @@ def test_a_fall_in_a_thick_fluid_takes_few_steps_and_its_error_holds(rate, toler
         assert all(abs(x - true) <= error for x, error, true in rows), name
         assert max(components(found.errors[name])) < 50.0 * tolerance
     assert len(follow(scene, tolerance).stretches) < 80
+
+
+def test_bounces_gain_no_energy_from_how_touches_are_met():
+    restitution, height, weight = 0.78, 0.39, 9.8
+    scene = Scene(
+        (Body(1.0, (3.0, height), (0.0, 0.0)),),
+        (Weight(weight), HardWall((0.0, 1.0), 0.0, restitution)),
+        until=2.15,
+    )
+    time, speed, bounces = math.sqrt(2.0 * height / weight), math.sqrt(2.0 * height * weight), 0
+    while time < scene.until:
+        time, speed, bounces = time + 2.0 * speed * restitution / weight, speed * restitution, bounces + 1
+    found = follow(scene, 1e-11)
+    assert len(found.happenings) == bounces == 11
+    assert found.state[3] == pytest.approx(weight * (time - scene.until) - speed, abs=1e-13)

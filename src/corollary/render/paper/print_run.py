@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from corollary.grading.solutions import Solutions
-from corollary.messages import catalogue
+from corollary.messages import catalogue, spoken
 from corollary.problem.problem_set import ProblemSet
 from corollary.render.paper.document import pdf, typesetter
 from corollary.render.paper.formula_sheet import typst_formulas
@@ -14,6 +14,14 @@ from corollary.render.paper.key_sheet import typst_key
 from corollary.render.paper.sheet import PaperSheet, typst_sheet
 
 _ = catalogue(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Pages:
+    """One sheet and its marking scheme in Typst's markup, not yet set."""
+
+    sheet: str
+    key: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +34,8 @@ class PrintRun:
     large: bool = False
     formulas: bool = False
     worked: bool = False
+    _formula_sheets: dict[str, str] = field(default_factory=dict[str, str], init=False, repr=False)
+    """By the language spoken."""
 
     def prepare(self) -> None:
         """Everything that all sheets share is found before there are processes that would each do it. Raises CannotTypeset
@@ -40,10 +50,13 @@ class PrintRun:
         """The same for everybody: the laws of the whole set. In Typst's markup."""
         if not self.formulas:
             return ""
-        return typst_formulas([self.solutions.of(problem) for problem in self.problem_set.problems])
+        if spoken() not in self._formula_sheets:
+            used = [self.solutions.of(problem) for problem in self.problem_set.problems]
+            self._formula_sheets[spoken()] = typst_formulas(used)
+        return self._formula_sheets[spoken()]
 
-    def printed(self, sheet: PaperSheet) -> dict[str, bytes]:
-        """The files of one sheet by name: the sheet and, in another folder, its marking scheme. Raises CannotTypeset."""
+    def pages(self, sheet: PaperSheet) -> Pages:
+        """One sheet and its marking scheme. Raises CannotTypeset without the extra `pdf`."""
         exercises = sheet.worksheet.exercises
         keys = {each.problem.code: self.solutions.key(each.variant) for each in exercises}
         worked = (
@@ -51,24 +64,23 @@ class PrintRun:
             if self.worked
             else {}
         )
-        key = typst_key(sheet, keys, worked)
+        return Pages(typst_sheet(sheet, self.formula_sheet()), typst_key(sheet, keys, worked))
+
+    def printed(self, sheet: PaperSheet, pages: Pages) -> dict[str, bytes]:
+        """The files of one sheet by name: the sheet and, in another folder, its marking scheme. Raises CannotTypeset."""
         name, of_key = self.name(sheet), _("Marking scheme: {title}", title=sheet.title)
         return {
-            f"{name}.pdf": pdf([self.pages(sheet)], sheet.title, large=self.large),
-            f"keys/{name}-key.pdf": pdf([key], of_key, large=self.large),
+            f"{name}.pdf": pdf([pages.sheet], sheet.title, large=self.large),
+            f"keys/{name}-key.pdf": pdf([pages.key], of_key, large=self.large),
         }
-
-    def pages(self, sheet: PaperSheet) -> str:
-        """One sheet in Typst's markup. Raises CannotTypeset."""
-        return typst_sheet(sheet, self.formula_sheet())
 
     def name(self, sheet: PaperSheet) -> str:
         """What the files of a sheet are called; ids are names of folders, on every disk."""
         return f"{self.problem_set.name}-{sheet.mark}" if sheet.mark else self.problem_set.name
 
-    def together(self) -> dict[str, bytes]:
+    def together(self, pages: Sequence[Pages]) -> dict[str, bytes]:
         """All sheets in one file, each beginning on the front of a leaf; none where there is one only. Raises CannotTypeset."""
-        if len(self.sheets) < 2:
+        if len(pages) < 2:
             return {}
-        pages = [self.pages(sheet).replace("#sheet(", "#sheet(front: true, ", 1) for sheet in self.sheets]
-        return {f"{self.problem_set.name}.pdf": pdf(pages, self.problem_set.title, large=self.large)}
+        fronts = [each.sheet.replace("#sheet(", "#sheet(front: true, ", 1) for each in pages]
+        return {f"{self.problem_set.name}.pdf": pdf(fronts, self.problem_set.title, large=self.large)}

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cached_property
 
 from corollary.figure.paper import VIEW
 from corollary.figure.svg import alone
 from corollary.messages import catalogue
-from corollary.notebook.worksheet import Exercise, Prompt, Worksheet
+from corollary.notebook.worksheet import Exercise, Prompt, SheetPlan, Worksheet
 from corollary.problem.dates import in_words
 from corollary.render.page import drawing
 from corollary.render.paper.answer_space import answer_space
@@ -23,29 +24,34 @@ PAGE, PAGES = "\ue000", "\ue001"  # where the numbers stand in "3 of 7"; letters
 LETTERING = 14.0  # units of a drawing that are as high as the letters around it
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class PaperSheet:
     """A worksheet to be printed. `form` is the letter of one that is for anybody, "" for a student's own."""
 
-    worksheet: Worksheet
+    plan: SheetPlan
     form: str = ""
+
+    @cached_property
+    def worksheet(self) -> Worksheet:
+        """Made where it is printed: of a class that is on several cores. Raises Malformed."""
+        return self.plan.worksheet()
 
     @property
     def mark(self) -> str:
         """What names it in file names and labels: the form, or the student's id; "" when it is nobody's."""
-        return self.form or self.worksheet.student.id
+        return self.form or self.plan.student.id
 
     @property
     def owner(self) -> str:
         """Whose it is, in words."""
         if self.form:
             return _("Form {form}", form=self.form)
-        student = self.worksheet.student
+        student = self.plan.student
         return student.name if student.name == student.id else f"{student.name} ({student.id})"
 
     @property
     def title(self) -> str:
-        return " – ".join(filter(None, (self.worksheet.problem_set.title, self.owner)))
+        return " – ".join(filter(None, (self.plan.problem_set.title, self.owner)))
 
 
 def typst_sheet(paper: PaperSheet, formulas: str = "") -> str:

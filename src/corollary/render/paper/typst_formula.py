@@ -3,32 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import Final
 from xml.etree.ElementTree import Element
 
-from corollary.render.displayed import width
+from corollary.render.formula_shape import by_shape
 from corollary.render.mathml import APPLY, CLOSING, formula
 from corollary.render.terminal_text import formula_text
 
-WIDEST: Final = 30.0
-"""In em: about what fits a line between the margins; a wider formula is set as a line that may break."""
 OPENING: Final = frozenset("([{⟨")
 ACCENTS: Final = {"→": "arrow", "ˆ": "hat", "˜": "tilde", "¯": "macron", "‾": "overline", "˙": "dot", "¨": "dot.double"}  # fmt: skip
 
 
-@lru_cache(maxsize=8192)
 def typst_formula(latex: str, *, display: bool = False) -> str:
     """The formula in Typst's markup: in a line of text, or on lines of its own; its source as code when it is no LaTeX."""
+    return _displayed(latex) if display else _in_line(latex)
+
+
+@by_shape
+def _in_line(latex: str) -> str:
+    return _call(latex, "")
+
+
+@by_shape
+def _displayed(latex: str) -> str:
+    return _call(latex, " ")  # which is how Typst tells the two apart
+
+
+def _call(latex: str, gap: str) -> str:
     tree = formula(latex)
     if tree is None:
         return f"#raw({literal(latex)});"
-    body, words = _row(list(tree)), literal(formula_text(latex))
-    if not display:
-        return f"#inline-formula({words})[${body}$];"
-    if width(list(tree)) > WIDEST:
-        return f"#wide-formula({words})[${body}$];"
-    return f"#inline-formula({words})[$ {body} $];"
+    return f"#formula({literal(formula_text(latex))},${gap}{_row(list(tree))}{gap}$);"
 
 
 def literal(text: str) -> str:
@@ -118,7 +123,8 @@ def _operator(element: Element, text: str) -> str:
 
 
 def _symbol(text: str) -> str:
-    return f"#symbol({literal(text)});"
+    """A letter or sign by itself. Escaped it means nothing else to Typst, and is read sooner than a call."""
+    return f"\\{text}" if text.isprintable() and not text.isspace() else f"#symbol({literal(text)});"
 
 
 def _length(text: str) -> str:

@@ -76,6 +76,11 @@ def _on_size(table: MarksTable) -> Iterator[str]:
             else f"some are more than all of {out_of:g}, for extra credit"
         )
         yield f"Moodle takes no file with a mark above {MOST}, unless its administrator allows more; {why}"
+    elif any(mark.points > mark.out_of + 1e-9 for column in table.columns for mark in column.marks.values()):
+        yield (
+            "some marks are more than all, for extra credit; where an assignment is out of less than a mark, "
+            "Moodle 4.5 takes no file, and older versions cut the mark off"
+        )
 
 
 def _notes(

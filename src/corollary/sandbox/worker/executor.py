@@ -183,9 +183,9 @@ def _call(session, index, call):
     session.outputs.start()
     function = session.shell.user_ns.get(name)
     if function is None:
-        return _result(session, index, ("nothing",), f"there is no function called {name}")
+        return _result(session, index, ("nothing",), "missing")
     _restore_streams(session)
-    value, trouble = ("nothing",), ""
+    value, trouble, raised = ("nothing",), "", ""
     session.clock.start(seconds)
     try:
         if callable(function):
@@ -193,18 +193,18 @@ def _call(session, index, call):
                 function(**{key: tuple(each) if type(each) is list else each for key, each in arguments})
             )
         else:
-            trouble = f"{name} is not a function"
+            trouble = "no function"
         session.clock.stop()
     except BaseException as error:
-        trouble = f"the function raised {_one_line(error)}"
+        trouble, raised = "raised", _one_line(error)
     session.clock.stop()
     if session.clock.rang:
-        value, trouble = ("nothing",), f"the function ran longer than {seconds:g} s"
+        value, trouble = ("nothing",), "late"
     figures.Gcf.destroy_all()
-    return _result(session, index, value, trouble)
+    return _result(session, index, value, trouble, raised)
 
 
-def _result(session, index, value, trouble):
+def _result(session, index, value, trouble, raised=""):
     text = "".join(each["text"] for each in session.outputs.as_list() if each["output_type"] == "stream")
     frame = {
         "t": "call",
@@ -212,6 +212,7 @@ def _result(session, index, value, trouble):
         "value": value,
         "output": text[:_MOST_CALL_OUTPUT],
         "trouble": trouble,
+        "error": raised,
     }
     return frame, {**frame, "value": ("refused", "size", "", "")}
 

@@ -32,13 +32,17 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         components(each.value)[0] for each in (speed.measured["speed_before"], run.measured["duration"])
     )
     # The rope carries the weight on a circle, m (g + v^2/L), and leans by the angle swung: over the contact it takes at most
-    # (g + v^2/L) swung T from the sphere's velocity, from the block's at most twice that, and from the height at most twice its share.
+    # (g + v^2/L) swung T from the sphere's velocity and from the block's at most twice that. The height goes with the velocity squared:
+    # of a sphere that all but stops nearly nothing is left to compare with.
     neglected = 2.0 * (g + before**2 / length) * lasts * lasts / length
     errors = {name: neglected + each.relative_error for name, each in run.measured.items()}
     hit = run.measured["velocities"]
-    swung = by_relative_errors(
-        run.observed, errors, hit.model, hit.why, 0, run.outcome, {"velocities": before}
-    )
+    sphere, slower = abs(components(hit.value)[0]), neglected * before
+    risen = (before * lasts) ** 2 / (2.0 * length)  # while they touch
+    off = slower * (2.0 * sphere + slower) / (2.0 * g) + risen
+    scales = {"velocities": before, "height": max(components(run.measured["height"].value)[0], off)}
+    errors["height"] = run.measured["height"].relative_error + (off / scales["height"] if off else 0.0)
+    swung = by_relative_errors(run.observed, errors, hit.model, hit.why, 0, run.outcome, scales)
     return replace(swung, measured=speed.measured | swung.measured)
 
 

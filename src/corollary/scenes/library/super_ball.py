@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, one
@@ -42,6 +43,10 @@ SETTINGS = (
 )
 # Longer than the collisions take without weight; it hastens or delays them by far less.
 AFTER_ALL = 1.05
+AS_FINE, NO_WEIGHT = (
+    1e-6,
+    1e-10,
+)  # a share of the speed: far below what weight does, and where it does nothing
 # As a share of the overlap, and what it does to velocities and times as a share of them: ten times as much at most.
 NO_GAP, BY_NO_GAP = 1e-11, 1e-10
 
@@ -66,14 +71,14 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         "duration": found.result.duration,
         "peak_force": max(found.result.forces),
     }
-    # Weight takes g times the time of contact from every speed: that is what leaving it out neglects.
+    # Weight takes g times the time of contact from every speed.
     neglected = g * found.result.duration / speed
     errors = dict.fromkeys(observed, found.errors["velocities"] + neglected)
     errors["duration"], errors["peak_force"] = (
         found.errors["duration"] + neglected,
         found.errors["forces"] + 2.0 * neglected,
     )
-    return by_relative_errors(
+    run = by_relative_errors(
         observed,
         errors,
         found.model,
@@ -82,6 +87,26 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         found.result.outcome,
         {"velocities": speed, "heights": h0},
     )
+    # A slow ball makes more of weight, but not of next to none.
+    return run if neglected < NO_WEIGHT else _beside_weight(run, line, found.result, g, gap)
+
+
+def _beside_weight(run: Run, line: RowOfBodies, free: RowResult, g: float, gap: float) -> Run:
+    """With what leaving the weight out is found to do added to the errors, where a slow ball between two touches makes it more.
+
+    Raises GuardFailed where weight makes another story of it.
+    """
+    try:
+        weighed = _weighed(line, free, g, gap, AS_FINE)
+    except BadSetting:  # so soft that nothing is left of the example
+        return run
+    measured = dict(run.measured)
+    for name, with_weight in weighed.measured.items():
+        without = measured[name]
+        rows = (without.value, with_weight.value, without.error, with_weight.error)
+        wider = tuple(e + abs(a - b) + f for a, b, e, f in zip(*map(components, rows), strict=True))
+        measured[name] = replace(without, error=wider if isinstance(without.value, tuple) else wider[0])
+    return replace(run, measured=measured, evaluations=run.evaluations + weighed.evaluations)
 
 
 def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance: float) -> Run:
@@ -125,6 +150,10 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
     if places[1] < radius or places[2] - places[1] < 2.0 * radius:
         raise GuardFailed(
             "super_ball: with their weight the balls still touch when all should be over. Raise k, or change the gap."
+        )
+    if velocities[1] > velocities[2]:
+        raise GuardFailed(
+            "super_ball: with their weight the lower ball catches the upper one up in flight, on an edge. Change a mass a little."
         )
     heights = tuple(
         y - start + v * v / (2.0 * g) for y, start, v in zip(places, at_touch, velocities, strict=True)

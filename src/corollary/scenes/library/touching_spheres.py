@@ -64,6 +64,13 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     )
     # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
     error_estimate = errors["velocities"] * max(map(abs, after)) * max(ma, mb)
+    # The energy goes with the squares of the velocities, those of the body that moves fast too.
+    swift = ma * math.hypot(*after[:2]) + mb * math.hypot(*after[2:])
+    had = 0.5 * (ma * math.hypot(*va) ** 2 + mb * math.hypot(*vb) ** 2)
+    ratio = observed.get("energy_ratio")
+    if isinstance(ratio, float) and ratio > 0.0:
+        off = swift * errors["velocities"] * max(map(abs, after)) / had
+        errors["energy_ratio"] = max(errors["energy_ratio"], off / ratio)
     observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
     errors["momentum"] = _share(2.0 * error_estimate, observed["momentum"])
     if overlap > 0.0:

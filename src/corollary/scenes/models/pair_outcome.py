@@ -22,7 +22,7 @@ def collision(pair: Pair, va: Vector, vb: Vector) -> Evaluated:
     met = touch(pair)
     if met is None:
         return _observed(
-            pair, "missed", (a, b), (arb(0), arb(0)), (arb(0), arb(0), arb(0)), PASS, "conservation"
+            pair, "missed", (a, b), (arb(0), arb(0)), (arb(0), arb(0), arb(0)), PASS, "conservation", True
         )
     top, turned, lasted = turned_and_lasted(pair, met.inward, met.spin)
     force = arb(pair.contact.k) * top ** arb(pair.contact.q)
@@ -50,8 +50,10 @@ def after_contact(
     across, (a, b) = spin / arb(pair.reach), before
     u, v = b[0] - a[0], b[1] - a[1]
     change = outward * nx - across * ny - u, outward * ny + across * nx - v
-    model: Model = "integration" if pair.contact.eta else "quadrature"
-    return _observed(pair, "released", before, change, contact, why, model)
+    # One that begins squeezed gives more than it took.
+    elastic = pair.contact.eta == 0.0 and met.overlap.is_zero()
+    model: Model = "quadrature" if elastic else "integration"
+    return _observed(pair, "released", before, change, contact, why, model, elastic)
 
 
 def _observed(
@@ -62,6 +64,7 @@ def _observed(
     contact: tuple[arb, arb, arb],
     why: str,
     model: Model,
+    elastic: bool,
 ) -> Evaluated:
     (ma, mb), mass, (a, b) = (arb(pair.mass_a), arb(pair.mass_b)), reduced_mass(pair), before
     impulse = tuple(mass * c for c in change)
@@ -71,8 +74,8 @@ def _observed(
         (ma * (p[0] ** 2 + p[1] ** 2) + mb * (q[0] ** 2 + q[1] ** 2)) / 2
         for p, q in ((a, b), (then_a, then_b))
     )
-    # An undamped contact gives back what it took, whatever the quadratures say.
-    if not pair.contact.eta:
+    # An elastic contact gives back what it took, whatever the quadratures say.
+    if elastic:
         has = had
     values: dict[str, Balls] = {
         "velocities": (*then_a, *then_b),
@@ -80,10 +83,11 @@ def _observed(
         "largest_overlap": contact[0],
         "peak_force": contact[1],
         "impulse": impulse,
-        "energy_ratio": has / had if pair.contact.eta else arb(1),
         "impulses": (-impulse[0], -impulse[1], *impulse),
         "momentum": tuple(ma * p + mb * q for p, q in zip(a, b, strict=True)),
         "energy": has,
     }
-    conserved = () if pair.contact.eta else ("energy_ratio", "momentum", "energy")
+    if elastic or not had.is_zero():  # two at rest have no energy to compare with
+        values["energy_ratio"] = arb(1) if elastic else has / had
+    conserved = ("energy_ratio", "momentum", "energy") if elastic else ()
     return Evaluated(outcome, values, model, why, dict.fromkeys(conserved, CONSERVATION))

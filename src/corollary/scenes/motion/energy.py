@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
 from corollary.scenes.rows import spin
-from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, velocity
+from corollary.scenes.scene import Conserves, Force, Scene, overlap, seen_from, start_of, velocity
 
 if TYPE_CHECKING:
     from corollary.scenes.motion.system import Mode
@@ -58,14 +58,24 @@ def _only_holds(force: Force) -> bool:
     return force.does_no_work_at_rest
 
 
-def never_meets(scene: Scene, state: State) -> bool:
-    """Whether nothing touches and no straight line leads to a touch."""
+def never_meets(scene: Scene, state: State, slow: float = 0.0) -> bool:
+    """Whether nothing touches and no straight line leads to a touch, but for bodies that come no faster than `slow` (m/s)."""
     for force in scene.contacts:
         for a, b in force.serves(scene):
             depth, growing = overlap(scene, state, a, b)
-            if depth > 0.0 or (growing > 0.0 and _on_course(scene, state, a, b)):
+            if depth > 0.0 or (growing > slow and _on_course(scene, state, a, b)):
                 return False
     return True
+
+
+def used_up(scene: Scene, time: float, state: State, share: float, fast: float) -> bool:
+    """Whether bodies touch, and of the speed `fast` (m/s) no more than a share is left, of the first energy its square."""
+    pairs = [pair for force in scene.contacts for pair in force.serves(scene)]
+    rates = [rate for depth, rate in (overlap(scene, state, a, b) for a, b in pairs) if depth > 0.0]
+    if not rates or max(map(abs, rates)) >= share * fast:
+        return False
+    stored = energy(scene, time, state) - kinetic(scene, time, state)
+    return stored <= share**2 * kinetic(scene, 0.0, start_of(scene))
 
 
 def _on_course(scene: Scene, state: State, a: int, b: int) -> bool:

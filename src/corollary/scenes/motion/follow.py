@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from corollary.scenes.constraint import farther_off
-from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets
+from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.modes import Moment
 from corollary.scenes.motion.path import Happening, Stretch, Trajectory
@@ -24,6 +24,8 @@ from corollary.scenes.scene import Scene, overlap, start_of
 FINEST_OVERLAP = 1e4
 # A touch that errors of so many steps decide grazes.
 GRAZING = 100.0
+# What moves by errors of so many steps is at rest.
+NO_SPEED = 30.0
 # So many happenings at one moment are no physics: forces that call each other out.
 MOST_AT_ONCE = 50
 
@@ -124,20 +126,19 @@ class Follower:
     def _over(self) -> bool:
         if self.scene.until is not None:
             return self._left() <= 1e-15 * self.scene.until
-        return never_meets(self.scene, self.path.state) or self._asleep()
+        slow = NO_SPEED * self.tolerance * self.sizes.fast if self.path.stretches else 0.0
+        if not never_meets(self.scene, self.path.state, slow):
+            return self._asleep()
+        if not never_meets(self.scene, self.path.state):  # it would take for ever, and is taken for rest
+            self.path.dropped = max(self.path.dropped, 2.0 * slow)
+        return True
 
     def _asleep(self) -> bool:
         """Whether damped contacts have used up what they had: bodies touch, but nothing moves or pushes any more."""
         path = self.path
         if not path.stretches or keeps_energy(self.scene, path.stretches[-1].mode):
             return False
-        y = path.state
-        touching = [(a, b) for _, a, b in self.system.contacts if overlap(self.scene, y, a, b)[0] > 0.0]
-        slow = bool(touching) and all(
-            abs(overlap(self.scene, y, a, b)[1]) < self.tolerance * self.sizes.fast for a, b in touching
-        )
-        stored = energy(self.scene, path.time, y) - kinetic(self.scene, path.time, y)
-        path.settled = slow and stored <= self.tolerance**2 * kinetic(self.scene, 0.0, start_of(self.scene))
+        path.settled = used_up(self.scene, path.time, path.state, self.tolerance, self.sizes.fast)
         return path.settled
 
     def _phase(self, mode: Mode) -> Mode:
@@ -146,7 +147,9 @@ class Follower:
         begun, since = path.time, list(path.state)
         guards = Guards(system, mode, since, begun, self.sizes)
         slope = system.slope(mode, since, begun)
-        solver = self.steps.solver(slope, since, self._left(), self.steps.first_step(mode, begun, since))
+        solver = self.steps.solver(
+            slope, since, self._left(), self.steps.first_step(mode, begun, since), mode
+        )
         before, last = since, 0.0
         while True:
             self.steps.advance(solver, begun)
@@ -181,7 +184,7 @@ class Follower:
     def _met(self, guards: Guards, stretch: Stretch, slope: Slope, index: int, part: float) -> Mode:
         """Go to where a guard falls, exactly: the step is taken again to end there; then what follows from it."""
         one, guard = guards.one(index), guards.names[index]
-        lasts = self.steps.landing(one, stretch, slope, part)
+        lasts = self.steps.landing(guards.landing(index), stretch, slope, part)
         pieces = self.steps.pieces(stretch, slope, lasts)
         if guard.kind == "event":
             # The law beyond is to be met by the next step: no event is left on its own edge.

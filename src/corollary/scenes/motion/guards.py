@@ -36,6 +36,8 @@ class Guards:
     def __init__(self, system: System, mode: Mode, since: list[float], begun: float, sizes: Sizes) -> None:
         self.system, self.mode, self.since, self.sizes = system, mode, since, sizes
         scene = system.scene
+        self.late = 16.0 * math.ulp(sizes.long)
+        """By so much (m) a hit is seen late: what has just bounced is not to hit again by rounding."""
         self.names: list[Guard] = []
         self.places: list[Value] = []
         served = {(a, b) for _, a, b in system.contacts}
@@ -54,7 +56,7 @@ class Guards:
             if status == "off" and not constraint.two_sided:
                 self._add(
                     Guard("hit", i, constraint.name),
-                    lambda t, y, c=constraint: c.gap(t, y) + 16.0 * math.ulp(sizes.long),
+                    lambda t, y, c=constraint: c.gap(t, y) + self.late,
                 )
         for j, (side, event) in enumerate(zip(mode.sides, system.events, strict=True)):
             slow = sizes.rest if event.of_speed else 0.0
@@ -103,6 +105,15 @@ class Guards:
         if index < len(self.places):
             return self.places[index]
         return lambda time, y: self._forces(time, y)[index - len(self.places)]
+
+    def landing(self, index: int) -> Value:
+        """What is zero where a guard's happening takes place.
+
+        A hit takes place where the gap is closed, not where it was seen to be: a body that is let go from there, time and again, would
+        gain the energy of the way between the two at each bounce.
+        """
+        one = self.one(index)
+        return (lambda t, y: one(t, y) - self.late) if self.names[index].kind == "hit" else one
 
     def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
         def value(time: float, y: State) -> float:

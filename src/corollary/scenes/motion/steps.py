@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable
 
 import numpy as np
@@ -47,6 +48,7 @@ class Stepper:
         self.steps, self.steady, self.stiff = 0, 0, False
         self.held_down, self.rate, self.fades = 0, 0.0, False
         self.seen = [0.0] * 3
+        self.lately: deque[float] = deque(maxlen=STEADY)
         self.nearest = math.inf
         self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
 
@@ -54,9 +56,11 @@ class Stepper:
         """Something has happened: nothing is known of how fast things fade now."""
         self.steady, self.held_down, self.rate, self.stiff = 0, 0, 0.0, False
         self.seen = [0.0] * 3
+        self.lately.clear()
 
-    def solver(self, slope: Slope, y: list[float], lasts: float, first: float) -> DOP853 | Radau:
-        """scipy's stepper from a state on, for at most so long (s), with a first step."""
+    def solver(self, slope: Slope, y: list[float], lasts: float, first: float, mode: Mode) -> DOP853 | Radau:
+        """scipy's stepper from a state on, for at most so long (s), with a first step; of any length where all fly freely."""
+        free = self.scene.until is None and not any(mode.touching)  # there are no forces but contacts
         count, spins = self.system.count, len(y) - 2 * self.system.count
         radius = max((b.radius for b in self.scene.bodies), default=0.0) or self.sizes.long
         # Not less than rounding makes of a place.
@@ -69,7 +73,7 @@ class Stepper:
             0.0,
             np.array(y),
             lasts,
-            max_step=self.longest,
+            max_step=math.inf if free else self.longest,
             # Motion that grows is known to a part of what it has become; what squeezes is resolved as finely wherever it has got to.
             rtol=LEAST_RELATIVE if self.system.contacts else max(self.tolerance, LEAST_RELATIVE),
             atol=np.array(allowed),  # pyright: ignore[reportArgumentType]
@@ -91,6 +95,7 @@ class Stepper:
         """One step. Raises GuardFailed when there have been too many, or none is short enough."""
         self.steps += 1
         self.steady += 1
+        began = solver.t
         if self.steps > MOST_STEPS:
             raise GuardFailed(
                 f"{self.scene.name}: the end was not reached within {MOST_STEPS} steps, only {begun + solver.t:.6g} s. "
@@ -100,6 +105,7 @@ class Stepper:
             solver.step()
         except (OverflowError, ZeroDivisionError):
             solver.status = "failed"
+        self.lately.append(solver.t - began)
         if isinstance(solver, DOP853) and solver.status != "failed":
             self._hold_down(solver)
         if solver.status == "failed" or not np.isfinite(solver.y).all():
@@ -127,12 +133,16 @@ class Stepper:
         """Whether to begin anew with another method, with so much time (s) left after a step that lasted `last` (s).
 
         What fades fast and then only follows slowly is stiff: an implicit method takes over, until something happens. Raises
-        GuardFailed when steps as short as the last, one after the other without anything happening, lead nowhere.
+        GuardFailed when steps as short as the last ones, one after the other without anything happening, lead nowhere.
         """
         if self.held_down >= STIFF_STEPS and not self.stiff and left > FEW_LEFT * last:
             self.stiff, self.steady, self.held_down = True, 0, 0
             return True
-        if self.steady < STEADY or math.isinf(left) or left < (MOST_STEPS - self.steps) * last:
+        if self.steady < STEADY or math.isinf(left):
+            return False
+        # Where a comet passes its star steps are short for a while.
+        last = max(last, sum(self.lately) / len(self.lately))
+        if left < (MOST_STEPS - self.steps) * last:
             return False
         raise GuardFailed(
             f"{self.scene.name}: with steps of {last:.2g} s the end, {left:.3g} s ahead, is out of reach. "
@@ -207,7 +217,7 @@ class Stepper:
         if lasts <= 0.0:
             return []
         offset = stretch.offset
-        solver = self.solver(lambda t, y: slope(offset + t, y), stretch.before, lasts, lasts)
+        solver = self.solver(lambda t, y: slope(offset + t, y), stretch.before, lasts, lasts, stretch.mode)
         pieces: list[Stretch] = []
         before, last = stretch.before, 0.0
         while solver.status == "running":

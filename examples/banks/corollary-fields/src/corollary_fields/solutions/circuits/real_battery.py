@@ -5,7 +5,7 @@ from corollary.laws import law, wrong
 
 
 def derive(E, R, U):
-    i, r, P, j, V = unknowns("i r P j V")
+    i, r, P, j, V = unknowns("i r P j V", j="current with two lamps")
     return derivation(
         step(
             i,

@@ -5,7 +5,7 @@ from corollary.laws import law, wrong
 
 
 def derive(E, F, R, S, T):
-    i, j, k, u = unknowns("i j k u")
+    i, j, k, u = unknowns("i j k u", j="current through the right battery", k="current in the middle")
     node = law("Kirchhoff's current law", "i + j = k")
     left = law("Left loop", "E = i*R + k*T", E=E, R=R, T=T)
     right = law("Right loop", "F = j*S + k*T", F=F, S=S, T=T)

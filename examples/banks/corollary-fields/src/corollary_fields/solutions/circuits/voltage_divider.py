@@ -5,7 +5,7 @@ from corollary.laws import law, wrong
 
 
 def derive(U, R, S, T):
-    u, Q, v, P = unknowns("u Q v P")
+    u, Q, v, P = unknowns("u Q v P", Q="resistance of the lower resistor and the load together")
     return derivation(
         step(
             u,

@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(H, y, d, g):
-    v, t, x, q = unknowns("v t x q")
+    v, t, x, q = unknowns("v t x q", t="time of the fall")
     return derivation(
         step(
             v,

@@ -1,11 +1,17 @@
 """Uphill by bike: against gravity and drag, at steady speed."""
 
-from corollary.author import derivation, mistake, step, unknowns
+from math import sqrt
+
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import law, wrong
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, v, s, D, h, g):
-    F, P, L, W = unknowns("F P L W")
+    F, P, L, W = unknowns("F P L W", L="length of the road")
     return derivation(
         step(
             F,
@@ -51,3 +57,34 @@ def derive(m, v, s, D, h, g):
             check="The steeper the road, the smaller is the share of drag.",
         ),
     )
+
+
+def scene(m, v, s, D, h, g, answer):
+    """The road is a plane that leans; driven with the power, and with the force, the bike keeps its speed over a thousandth of the way.
+
+    A gain in height on a metre of road is a sine, which is how the statement means it.
+    """
+    across, up = (-s, sqrt(1 - s**2)), (sqrt(1 - s**2), s)
+    bike = Body(m, (0.0, 0.0), (v * up[0], v * up[1]))
+    road = HardWall(across, restitution=0.0)
+    drag = ForceFunction(0, lambda t, place, velocity: (-D * up[0], -D * up[1]))
+
+    def by_power(t, place, velocity):
+        drive = answer["b"] / (velocity[0] * up[0] + velocity[1] * up[1])
+        return drive * up[0], drive * up[1]
+
+    def by_force(t, place, velocity):
+        return answer["a"] * up[0], answer["a"] * up[1]
+
+    return [
+        simulate(
+            Scene(
+                (bike,),
+                (Weight(g), road, drag, ForceFunction(0, drive)),
+                until=answer["c"] / answer["b"] / 1000,
+            ),
+            velocities=bike.velocity,
+            trajectory=(h * up[0] / s / 1000, h / 1000),
+        )
+        for drive in (by_power, by_force)
+    ]

@@ -8,7 +8,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, R, h, g):
-    v, N, w, H = unknowns("v N w H")
+    v, N, w, H = unknowns("v N w H", w="least speed at the top")
     return derivation(
         step(
             v,

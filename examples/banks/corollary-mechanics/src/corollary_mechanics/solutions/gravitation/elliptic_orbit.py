@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(p, v, M, G):
-    r, u, T = unknowns("r u T")
+    r, u, T = unknowns("r u T", u="speed at the far end")
     angular = law("Conservation of angular momentum", "p*v = r*u", u=u)
     return derivation(
         step(

@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(T, M, R, G):
-    r, h, v = unknowns("r h v")
+    r, h, v = unknowns("r h v", r="distance from the centre of the planet")
     return derivation(
         step(
             r,

@@ -7,7 +7,9 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(d, v, a, b):
-    s, r, t, u, w, T = unknowns("s r t u w T")
+    s, r, t, u, w, T = unknowns(
+        "s r t u w T", t="time of speeding up", u="time of braking", w="time at the highest speed"
+    )
     return derivation(
         step(
             s,

@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(v, a):
-    t, x, u, lead = unknowns("t x u D")
+    t, x, u, lead = unknowns("t x u D", u="time at which both are equally fast")
     return derivation(
         step(
             t,

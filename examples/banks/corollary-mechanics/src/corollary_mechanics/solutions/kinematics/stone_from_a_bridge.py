@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(v, h, g):
-    s, H, t, w, t1, t2 = unknowns("s H t w t1 t2")
+    s, H, t, w, t1, t2 = unknowns("s H t w t1 t2", s="height above the hand")
     return derivation(
         step(s, "At the highest point the velocity is zero.", without_time(0, v_0=v, a=-g, s=s)),
         step(

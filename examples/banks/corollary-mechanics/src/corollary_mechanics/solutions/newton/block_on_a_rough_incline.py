@@ -13,7 +13,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, theta, mu, L, g):
-    N, f, a, v = unknowns("N f a v")
+    N, f, a, v = unknowns("N f a v", N="normal force")
     return derivation(
         step(
             N,

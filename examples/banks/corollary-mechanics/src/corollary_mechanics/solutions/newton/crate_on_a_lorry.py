@@ -7,7 +7,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, v, a, mu, g):
-    f, b, s = unknowns("f b s")
+    f, b, s = unknowns("f b s", b="largest deceleration that friction can give")
     return derivation(
         step(
             f,

@@ -8,7 +8,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, M, h, g):
-    a, T, v = unknowns("a T v")
+    a, T, v = unknowns("a T v", T="tension of the string")
     return derivation(
         step(
             a,

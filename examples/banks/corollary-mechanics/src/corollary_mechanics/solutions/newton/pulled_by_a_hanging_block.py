@@ -9,7 +9,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(M, m, mu, g):
-    N, f, a, T, S = unknowns("N f a T S")
+    N, f, a, T, S = unknowns("N f a T S", N="normal force", T="tension of the string")
     return derivation(
         step(N, "Vertically the table carries the block on it.", law("Equilibrium", "N = M*g")),
         step(f, "The block slides.", law("Kinetic friction", "f = mu*N")),

@@ -9,7 +9,7 @@ from corollary.scenes.scene import Body, Scene
 
 
 def derive(m, r, v, mu, g):
-    f, w, N, beta = unknowns("f w N beta")
+    f, w, N, beta = unknowns("f w N beta", N="normal force")
     return derivation(
         step(
             f,

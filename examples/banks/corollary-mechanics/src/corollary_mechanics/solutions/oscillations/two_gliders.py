@@ -26,7 +26,9 @@ def derive(m, k, c, A, t1, g_n):
     x, y, v, w = (function(name, t) for name in "xyvw")
     for acceleration in "fg":  # of the left glider and of the right one; laws know them by name
         function(acceleration, t)
-    N, a, slow, fast, s, low, high = unknowns("N a slow fast s low high")
+    N, a, slow, fast, s, low, high = unknowns(
+        "N a slow fast s low high", N="normal force", a="acceleration of the left glider"
+    )
     pulls, K = unknowns("P Q R S"), unknowns("K11 K12 K21 K22")
     return derivation(
         step(N, "Nothing moves up or down.", balance(N, m * g_n)),

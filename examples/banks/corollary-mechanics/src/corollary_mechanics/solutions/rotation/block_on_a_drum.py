@@ -1,11 +1,20 @@
 """A bucket on a drum: one falls, the other turns."""
 
-from corollary.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import angular_second_law, law, rolling, without_time, wrong
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(M, m, R, h, g):
-    I, a, T, alpha, v, w = unknowns("I a T alpha v omega")
+    I, a, T, alpha, v, w = unknowns(
+        "I a T alpha v omega",
+        T="tension of the rope",
+        alpha="angular acceleration of the drum",
+        v="speed of the bucket at the bottom",
+    )
     return derivation(
         step(
             I, "A solid cylinder about its axis.", law("Moment of inertia of a cylinder", "I = M*R^2/2", I=I)
@@ -69,3 +78,25 @@ def derive(M, m, R, h, g):
             ],
         ),
     )
+
+
+def scene(M, m, R, h, g, answer):
+    """A roll with the bucket's mass and the drum's moment of inertia, which unrolls down a rough wall: what grips is the rope.
+
+    And the bucket alone, under its weight and the tension.
+    """
+    w, v = answer["c"], answer["c"] * R
+    falls = v / answer["a"]
+    roll = Body(m, (R, 0.0), (0.0, 0.0), radius=R, inertia=M * R**2 / 2)
+    wall = HardWall((1.0, 0.0), restitution=0.0, mu=1.0)
+    pressed = ForceFunction(0, lambda t, place, velocity: (-2 * m * g, 0.0))
+    net = ForceFunction(0, lambda t, place, velocity: (answer["b"] - m * g,))
+    return [
+        simulate(
+            Scene((roll,), (Weight(g), wall, pressed), until=falls),
+            velocities=(0.0, -v),
+            spins=(-w,),
+            trajectory=(R, -h),
+        ),
+        simulate(Scene((Body(m, (0.0,), (0.0,)),), (net,), until=falls), velocities=(-v,), trajectory=(-h,)),
+    ]

@@ -1,11 +1,14 @@
 """A grindstone: friction at the rim slows a disc down."""
 
-from corollary.author import derivation, mistake, step, unknowns
+from corollary.author import derivation, mistake, simulate, step, unknowns
 from corollary.laws import angular_second_law, law, wrong
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(M, R, n, N, mu):
-    D, I, alpha, t, Q = unknowns("D I alpha t Q")
+    D, I, alpha, t, Q = unknowns("D I alpha t Q", alpha="angular acceleration")
     return derivation(
         step(
             D,
@@ -48,3 +51,20 @@ def derive(M, R, n, N, mu):
             check="Neither the push nor the friction matters for the heat, only for the time.",
         ),
     )
+
+
+def scene(M, R, n, N, mu, answer):
+    """A disc that turns in a corner, pressed on the rough side, and held by the smooth one: after half of the time it has half of
+    its spin and a quarter of its energy; and all that friction does in that time is torque times time."""
+    corner = (
+        HardWall((0.0, 1.0), restitution=0.0, mu=mu),
+        HardWall((1.0, 0.0), restitution=0.0),
+        ForceFunction(0, lambda t, place, velocity: (0.0, -N)),
+    )
+    disc = Body(M, (R, R), (0.0, 0.0), radius=R, spin=n, inertia=M * R**2 / 2)
+    half = Scene((disc,), corner, until=answer["b"] / 2)
+    spin = n - answer["a"] / (M * R**2 / 2) * answer["b"] / 2
+    return [
+        simulate(half, spins=(n / 2,), energy=answer["c"] / 4),
+        simulate(half, spins=(spin,)),
+    ]

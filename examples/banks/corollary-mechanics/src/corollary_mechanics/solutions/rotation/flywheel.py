@@ -1,11 +1,16 @@
 """A flywheel: constant angular acceleration, moment of inertia, torque."""
 
-from corollary.author import derivation, mistake, route, step, unknowns
+from math import pi
+
+from corollary.author import derivation, mistake, route, simulate, step, unknowns
 from corollary.laws import angular_second_law, law, wrong
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.scene import Body, Scene
 
 
 def derive(n, t, M, R):
-    I, K, phi, N, alpha, D = unknowns("I K phi N alpha D")
+    I, K, phi, N, alpha, D = unknowns("I K phi N alpha D", alpha="angular acceleration")
     return derivation(
         step(I, "A solid disc about its axis.", law("Moment of inertia of a disc", "I = M*R^2/2", I=I)),
         step(
@@ -63,3 +68,20 @@ def derive(n, t, M, R):
             check="Torque and energy have the same unit, but mean different things.",
         ),
     )
+
+
+def scene(n, t, M, R, answer):
+    """A disc that turns in a corner, its rim rubbing with the torque of the bearings, for half of the time; and the way of a
+    point of the rim, laid out in a line, until it stands."""
+    corner = (
+        HardWall((0.0, 1.0), restitution=0.0, mu=1.0),
+        HardWall((1.0, 0.0), restitution=0.0),
+        ForceFunction(0, lambda t, place, velocity: (0.0, -answer["c"] / R)),
+    )
+    disc = Body(M, (R, R), (0.0, 0.0), radius=R, spin=n, inertia=M * R**2 / 2)
+    rim = Body(M / 2, (0.0,), (n * R,))
+    rubs = ForceFunction(0, lambda t, place, velocity: (-answer["c"] / R,))
+    return [
+        simulate(Scene((disc,), corner, until=t / 2), spins=(n / 2,), energy=answer["a"] / 4),
+        simulate(Scene((rim,), (rubs,), until=t), velocities=(0.0,), trajectory=(2 * pi * R * answer["b"],)),
+    ]

@@ -5,7 +5,7 @@ from corollary.laws import law, wrong
 
 
 def derive(m, alpha, beta, g):
-    S, T = unknowns("S T")
+    S, T = unknowns("S T", T="tension of the right wire")
     across = law("Equilibrium, horizontally", "S*cos(alpha) = T*cos(beta)", S=S)
     up = law("Equilibrium, vertically", "S*sin(alpha) + T*sin(beta) = m*g", S=S)
     return derivation(
