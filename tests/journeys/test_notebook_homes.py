@@ -70,6 +70,10 @@ def test_a_sheet_is_answered_there_and_marked_right(kind: str, tmp_path: Path, j
         answer_cell = page.locator(home.cell, has_text="X12_5_a = None")
         check_cell = page.locator(home.cell, has_text='check("X12_5_a")')
         answer_cell.wait_for(timeout=PATIENCE * 1000)
+        page.wait_for_function(
+            """() => [...document.images].some(each => each.alt.startsWith("A ball of mass") && each.naturalWidth > 0)""",
+            timeout=PATIENCE * 1000,
+        )
         until(lambda: kernel_is_ready(address), "the page has no kernel")
         for click in home.run_all:
             page.click(click)

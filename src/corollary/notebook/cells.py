@@ -5,15 +5,19 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Mapping
+from html import escape
 from typing import Literal
 
 from nbformat import NotebookNode
 
+DRAWING = re.compile(r"!\[([^\]]*)\]\((data:image/svg\+xml;base64,[^)\s]*)\)")
+
 
 def reading_cell(grade_id: str, source: str) -> NotebookNode:
-    """Markdown to be read, and locked."""
-    return _cell("markdown", grade_id, source, locked=True)
+    """Markdown to be read, and locked; a drawing in it stands as a tag of HTML: VS Code's Markdown shows none otherwise."""
+    return _cell("markdown", grade_id, DRAWING.sub(_as_tag, source), locked=True)
 
 
 def program_cell(grade_id: str, source: str, *, folded: bool = False) -> NotebookNode:
@@ -38,6 +42,11 @@ def graded_cell(grade_id: str, source: str, points: float) -> NotebookNode:
 def written_cell(grade_id: str, source: str, points: float) -> NotebookNode:
     """Markdown that a student writes and a person marks."""
     return _cell("markdown", grade_id, source, solution=True, points=points)
+
+
+def _as_tag(drawing: re.Match[str]) -> str:
+    words, address = drawing.groups()
+    return f'<img alt="{escape(words)}" src="{address}">'
 
 
 def _cell(

@@ -1,4 +1,4 @@
-"""The source of the cell that defines `check`: a few lines, with what is asked and the code that reads answers, compressed."""
+"""The source of the cell that defines `check`: some twenty lines, with what is asked and the code that reads answers, compressed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ _ = catalogue(__name__)
 CELL = """\
 # {first}
 # {second}
-def corollary(carried={carried!r}):
+def corollary(carried=(
+{carried}
+)):
     import base64, json, sys, zlib
     if sys.version_info < (3, 11):
         return lambda *names: print({too_old!r})
@@ -31,6 +33,9 @@ def corollary(carried={carried!r}):
     return loader["checker"](carried, globals())
 
 check = corollary()"""
+LINE = (
+    9000  # characters; VS Code breaks a line of 10 000 into a hundred lines of the screen, and folds no cell
+)
 
 
 def check_source(sheet: Worksheet) -> str:
@@ -77,7 +82,8 @@ def _carried(code: str, questions: tuple[Question, ...]) -> str:
         "language": code,
         "catalogues": dict(catalogues(modules(types))),
     }
-    return b85encode(zlib.compress(json.dumps(carried, ensure_ascii=False).encode(), 9)).decode()
+    packed = b85encode(zlib.compress(json.dumps(carried, ensure_ascii=False).encode(), 9)).decode()
+    return "\n".join(f"    {packed[at : at + LINE]!r}" for at in range(0, len(packed), LINE))
 
 
 def _versions(types: tuple[str, ...]) -> dict[str, str]:
