@@ -91,15 +91,16 @@ def nearly_zeno(draw: Random) -> Case:
 
 
 def on_a_lift(draw: Random) -> Case:
-    """Bounces on a floor that rises steadily: those of a floor at rest, seen from there."""
+    """Bounces on a floor that rises steadily: those of a floor at rest, seen from there; at last it lies there."""
     e, h, w = draw.uniform(0.6, 1.0), draw.uniform(0.3, 1), draw.uniform(0.2, 2)
     g, y, v, t, until = mp.mpf(G), mp.mpf(h), -mp.mpf(w), mp.mpf(0), draw.uniform(1, 3)
     while True:
         hit = (v + mp.sqrt(v * v + 2 * g * y)) / g
-        if t + hit > until:
+        at_rest = t + hit == t
+        if at_rest or t + hit > until:
             break
         t, y, v = t + hit, mp.mpf(0), -e * (v - g * hit)
-    left = until - t
+    left = mp.mpf(0) if at_rest else until - t
     true = y + v * left - g * left**2 / 2 + w * until, v - g * left + w
     return one(
         "on a lift", 0.2, h, 0.0, (Weight(G), HardWall((1.0,), 0.0, restitution=e, velocity=w)), until, true
