@@ -181,10 +181,10 @@ class Term:
         assert done.returncode == 0, done.stderr
         return {**json.loads(done.stdout), "said": done.stderr}
 
-    def begin(self, lms: Lms) -> None:
-        """The sheets, for Moodle's own list of the class."""
+    def begin(self, roster: str) -> None:
+        """The sheets, for a list of the class."""
         (self.folder / "week_1.md").write_text(SET, encoding="utf-8")
-        (self.folder / "roster.csv").write_text(lms.gradebook(), encoding="utf-8", newline="")
+        self.save("roster.csv", roster)
         self.run("generate", "week_1.md", "--roster", "roster.csv", "--yes")
 
     def give_out(self, lms: Lms) -> Path:
@@ -214,9 +214,10 @@ class Term:
 
     @property
     def ids(self) -> dict[str, str]:
-        """What the course calls each, by username."""
-        by_email = {each.email: each.id for each in students(open_course(self.folder / "course"))}
-        return {each.username: by_email[each.email] for each in CLASS}
+        """What the course calls each, by username: whoever has the email address, which may be the login."""
+        roster = students(open_course(self.folder / "course"))
+        known = {value: each.id for each in roster for value in (each.email, *dict(each.ids).values())}
+        return {each.username: known[each.email] for each in CLASS}
 
     @property
     def marks(self) -> dict[str, float | None]:

@@ -118,7 +118,7 @@ def test_moodle_takes_what_we_write_and_we_take_what_it_writes(tmp_path: Path) -
     term = Term(tmp_path)
     lms = Moodle.opened(FOLDER, tmp_path)
     gradebook, worksheet = lms.gradebook(), lms.worksheet()
-    term.begin(lms)
+    term.begin(gradebook)
     ids, course = term.ids, term.folder / "course"
     sheets, names, pages = through(term, lms, lms)
     handed_in = {who for who in ids if who != NOTHING}
@@ -189,7 +189,7 @@ def test_moodle_would_be_given_what_it_was_given(path: Path, tmp_path: Path) -> 
     before, after = (
         Remembered(record["gradebook"], table, record["names"]) for table in record["worksheets"]
     )
-    term.begin(before)
+    term.begin(before.gradebook())
     sheets, names, pages = through(term, before, after)
     assert names == record["names"]
     assert term.marks == record["marks"]

@@ -68,6 +68,17 @@ def test_moodles_grading_worksheet_and_what_its_marks_are_out_of(tmp_path: Path)
     assert ('grading",90,' in scaled.content.decode(), scaled.notes) == (True, ())
 
 
+def test_an_excused_students_mark_that_moodles_worksheet_would_keep_is_said(tmp_path: Path) -> None:
+    """Moodle 4.1 and 4.5 leave a mark alone whose cell is blank in the worksheet, and nowhere else."""
+    excused = '"Participant 4714","Dag Østby",dag@uio.no,"No submission",{},100.00,Yes,-,"Friday, 4 December 2026",\r\n'
+    made = filled(tmp_path / "worksheet.csv", WORKSHEET + excused.format("30.00"), out_of=100)
+    assert made.content.decode().endswith(excused.format(""))
+    (note,) = made.notes
+    assert note.startswith("excused, with a mark in the worksheet: the cell is blank now")
+    assert note.endswith("take it away there: Participant 4714 Dag Østby")
+    assert filled(tmp_path / "worksheet.csv", WORKSHEET + excused.format(""), out_of=100).notes == ()
+
+
 CANVAS = (
     "Student,ID,SIS User ID,SIS Login ID,Section,Week 1: impulse (4411),Essay (4412),Current Score,Final Score\n"
     ",,,,,Manual Posting,,,\n"

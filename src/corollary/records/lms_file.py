@@ -57,6 +57,7 @@ def fill_in(path: Path, table: MarksTable, headings: Sequence[str] = ()) -> Fill
     notes = [
         *_on_people(rows, people),
         *_on_scale(rows, first, places, notation),
+        *_on_excused(rows, first, places, people),
         *(f"{column}: a mark stands in the file and there is none here, so it is left as it is: {few(who)}"
           for column, who in overlooked.items()),
     ]  # fmt: skip
@@ -162,6 +163,27 @@ def _on_scale(
             yield (
                 f"{first[at]} is out of {theirs:g} in the file and out of {ours:g} here; --out-of {theirs:g} scales the marks"
             )
+
+
+def _on_excused(
+    rows: Sequence[tuple[int, Sequence[str]]],
+    first: Sequence[str],
+    places: dict[int, Column],
+    people: RowOwners,
+) -> Iterator[str]:
+    """Whose mark stays in Moodle (4.1, 4.5), which leaves a mark alone where its worksheet is blank."""
+    worksheet = {at: column for at, column in places.items() if folded(first[at]) in WORKSHEET}
+    who = [
+        _called(values)
+        for row, values in rows
+        for at, column in worksheet.items()
+        if people.students.get(row) in column.excused and MARK.match(values[at])
+    ]
+    if who:
+        yield (
+            "excused, with a mark in the worksheet: the cell is blank now, and Moodle keeps the mark then; take it away there: "
+            f"{few(who)}"
+        )
 
 
 def _with_commas(rows: Sequence[tuple[int, Sequence[str]]], places: Collection[int]) -> bool:

@@ -15,6 +15,7 @@ from corollary.render.spreadsheet import table_text
 
 # Columns of Canvas's own, by any of these words anywhere in a title.
 NO_ASSIGNMENT = re.compile("(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
+NUMBER_OF_ANOTHER = re.compile(r"\s\(\d+\)\Z")
 
 
 def write_marks(table: MarksTable) -> MarksText:
@@ -38,14 +39,29 @@ def write_marks(table: MarksTable) -> MarksText:
     )
     by_name = [each.name for each in table.students if not canvas_ids(each) and each not in absent]
     overlooked = [column.title for column in table.columns if NO_ASSIGNMENT.search(column.title)]
+    numbered = [column.title for column in table.columns if NUMBER_OF_ANOTHER.search(column.title)]
+    excused = {student for column in table.columns for student in column.excused}
+    freed = [each.name for each in table.students if each.id in excused and each not in absent]
     text = table_text([headings, points, *rows])
-    notes = tuple(_notes(by_name, bool(absent), overlooked))
+    notes = tuple(_notes(by_name, bool(absent), overlooked, numbered, freed))
     return MarksText(text, tuple(each.id for each in absent), notes)
 
 
-def _notes(by_name: list[str], namesakes: bool, overlooked: list[str]) -> Iterator[str]:
+def _notes(
+    by_name: list[str], namesakes: bool, overlooked: list[str], numbered: list[str], excused: list[str]
+) -> Iterator[str]:
     if overlooked:
         yield f"Canvas leaves out a column with such words in its title: {few(overlooked)}; give the set another title"
+    if numbered:
+        yield (
+            "Canvas takes a number in brackets at the end of a title for that of an assignment, which then gets the marks: "
+            f"{few(numbered)}; give the set another title, or --template"
+        )
+    if excused:
+        yield (
+            f"excused, so blank, and the import takes away what Canvas has of them, EX too: {few(excused)}; "
+            "--template with the gradebook that Canvas exports leaves EX as it is"
+        )
     if by_name:
         yield (
             f"no id of Canvas's is on the roster, so it goes by the name alone: {few(by_name)}; "
