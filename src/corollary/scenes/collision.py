@@ -88,10 +88,10 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
     compiled = both_ways.wanted()
-    with part(0.0, 0.4):
-        coarse = regularised.collide(line, max(tolerance, 1e-14), compiled=compiled)
-    with part(0.4, 1.0):
+    with part(0.0, 0.6):  # first the one that may need too many steps
         fine = regularised.collide(line, max(tolerance / 30.0, 1e-15), compiled=compiled)
+    with part(0.6, 1.0):
+        coarse = regularised.collide(line, max(tolerance, 1e-14), compiled=compiled)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."

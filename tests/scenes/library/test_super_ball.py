@@ -82,3 +82,9 @@ def test_balls_that_meet_again_in_flight_are_refused():
                 "super_ball",
                 edge | {"k": 13611078436.25629, "gap": 0.0021322453004471486, "weighed": weighed},
             )
+
+
+def test_an_upper_ball_that_is_far_too_late_is_refused():
+    for weighed in (0, 1):
+        with pytest.raises(GuardFailed, match="bounces some 15811 times"):
+            run("super_ball", {"gap": 1e9, "weighed": weighed})

@@ -51,7 +51,7 @@ def _follow(line: RowOfBodies, tolerance: float, compiled: bool) -> RowResult:
     )
     if end == row_motion.TOO_LONG:
         raise GuardFailed(
-            f"The collision did not end within {most} steps. Make the masses less unequal or the balls fewer."
+            f"The collision does not end within {most} steps. Make the masses less unequal or the balls fewer."
         )
     if end == row_motion.NO_STEP:
         raise GuardFailed("No step is small enough to follow the collision. Make the settings less extreme.")

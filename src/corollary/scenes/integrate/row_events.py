@@ -180,6 +180,37 @@ def crossing(variable, y, base, after, lasted, touching, row, first, last, noise
 
 
 @kernel
+def lasts_at_least(y, row):
+    """How long it takes at least until no two bodies come nearer to each other; zero where damping or weight leaves no bound.
+
+    No contact pulls, or pushes harder than all of the energy, seen from the centre of mass or from a wall, can squeeze it.
+    """
+    inverse, falls, k, q, eta, _ = row
+    count, momentum, mass = len(k), 0.0, 0.0
+    for i in range(count + 1):
+        if inverse[i] > 0.0:
+            momentum, mass = momentum + y[2 * i] / inverse[i], mass + 1.0 / inverse[i]
+    mean, energy, hardest, longest = momentum / mass, 0.0, 0.0, 0.0
+    for i in range(count + 1):
+        if inverse[i] == 0.0:
+            mean = y[2 * i]
+    for i in range(count + 1):
+        if inverse[i] > 0.0:
+            energy += 0.5 * (y[2 * i] - mean) * (y[2 * i] - mean) / inverse[i]
+    for j in range(count):
+        if eta[j] > 0.0 or falls[j + 1] > 0.0:
+            return 0.0
+        energy += stored(k[j], q[j], y[2 * j + 1])
+    for j in range(count):
+        hardest = max(hardest, push(k[j], q[j], ((q[j] + 1.0) * energy / k[j]) ** (1.0 / (q[j] + 1.0))))
+    for i in range(count + 1):
+        for j in range(i + 1, count + 1):
+            if y[2 * i] > y[2 * j] and inverse[i] + inverse[j] > 0.0:
+                longest = max(longest, (y[2 * i] - y[2 * j]) / (inverse[i] + inverse[j]))
+    return longest / hardest if hardest > 0.0 else 0.0
+
+
+@kernel
 def never_faster(drag, spring, z):
     """Whether z is below the larger root of z^2 - drag z + spring."""
     room = drag * drag - 4.0 * spring

@@ -14,6 +14,7 @@ events, law, peaks, stages = (module(name) for name in ("row_events", "row_law",
 active_part, settle, inactive, stays = events.active_part, events.settle, events.inactive, events.stays
 first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, events.due
 nears_zero, crossing, at_rest = events.nears_zero, events.crossing, events.at_rest
+lasts_at_least = events.lasts_at_least
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
 damped_force, largest_force, largest_overlap = peaks.damped_force, peaks.largest_force, peaks.largest_overlap
 factor, whole, error_size = stages.factor, stages.whole, stages.error_size
@@ -34,6 +35,8 @@ MOST_TRIALS = 80
 # The first stride goes with the eighth root of the tolerance, the order of the method: two runs that began alike would share the errors
 # of their first steps, and their difference would not show them.
 FIRST_STRIDE, LEAST_STRIDE = 1.6, 1e-12
+# After so many steps, and whenever they are twice as many, it is asked whether those that are left could be enough.
+FIRST_LOOK = 1000
 
 
 @kernel
@@ -121,7 +124,7 @@ def note_peaks(variable, power, x, h, y, touching, row, first, last, deepest, ha
 
 @kernel
 def follow(y, touching, row, deepest, hardest, tolerance, most, room):
-    """Moves the state y (at time zero) to the end of the collision, in at most so many steps.
+    """Moves the state y (at time zero) to the end of the collision, in at most so many steps; sooner given up if these cannot be enough.
 
     `deepest` and `hardest` become the largest overlap and force of each contact. `room` is ROOM rows as long as y. Gives how it ended
     and when it began to touch, when it last opened, the openings and the evaluations.
@@ -140,7 +143,14 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
     begins = FIRST_STRIDE * tolerance**0.125
     variable, power, stride, lasted, landing = TIME, 1, 0.0, begins, False
     first, last, margin = 0, count, MARGIN
-    for _ in range(most):
+    look, seen = FIRST_LOOK, 0.0
+    for done in range(most):
+        if 2 * done == look:
+            seen = time
+        elif done == look:
+            if lasts_at_least(y, row) * done > (most - done) * (time - seen):
+                return TOO_LONG, began, ended, openings, spent
+            look, seen = 2 * look, time
         settle(y, touching, first, last)
         # Before the inactive: a contact that its damping holds for ever soon has too little in it to be seen.
         if damped and stays(y, touching, row, tolerance):

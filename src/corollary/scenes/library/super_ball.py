@@ -49,6 +49,7 @@ AS_FINE, NO_WEIGHT = (
 )  # a share of the speed: far below what weight does, and where it does nothing
 # As a share of the overlap, and what it does to velocities and times as a share of them: ten times as much at most.
 NO_GAP, BY_NO_GAP = 1e-11, 1e-10
+MOST_FLIGHTS = 1000.0  # of the lower ball before the upper one comes: more take too long
 
 
 def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
@@ -118,6 +119,11 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
     if 2.0 * g * lift >= speed**2:
         raise BadSetting(
             "super_ball: the balls are so soft that they sink in as deep as they fell; raise k, or drop them from higher."
+        )
+    flights = 0.5 * math.sqrt(1.0 + 2.0 * g * gap / speed**2)
+    if flights > MOST_FLIGHTS:
+        raise GuardFailed(
+            f"super_ball: the lower ball bounces some {flights:.0f} times before the upper one comes. Make the gap smaller."
         )
     # Balls without a gap touch as they fall, but what counts begins at the floor: a gap of no account keeps them apart until then.
     apart = max(gap, NO_GAP * lift)
