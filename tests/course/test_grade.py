@@ -61,6 +61,22 @@ def test_feedback_that_was_lost_is_made_again_without_marking(graded: Path) -> N
     assert page.read_bytes() == before
 
 
+def test_marks_whose_notebook_is_gone_stay_and_are_named(graded: Path) -> None:
+    marks = scores(graded)
+    shutil.rmtree(graded / "submitted" / "ben")
+    done = grade(graded)
+    assert (done.status, done.document["gone"], done.document["changed"]) == (0, ["ben"], [])
+    assert (
+        "no notebook lies in submitted/STUDENT/one any more, and the marks it was given stay: ben;"
+        in done.errors
+    )
+    assert "corollary extend STUDENT one --excuse" in done.errors
+    shutil.rmtree(graded / "submitted")
+    done = grade(graded, "--strict")
+    assert (done.status, done.document["gone"]) == (1, list(STUDENTS))
+    assert scores(graded) == marks
+
+
 def test_only_those_are_marked_again_whose_scores_are_others(graded: Path) -> None:
     forgetting_ben(graded)
     done = grade(graded)

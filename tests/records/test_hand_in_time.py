@@ -14,7 +14,15 @@ from corollary.problem.problem_set import find_set
 from corollary.problem.roster import Student
 from corollary.records.deadlines import Terms
 from corollary.records.files import Course, create_course
-from corollary.records.hand_in_time import guessed_time, handed_in, lateness, settle_time, why_guessed
+from corollary.records.hand_in_time import (
+    GuessedTime,
+    all_guessed,
+    guessed_time,
+    handed_in,
+    lateness,
+    settle_time,
+    why_guessed,
+)
 
 SET = find_set(chapter_bank(), "momentum_1")
 DUE = datetime(2023, 11, 14, 12, tzinfo=UTC)
@@ -98,6 +106,18 @@ def test_the_time_that_is_found_out_later_counts(place: Path) -> None:
     assert "'sooner'" in settled(place)
     kept = place.parents[2] / ".corollary/times/momentum_1"
     assert [(kept / f"ada.{n}.txt").read_text() for n in (1, 2)] == ["soon", "sooner"]
+
+
+def test_one_line_names_all_of_whom_there_is_the_same_to_say() -> None:
+    unsaid, early = GuessedTime(AFTER, after_due=True), GuessedTime(AFTER)
+    lines = all_guessed(
+        "words", {"ada": unsaid, "ben": early, "cyd": unsaid, "dag": GuessedTime(AFTER, "soon")}
+    )
+    both, alone = lines
+    assert both.startswith("ada, cyd: nothing said when it was handed in")
+    assert both.endswith("write the time into submitted/STUDENT/words/timestamp.txt if you know it")
+    assert alone.startswith("dag: timestamp.txt said no time but 'soon'")
+    assert alone.endswith("write the time into submitted/dag/words/timestamp.txt if you know it")
 
 
 def test_what_a_student_hands_in_is_no_word_on_whether_a_time_was_guessed(place: Path) -> None:

@@ -19,7 +19,7 @@ from corollary.course.grade import Outcome, grade_set
 from corollary.grading.solutions import Solutions
 from corollary.messages import visible
 from corollary.records.files import one_writer, open_course
-from corollary.records.hand_in_time import why_guessed
+from corollary.records.hand_in_time import all_guessed
 from corollary.records.origin import set_of
 from corollary.records.regrading import Change, PartChange
 from corollary.records.submission import why_unclear
@@ -75,9 +75,13 @@ def run(
         say(f"{student} is not graded, for this machine failed: {why} Nothing is recorded; grade again")
     for student, names in done.unclear.items():
         say(f"{student} handed in {why_unclear(problem_set.name, names)}")
-    for student, guess in done.guessed.items():
-        if why := why_guessed(problem_set.name, student, guess):
-            say(f"{student}: {why}")
+    for line in all_guessed(problem_set.name, done.guessed):
+        say(line)
+    if done.gone:
+        say(
+            f"no notebook lies in submitted/STUDENT/{problem_set.name} any more, and the marks it was given stay: {', '.join(done.gone)}; put it "
+            f"back and grade again, or corollary extend STUDENT {problem_set.name} --excuse, if the marks are not to count"
+        )
     for each in done.extended:
         say(
             f"{each.student} has {each.after:g} points and no longer {each.before:g}: there was more time, and lateness takes less"
@@ -90,7 +94,7 @@ def run(
         show_changes(done.changed, as_json=as_json)
         say("nothing was written: this was a dry run")
     refused = not dry_run and not done.written
-    broken = bool(done.failed or done.strangers or done.unclear)
+    broken = bool(done.failed or done.strangers or done.unclear or done.gone)
     return FAILS if refused or done.not_run or (strict and broken) else HOLDS
 
 
@@ -123,6 +127,7 @@ def document(name: str, done: Outcome) -> dict[str, Any]:
         "skipped": len(done.skipped),
         "failed": list(done.failed),
         "strangers": list(done.strangers),
+        "gone": list(done.gone),
         "in_gradebook": done.in_gradebook,
         "report": str(done.page),
         "unclear": {student: list(names) for student, names in done.unclear.items()},

@@ -62,9 +62,10 @@ class NotGenerated(LookupError):
 class Outcome:
     """What a run of grading did. `not_run` are those whose notebook the machine failed to run, with a sentence: nothing is
     recorded for them, and the next run marks them. `records` holds every student's marks, those skipped included; `refilled`
-    are those who had marks on record that nbgrader no longer had, `guessed` those of whom no time of handing in is known.
-    `changed` are those whose marks are others than before, or would be; when not all of it is `written`, nothing was written of
-    `held`. `extended` are the changes that follow from more time given to one student."""
+    are those who had marks on record that nbgrader no longer had, `gone` those who have marks and whose notebook lies there no
+    more, `guessed` those of whom no time of handing in is known. `changed` are those whose marks are others than before, or would
+    be; when not all of it is `written`, nothing was written of `held`. `extended` are the changes that follow from more time given
+    to one student."""
 
     graded: tuple[str, ...]
     skipped: tuple[str, ...]
@@ -80,6 +81,7 @@ class Outcome:
     written: bool = True
     unclear: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     not_run: Mapping[str, str] = field(default_factory=dict)
+    gone: tuple[str, ...] = ()
     refilled: tuple[str, ...] = ()
     guessed: Mapping[str, GuessedTime] = field(default_factory=dict)
 
@@ -151,7 +153,8 @@ def grade_set(
     report = report_of(course, problem_set, manual)
     if not dry_run:
         _write_pages(course, problem_set, report, manual, handed_in.files)
-    held, not_run = proposed.held_students, proposed.not_run
+    held, not_run, without = proposed.held_students, proposed.not_run, unclear(course, name)
+    there = {*handed_in.files, *without}
     return Outcome(
         graded=tuple(student for student in todo if student not in not_run and student not in held),
         written=not held and not dry_run,
@@ -165,8 +168,9 @@ def grade_set(
         changed=proposed.changed,
         extended=() if dry_run else tuple(proposed.extended),
         held=tuple(student for student in todo if student in held),
-        unclear=unclear(course, name),
+        unclear=without,
         not_run=not_run,
+        gone=tuple(one.student for one in report.handed_in if one.student not in there),
         refilled=tuple(student for student in done if student not in written),
         guessed={one: guess for one in digests if (guess := guessed_time(course, name, one)) is not None},
     )

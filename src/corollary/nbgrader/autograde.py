@@ -34,7 +34,7 @@ from corollary.nbgrader.marks import write_graded
 from corollary.nbgrader.register import follow_points
 from corollary.records.assigned import is_assigned
 from corollary.records.deadlines import read_deadlines
-from corollary.records.hand_in_time import guessed_time, settle_time, why_guessed
+from corollary.records.hand_in_time import GuessedTime, all_guessed, guessed_time, settle_time
 from corollary.records.manual import read_manual
 from corollary.records.marks import with_out_of
 from corollary.records.origin import set_of
@@ -143,11 +143,13 @@ def _with_times(run: Autograde, convert: Callable[[], None]) -> None:
     course, name = course_of(run), cast(CourseDirectory, run.coursedir).assignment_id
     if course is not None and is_assigned(course, name):
         deadlines, now = read_deadlines(course, set_of(course, name)[1]), datetime.now(UTC)
+        guessed: dict[str, GuessedTime] = {}
         for student in submissions(course, name):
             settle_time(course, name, student, deadlines.terms(student, now))
-            guess = guessed_time(course, name, student)
-            if guess is not None and (why := why_guessed(name, student, guess)):
-                run.log.warning("%s: %s", student, why)
+            if (guess := guessed_time(course, name, student)) is not None:
+                guessed[student] = guess
+        for line in all_guessed(name, guessed):
+            run.log.warning("%s", line)
     convert()
     if course is not None and is_assigned(course, name):
         follow_points(course, set_of(course, name)[1])

@@ -7,6 +7,7 @@ for nbgrader, which wants one.
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
@@ -114,6 +115,17 @@ def why_guessed(set_name: str, student: str, guess: GuessedTime) -> str:
     if guess.after_due:
         return f"nothing said when it was handed in, and the file is from after the deadline: taken as in time; {remedy}"
     return ""
+
+
+def all_guessed(set_name: str, guesses: Mapping[str, GuessedTime]) -> Iterator[str]:
+    """A line on each guess that matters, with whose it is; one for all of whom there is the same to say."""
+    alike: dict[str, list[str]] = {}
+    for student, guess in guesses.items():
+        alike.setdefault(why_guessed(set_name, "STUDENT", guess), []).append(student)
+    for sentence, who in alike.items():
+        if sentence:
+            one = sentence if len(who) > 1 else why_guessed(set_name, who[0], guesses[who[0]])
+            yield f"{', '.join(who)}: {one}"
 
 
 def beside(course: Course, set_name: str, student: str, file: str) -> bytes:
