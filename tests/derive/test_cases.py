@@ -137,6 +137,13 @@ def test_faults_are_said_at_the_case(refused, rest, slides, said):
     assert said in sentence
 
 
+def test_a_fault_before_the_cases_is_said_of_its_step(refused):
+    line, sentence = refused(
+        whole=written().replace("N = m*g*cos(alpha)", "N = m*cos(alpha) + g"), asks=ASKS, front=FRONT
+    )
+    assert (line, sentence.partition(":")[0]) == (9, "N")
+
+
 def test_one_case_is_none(refused):
     one = written().replace(
         '            case("the block slides"', '            ) or cases(case("the block slides"'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from corollary.derive.listed_forces import listed_forces
 from corollary.derive.load import NotDerivable
 from corollary.derive.solve import solve
 from corollary.grading.free_body import as_people_say, free_body
@@ -80,6 +81,13 @@ def test_the_forces_of_the_laws_are_taken(tmp_path):
     assert (
         as_people_say(body, part) == "weight: down; normal force: up; pull of the rope: 30°"
     )  # nobody pushes
+
+
+def test_the_worked_solution_says_where_each_points(tmp_path):
+    problem, solution = solved(tmp_path)
+    told = list(listed_forces(solution.forces["a"], problem.part("a")))
+    assert told[0] == "- weight, down: $g\\, m$"
+    assert told[2] == r"- pull of the rope, at $\beta$, counter-clockwise from the right: $P$"
 
 
 @pytest.mark.parametrize(

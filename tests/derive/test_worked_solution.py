@@ -101,6 +101,43 @@ def test_an_angle_is_told_in_degrees_too():
     assert r"{}^{\circ}}$$" in told("E12.3.2")
 
 
+WARMED = """\
+code: X1.1
+title: Warmed
+given:
+  V1: {is: volume, value: 20, from: 10, to: 50, step: 1, unit: ml}
+  T1: {is: cold, value: 20, from: 10, to: 25, step: 1, unit: °C}
+  T2: {is: hot, value: 70, from: 50, to: 95, step: 1, unit: °C}
+  p: {is: pressure, value: 1013, from: 980, to: 1030, step: 1, unit: hPa}
+require:
+  - V1 > 0
+  - T1 > 0 K
+  - T2 > T1
+  - p > 0
+"""
+ASKS = '## V {#a .value unit="ml"}\n?\n\n## W {#b .value unit="J"}\n?\n\n## T {#c .value unit="°C"}\n?\n'
+BODY = """\
+from corollary.author import *
+from corollary.laws import *
+
+def derive(V1, T1, T2, p):
+    V, W, T = unknowns("V W T")
+    return derivation(
+        step(V, "It grows.", law("Charles", "V/T2 = V1/T1"), answers="a"),
+        step(W, "Evenly.", law("Work", "W = p*(V - V1)"), answers="b"),
+        step(T, "As the bath.", law("Bath", "T = T2"), answers="c"),
+    )
+"""
+
+
+def test_what_was_answered_goes_on_in_the_unit_of_its_part(solved):
+    solution = solved(whole=BODY, asks=ASKS, front=WARMED)
+    key = make_key(solution, chapter(solution.problem))
+    text = re.sub(r"\\left|\\right", "", worked_solution(solution, key.variant, key.values, key.choices, []))
+    assert r"(1013\,\mathrm{hPa})\, ((23.41\,\mathrm{ml}) - (20\,\mathrm{ml})) = 0.3456" in text
+    assert r"$$T = T_{2} = 70.00\,\mathrm{{}^{\circ}C}$$" in text
+
+
 def test_what_was_found_when_it_was_solved_is_spoken_in_the_readers_language(translated):
     translated("corollary.derive", {"{root} contradicts {condition}": "{condition} malpermesas {root}"})
     english = told("P12.14")

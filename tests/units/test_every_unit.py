@@ -9,7 +9,7 @@ import pytest
 
 from corollary.answers.quantity import Reading, read_quantity
 from corollary.formula.errors import ParseError
-from corollary.units.table import PREFIXES, ROWS, WITH_PREFIXES
+from corollary.units.table import PREFIXES, ROWS, TYPED, WITH_PREFIXES
 from corollary.units.unit import BASE, canonical, latex, read_unit, show, unit
 
 PINT = pint.UnitRegistry()
@@ -59,15 +59,24 @@ def test_a_row_is_what_pint_has(name):
     }
 
 
+TYPED_FOR_ANOTHER = {"Tm", "Grad", "dag"}
+"""T m, degrees in German, a day in Norwegian."""
+
+
 @pytest.mark.parametrize("prefix", [each for each in PREFIXES if each])
 def test_a_prefix_is_what_pint_has(prefix):
-    """On every unit that takes prefixes, but where it would be typed like something else (`Tm` is T m, `cd` a candela)."""
+    """On every unit that takes prefixes: `mPa` is no metre times a pascal, `Mbar` no millibar."""
     size = float(PINT(f"1 {prefix}Hz").to("Hz").magnitude)
-    names = {each.text for each in WITH_PREFIXES.values()}
-    same = [name for name in sorted(names) if canonical(unit(prefix + name)) == prefix + name]
-    assert len(same) >= (4 if prefix in {"h", "T"} else 20)
-    for name in same:
-        assert unit(prefix + name).si == pytest.approx(size * unit(name).si, rel=1e-12)
+    for name in {each.text for each in WITH_PREFIXES.values()}:
+        for sign in TYPED.get(prefix, (prefix,)):
+            if sign + name not in TYPED_FOR_ANOTHER:
+                assert canonical(unit(sign + name)) == prefix + name
+                assert unit(sign + name).si == pytest.approx(size * unit(name).si, rel=1e-12)
+
+
+@pytest.mark.parametrize(("typed", "meant"), [("Tm", "T m"), ("Grad", "deg"), ("dag", "d")])
+def test_what_looks_like_a_prefix_and_is_none(typed, meant):
+    assert unit(typed) == unit(meant)
 
 
 @pytest.mark.parametrize("celsius", [-40, 0, 20, 37, 100])

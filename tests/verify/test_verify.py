@@ -177,7 +177,7 @@ def test_a_printed_value_that_cannot_be_read(verified, good):
         ("m*v", ""),
         ("2*m*v", "the derivation gives m*v"),
         ("1.6 kg m/s", "they differ by one in the last figure"),
-        ("1.7 kg m/s", "the derivation gives 1.5 in SI"),
+        ("1.7 kg m/s", "the derivation gives 1.5 kg m/s"),
         ("2 kg m/s", ""),  # 1.5 to one figure
     ],
 )

@@ -17,7 +17,7 @@ from corollary.derive.load import NotDerivable
 from corollary.derive.solution import ClaimedCondition, SolvedChoice
 from corollary.derive.statements import Choice
 from corollary.formula.ast import Number, Relation
-from corollary.formula.from_sympy import relation
+from corollary.formula.from_sympy import NoTree, relation
 from corollary.problem.part import Part
 
 
@@ -34,7 +34,12 @@ def solved_choice(entry: Choice[Boolean | bool], part: Part, known: Known) -> So
             holds = known.in_givens_alone(condition)
         except ValueError as error:
             raise ValueError(f"option {letter}: {error}") from None
-        options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
+        try:
+            options[letter] = bool(holds) if holds in (sympy.true, sympy.false) else relation(holds)
+        except NoTree:
+            raise ValueError(
+                f"option {letter}: {holds} is no relation; write one, such as alpha < beta, or True or False"
+            ) from None
     return Choice(entry.statement, options, entry.mistakes)
 
 

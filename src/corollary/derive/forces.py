@@ -30,6 +30,7 @@ def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedFo
         raise ValueError(f"{', '.join(sorted(both))} acts; a mistake is to name a force that does not")
     slope = _slope(part, known)
     pulls = [(each.letter, each.magnitude, angle_of(each.way, slope)) for each in entry.forces]
+    words = [each.way if isinstance(each.way, str) else "" for each in entry.forces]
     for balance in entry.balances:
         _check(balance, pulls, slope)
     axes = [angle_of(each.way, slope) for each in entry.balances]
@@ -39,8 +40,8 @@ def solved_forces(entry: Forces[Any, Law], part: Part, known: Known) -> SolvedFo
     return Forces(
         entry.statement,
         tuple(
-            Acting(letter, tree(known.in_givens_alone(size)), tree(known.in_givens_alone(angle)))
-            for letter, size, angle in pulls
+            Acting(letter, tree(known.in_givens_alone(size)), tree(known.in_givens_alone(angle)), word)
+            for (letter, size, angle), word in zip(pulls, words, strict=True)
         ),
         tuple(Along(str(each.way), applied(each.law)) for each in entry.balances),
         entry.mistakes,

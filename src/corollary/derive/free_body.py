@@ -14,11 +14,13 @@ if TYPE_CHECKING:  # as in statements
 
 @dataclass(frozen=True, slots=True)
 class Acting(Generic[Expression]):
-    """A force on a body: the letter of its name, its magnitude, and where it points, in a word or as an angle."""
+    """A force on a body: the letter of its name, its magnitude, and where it points, in a word or as an angle. Once solved
+    that is an angle, and `word` what the author said."""
 
     letter: str
     magnitude: Expression
     way: str | Expression
+    word: str = ""
 
 
 @dataclass(frozen=True, slots=True)

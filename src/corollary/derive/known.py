@@ -232,7 +232,18 @@ def simplest(expr: sympy.Expr) -> sympy.Expr:
 @lru_cache(maxsize=1024)
 def vanishes(residual: sympy.Expr) -> bool:
     """Whether an expression is zero whatever its letters are, as far as algebra sees it."""
-    return sympy.simplify(sympy.expand(residual)) == 0
+    if (multiplied_out := sympy.simplify(sympy.expand(residual))) == 0:
+        return True
+    as_it_is = sympy.simplify(residual)
+    return 0 in (as_it_is, _with_reduced_radicands(as_it_is), _with_reduced_radicands(multiplied_out))
+
+
+def _with_reduced_radicands(expression: sympy.Expr) -> sympy.Basic:
+    """The expression with what stands below each root as one fraction in lowest terms: so one root written twice cancels."""
+    return expression.replace(
+        lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer,
+        lambda root: sympy.cancel(root.base) ** root.exp,
+    )
 
 
 def _ball(formula: Expr, where: Point, bits: int) -> Any:

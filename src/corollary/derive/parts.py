@@ -1,9 +1,10 @@
-"""Every part of a problem has an entry of its kind in the solution, and one only."""
+"""Every part of a problem has an entry of its kind in the solution, and one only, which measures what it asks for."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from corollary.answers.registry import answer_type
 from corollary.derive.derivation import ENTRIES, Always, Asserted, Derivation, Entry
@@ -17,8 +18,14 @@ from corollary.derive.statements import (
     Simulated,
     Step,
 )
+from corollary.formula.ast import Expr
 from corollary.problem.part import Part
 from corollary.problem.problem import Problem
+from corollary.units.dimension import Dimension
+from corollary.units.unit import called, show, si_unit
+
+if TYPE_CHECKING:  # it brings sympy, which a kept solution does without
+    from corollary.derive.known import Known
 
 
 def misfits(problem: Problem, derivation: Derivation) -> Iterator[tuple[str, int]]:
@@ -103,7 +110,7 @@ def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str,
             entry.statement.part
         ):
             yield (
-                f"printed: part {entry.statement.part} has {found.get(entry.statement.part, 'no')} numbers, but {entry.text!r} gives {numbers}",
+                f"printed: part {entry.statement.part} has {found.get(entry.statement.part, 'no')} numbers, but {entry.text!r} gives {numbers}; part several by semicolons",
                 entry.statement.line,
             )
 
@@ -111,6 +118,24 @@ def _misprinted(problem: Problem, derivation: Derivation) -> Iterator[tuple[str,
 def unsolved(derivation: Derivation) -> tuple[Unsolved, ...]:
     """The entries that are used as they stand: code, plot, explain, printed."""
     return tuple(entry for entry in derivation.entries if isinstance(entry, Unsolved))
+
+
+def dimensions_asked(
+    problem: Problem, part_id: str, answer: tuple[Expr, ...], known: Known
+) -> tuple[Dimension, ...]:
+    """The dimension of each component of what is found. Raises ValueError when it is not what the part asks for."""
+    part = next((part for part in problem.parts if part.id == part_id), None)
+    if part is None:
+        return known.dimensions_of(answer, None)
+    units = part.units_for(len(answer))
+    for formula, unit in zip(answer, units, strict=True):
+        (dimension,) = known.dimensions_of((formula,), unit.dimension)
+        if dimension != unit.dimension:
+            remedy = "" if show(unit) else f'; say unit="{show(si_unit(dimension))}" in its heading'
+            raise ValueError(
+                f"the answer is not in {show(unit) or 'plain numbers'}, it is {called(dimension)}{remedy}"
+            )
+    return tuple(unit.dimension for unit in units)
 
 
 def words_of_kind(entry: Entry) -> str:

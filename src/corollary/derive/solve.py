@@ -12,6 +12,7 @@ from sympy.logic.boolalg import Boolean
 from corollary.derive.applied import applied, applied_proof, applied_route, strange_letter, supposed_value
 from corollary.derive.cases import Branch, Case, relations
 from corollary.derive.choices import claims, solved_choice
+from corollary.derive.derivation import Entry
 from corollary.derive.example import solved_example
 from corollary.derive.forces import solved_forces
 from corollary.derive.free_body import Forces
@@ -19,7 +20,7 @@ from corollary.derive.known import FoundFunction, Known, Root, forms, simplest
 from corollary.derive.load import Loaded, NotDerivable, load
 from corollary.derive.optimum import best
 from corollary.derive.other_roots import asides, conditions, others
-from corollary.derive.parts import misfits, unsolved
+from corollary.derive.parts import dimensions_asked, misfits, unsolved
 from corollary.derive.paths import with_paths
 from corollary.derive.roots import NoRoot, exchanged, pick, roots
 from corollary.derive.solution import (
@@ -50,13 +51,11 @@ from corollary.derive.statements import (
     Step,
     Supposed,
 )
-from corollary.formula.ast import Expr, Relation
+from corollary.formula.ast import Relation
 from corollary.formula.from_sympy import tree
 from corollary.laws.law import Law, as_expression, substitute
 from corollary.problem.bank import Bank
 from corollary.problem.problem import Problem
-from corollary.units.dimensional_analysis import Dimension
-from corollary.units.unit import called, show, si_unit
 
 
 def solve(bank: Bank, problem: Problem) -> Solution:
@@ -89,10 +88,13 @@ class Solver:
     def in_case(self, branch: Branch, case: Case) -> Solver:
         """The solver that tries only numbers at which the case holds; its condition may speak of what is found before it."""
         found = Solver(self.problem, self.loaded)
-        try:
-            for entry in branch.derivation.entries[: branch.before]:
-                if isinstance(entry, Finding):
+        for entry in branch.derivation.entries[: branch.before]:
+            if isinstance(entry, Finding):
+                try:
                     self.find(entry)
+                except ValueError as error:
+                    raise self.at_fault(entry, error) from error
+        try:
             found.case, found.line = case.text, case.line
             found.conditions = relations(self.known.in_givens(sympy.sympify(case.condition)))
             found.known = Known(self.problem, found.conditions)
@@ -126,10 +128,7 @@ class Solver:
                     case _:
                         continue  # code, plot, explain, printed need no solving; what is neglected comes last
             except ValueError as error:  # NoRoot and NoTree among them
-                names = ", ".join(map(str, entry.unknowns)) if isinstance(entry, Finding) else ""
-                about = f"part {part}" if part else names
-                at_fault = error.line if isinstance(error, NoRoot) else 0
-                raise self.failing(f"{about}: {error}", at_fault or entry.statement.line) from error
+                raise self.at_fault(entry, error) from error
         for entry in entries:
             if isinstance(entry, Proof) and (sentence := strange_letter(entry, self.known.names)):
                 raise self.failing(f"part {entry.statement.part}: {sentence}", entry.statement.line)
@@ -144,6 +143,13 @@ class Solver:
     def failing(self, sentence: str, line: int = 0) -> NotDerivable:
         """At the author's own line, or at that of derive where the fault is of the whole."""
         return NotDerivable(self.loaded.path, line or self.loaded.line, sentence)
+
+    def at_fault(self, entry: Entry, error: ValueError) -> NotDerivable:
+        """What is wrong with an entry, named by its part, or by what it finds."""
+        names = ", ".join(map(str, entry.unknowns)) if isinstance(entry, Finding) else ""
+        about = f"part {entry.statement.part}" if entry.statement.part else names
+        line = error.line if isinstance(error, NoRoot) else 0
+        return self.failing(f"{about}: {error}", line or entry.statement.line)
 
     def find(self, entry: Step | Optimum | Simulated) -> Unknown:
         for symbol in entry.unknowns:
@@ -177,7 +183,7 @@ class Solver:
             routes=routes,
             mistakes=mistakes,
             rejected=picked.refused,
-            dimensions=self.dimensions(entry, local.trees),
+            dimensions=dimensions_asked(self.problem, entry.statement.part, local.trees, known),
             scale=None if entry.scale is None else known.tree_in_givens(entry.scale),
             note=None,
             functions=self.functions(entry, functions, picked.root),
@@ -213,7 +219,7 @@ class Solver:
             routes=(),
             mistakes=mistakes,
             rejected=(),
-            dimensions=self.dimensions(entry, local.trees),
+            dimensions=dimensions_asked(self.problem, entry.statement.part, local.trees, known),
             scale=None,
             note=note,
         )
@@ -269,21 +275,6 @@ class Solver:
     ) -> tuple[list[Root], tuple[FoundFunction, ...]]:
         also = entry.also if isinstance(entry, Step) else ()
         return roots(laws, [*entry.unknowns, *also], self.known)
-
-    def dimensions(self, entry: Step | Optimum, trees: tuple[Expr, ...]) -> tuple[Dimension, ...]:
-        """The dimension of each component; raises ValueError when it is not what the part asks for."""
-        part = next((part for part in self.problem.parts if part.id == entry.statement.part), None)
-        if part is None:
-            return self.known.dimensions_of(trees, None)
-        units = part.units_for(len(trees))
-        for formula, unit in zip(trees, units, strict=True):
-            (dimension,) = self.known.dimensions_of((formula,), unit.dimension)
-            if dimension != unit.dimension:
-                remedy = "" if show(unit) else f'; say unit="{show(si_unit(dimension))}" in its heading'
-                raise ValueError(
-                    f"the answer is not in {show(unit) or 'plain numbers'}, it is {called(dimension)}{remedy}"
-                )
-        return tuple(unit.dimension for unit in units)
 
     def neglected(self, entry: Neglected[Step, Supposed]) -> SolvedNeglected:
         try:

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from corollary.answers.options import option_named
-from corollary.answers.spellings import main_spelling
 from corollary.derive.chain import broken, without_repetition
 from corollary.derive.introduction import asked_for, explained, found_first, introduced
+from corollary.derive.listed_forces import listed_forces
 from corollary.derive.solution import (
     AppliedLaw,
     ClosedForms,
@@ -21,7 +21,7 @@ from corollary.derive.solution import (
 )
 from corollary.derive.statements import Code, Explain
 from corollary.derive.typeset_numbers import given_numbers, quantity
-from corollary.formula.ast import Expr, Number, Relation, names
+from corollary.formula.ast import Expr, Name, Number, Relation, names
 from corollary.formula.ball import certified
 from corollary.formula.latex import latex, letter
 from corollary.formula.numerals import decimal_text
@@ -85,8 +85,9 @@ def worked_steps(
         letters_here = explained(find, solution, met)
         met |= set(find.names).union(*(names(relation) for law in find.laws for relation in law.here))
         lines += [heading, "", *letters_here, *_unknown(find, numbers, part, known), ""]
-        for name, value, dimension in zip(find.names, numbers, find.dimensions, strict=True):
-            known[name] = quantity(value, si_unit(dimension), in_formula=True)
+        for name, value, unit in zip(find.names, numbers, _units(find, part), strict=True):
+            in_formula = si_unit(unit.dimension) if unit.offset else unit  # a temperature in kelvin
+            known[name] = quantity(value, in_formula, in_formula=True)
         for each, (most, share) in zip(solution.neglected, neglected, strict=True):
             if part and each.statement.part == part.id:
                 lines += [*_neglected(each, most, share, part, known), ""]
@@ -206,12 +207,7 @@ def _result(
     find: Unknown, numbers: tuple[float, ...], part: Part | None, known: Mapping[str, str]
 ) -> list[str]:
     lines: list[str] = []
-    units = (
-        part.units_for(len(find.dimensions))
-        if part
-        else [si_unit(dimension) for dimension in find.dimensions]
-    )
-    for place, (name, value, unit) in enumerate(zip(find.names, numbers, units, strict=True)):
+    for place, (name, value, unit) in enumerate(zip(find.names, numbers, _units(find, part), strict=True)):
         answer = quantity(value, unit)
         match find.local:
             case ClosedForms(trees):
@@ -235,6 +231,11 @@ def _result(
     return lines
 
 
+def _units(find: Unknown, part: Part | None) -> Sequence[Unit]:
+    """Those that the part asks for; of what nobody asks for, those of the SI."""
+    return part.units_for(len(find.dimensions)) if part else list(map(si_unit, find.dimensions))
+
+
 def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> list[str]:
     """What an unknown equals: by earlier unknowns, by givens alone, and with the numbers put in; nothing for a mere number."""
     if isinstance(tree, Number):
@@ -242,7 +243,7 @@ def _algebra(tree: Expr, in_givens: Expr | None, known: Mapping[str, str]) -> li
     steps = [latex(tree)]
     if in_givens is not None and in_givens != tree and names(in_givens):
         steps.append(latex(in_givens))
-    if names(tree) - {"pi"}:
+    if names(tree) - {"pi"} and not isinstance(tree, Name):
         steps.append(latex(tree, known))
     return steps
 
@@ -257,7 +258,8 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
     lines: list[str] = []
     if part.id in solution.choices:
         option = option_named(part, letters.get(part.id, ""))
-        lines += [f"{f'**{option}** ' if option else ''}{solution.choices[part.id].statement.because}"]
+        stop = "" if option.startswith("(") else "."  # a word and its reason are two sentences
+        lines += [f"{f'**{option}**{stop} ' if option else ''}{solution.choices[part.id].statement.because}"]
     if part.id in solution.forces:
         lines += _forces(solution.forces[part.id], part)
     if part.id in solution.examples:
@@ -285,10 +287,8 @@ def _other(solution: Solution, part: Part, letters: Mapping[str, str], variant: 
 
 def _forces(stated: SolvedForces, part: Part) -> list[str]:
     """Why, and each force with its magnitude in givens; then the laws that they add up to."""
-    names = {option.letter: main_spelling(option.text) for option in part.options}
-    acting = [f"- {names[each.letter]}: ${latex(each.magnitude)}$" for each in stated.forces]
     laws = [_law(each.law) + "\n" for each in stated.balances]
-    return [stated.statement.because, "", *acting, "", *laws]
+    return [stated.statement.because, "", *listed_forces(stated, part), "", *laws]
 
 
 def _empty(relation: Relation) -> bool:

@@ -57,13 +57,14 @@ def register(symbols: str, base_units: str, size: str = "1", prefixes: str = "",
 
 
 def prefixed(symbol: str) -> Unit | None:
-    """A unit with a prefix that its row does not list: `aJ`, `hN`, `Ym`. Asked last, for `Tm` is rather T m."""
+    """A unit with a prefix that its row does not list: `aJ`, `Mbar`, `Ym`. None for `Tm`, which is rather T m."""
+    if symbol == "Tm":
+        return None
     for prefix, power in PREFIXES.items():
-        unit = (
-            WITH_PREFIXES.get(symbol.removeprefix(prefix)) if prefix and symbol.startswith(prefix) else None
-        )
-        if unit is not None:
-            return Unit(prefix + unit.text, unit.dimension, unit.factor * Fraction(10) ** power, unit.pi)
+        for sign in TYPED.get(prefix, (prefix,)):
+            unit = WITH_PREFIXES.get(symbol.removeprefix(sign)) if sign and symbol.startswith(sign) else None
+            if unit is not None:
+                return Unit(prefix + unit.text, unit.dimension, unit.factor * Fraction(10) ** power, unit.pi)
     return None
 
 
@@ -142,7 +143,7 @@ u Da    | kg                 | 1.66053906892e-27 |               | dalton
 min     | s                  | 60                |               | minute minutt minutter
 h       | s                  | 3600              |               | hour hr heure stunde timme timer
 rad     |                    | 1                 | m             | radian radianer radiant
-deg ° º |                    | pi/180            |               | degree degré grad grader
+deg ° º |                    | pi/180            |               | degree degré grad grader Grad
 %       |                    | 1/100             |               | percent prozent prosent pct
 """
 REFUSED = dict.fromkeys(

@@ -164,6 +164,8 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
         )
     if symbol in UNITS:
         return [(UNITS[symbol], power)]
+    if found := prefixed(symbol):  # before letters are cut: `mPa` is no metre times a pascal
+        return [(found, power)]
     named = in_any_case(symbol) if len(symbol) > 3 and not SECONDS.search(symbol) else ()
     if len(meant := {UNITS[each] for each in named if each in UNITS}) == 1:  # `kOhm`, `NEWTON`; `Nsec` is N s
         return [(meant.pop(), power)]
@@ -176,8 +178,6 @@ def _symbol(symbol: str, power_text: str, at: int) -> Factors | ParseError:
         )
     if splits:
         return splits[0]
-    if found := prefixed(symbol):
-        return [(found, power)]
     near = suggested(symbol)
     return refused(
         _("{written} is not a unit known here", written=symbol[:20]),

@@ -17,7 +17,7 @@ from corollary.problem.bank import Bank
 from corollary.problem.part import Part
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
-from corollary.units.unit import Unit
+from corollary.units.unit import Unit, show
 from corollary.verify.checked import Tally
 from corollary.verify.figures import ABOUT, as_printed
 
@@ -75,7 +75,8 @@ def _differences(key: Key, part: Part, entry: Printed) -> Iterator[str]:
 
 def _off(value: float, printed: str, read: Reading, unit: Unit) -> str:
     """What the derivation gives for a printed quantity, where that is something else."""
-    derived = f"the derivation gives {value:.6g} in SI"
+    measured_in = read.unit or unit
+    derived = f"the derivation gives {measured_in.from_si(value):.6g} {show(measured_in)}".rstrip()
     match as_printed(value, printed, read, unit):
         case "agrees":
             return ""
