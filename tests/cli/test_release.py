@@ -54,6 +54,14 @@ def test_files_and_who_gets_none(run) -> None:
     ]
 
 
+def test_one_line_names_all_who_get_none_for_one_reason(run) -> None:
+    roster = Path("roster.csv")
+    roster.write_text(roster.read_text() + "cyd,,,\n")
+    run("generate", "one.md", "--roster", "roster.csv", "--course", "course")
+    _, _, err = run("release", "one", "--course", "course", "--to", "mail")
+    assert err == "each of ben, cyd has no email on the roster\n"
+
+
 def test_numbers_of_the_lms_are_asked_for(run) -> None:
     status, out, err = run("release", "one", "--course", "course", "--to", "moodle")
     assert (status, out) == (2, "")

@@ -126,6 +126,9 @@ def test_canvas_gives_each_who_handed_in_the_own_notebook(course: Path, tmp_path
     with zipfile.ZipFile(tmp_path / "submissions.zip", "w") as archive:
         archive.writestr("lovelaceada_2001_5001_x.pdf", b"")
         archive.writestr("bóolxben_LATE_2002_5002_hello.txt", b"")
+        archive.writestr(
+            "cyd_2003_text.html", b"<p>here</p>"
+        )  # Canvas (infer_comment_context_from_filename) wants a file
     made = released(course, "canvas", tmp_path / "submissions.zip")
     attachments = {("2001", "5001"): "ada", ("2002", "5002"): "ben"}
     found = {
@@ -133,6 +136,9 @@ def test_canvas_gives_each_who_handed_in_the_own_notebook(course: Path, tmp_path
         for name, content in unzipped(made.files["one-canvas.zip"]).items()
     }
     assert found == {"ada": "ada", "ben": "ben"}
+    assert made.without["cyd"].startswith(
+        "has no file in Canvas that is known (what is typed into its text box is none)"
+    )
 
 
 def test_what_goes_out_is_read_again_as_it_comes_back(course: Path, tmp_path: Path) -> None:

@@ -37,8 +37,9 @@ def run(
     made = release(opened, problem_set, to, ids)
     folder = output or opened.folder / "given_out" / f"{problem_set.name}-{to}"
     written = write_files(folder, made.files)
-    for student, why in made.without.items():
-        say(f"{student} {why}")
+    for why in dict.fromkeys(made.without.values()):
+        who = [student for student, reason in made.without.items() if reason == why]
+        say(f"{'each of ' * (len(who) > 1)}{', '.join(who)} {why}")
     if as_json:
         answer(
             {"set": problem_set.name, "to": to, "files": [str(path) for path in written],

@@ -54,7 +54,7 @@ def places(
         hint = (
             ""
             if lms == "moodle"
-            else " (Canvas gives files back to those only who have handed something in; --to mail or zip reaches all)"
+            else " (Canvas gives a file back for a file only, and what is typed into its text box is none; --to mail or zip reaches all)"
         )
         where = f"{file} says nothing" if file else "nothing that was collected says anything"
         raise NoPlaces(

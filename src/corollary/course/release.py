@@ -14,6 +14,11 @@ from corollary.records.lms_names import file_words
 from corollary.render.spreadsheet import table_text
 from corollary.render.targets.feedback_zip import write_archive
 
+UNKNOWN = {
+    "moodle": "has no number in Moodle that is known",
+    "canvas": "has no file in Canvas that is known (what is typed into its text box is none), and it gives one back for a file only",
+}
+
 
 class NoSheets(LookupError):
     """Nobody has a sheet of this set yet; one sentence says what to do."""
@@ -63,11 +68,7 @@ def release(course: Course, problem_set: ProblemSet, to: str, ids: Path | None =
             files = mailing(problem_set, having, sheets)
         case _:
             found = places(course, name, roster, to, ids)
-            without |= {
-                each.id: f"has no number in {to.capitalize()} that is known"
-                for each in having
-                if each.id not in found
-            }
+            without |= {each.id: UNKNOWN[to] for each in having if each.id not in found}
             having = [each for each in having if each.id in found]
             contents = {each.id: (f"{name}.ipynb", sheets[each.id]) for each in having}
             files = {f"{name}-{to}.zip": write_archive(packed(to, found, contents, having))}
