@@ -16,9 +16,10 @@ import pytest
 
 from corollary.course.collect import Collected, collect
 from corollary.records.collected import ACCEPTED, NOBODY, OLDER, UNCHANGED, UNUSABLE
-from corollary.records.deadlines import Extension, write_extension
+from corollary.records.deadlines import Extension, read_deadlines, write_extension
 from corollary.records.files import open_course
 from corollary.records.hand_in_time import handed_in as moment_of
+from corollary.records.hand_in_time import settle_time
 from corollary.records.origin import set_of
 from corollary.records.report_model import report_of
 
@@ -440,6 +441,24 @@ def test_a_guessed_time_makes_nothing_older(course: Path, tmp_path: Path) -> Non
     third = moodle(course, tmp_path / "12.zip", 12, "12")
     collected(course, third, times=grades(tmp_path / "grades.csv", "4 December 2026, 8:00 AM"))
     assert (taken(course)["ada"], when(course, "ada")) == (sheet(course, "ada", note="12"), "04 08:00")
+
+
+def test_a_worksheet_replaces_a_time_that_grading_guessed_though_the_deadline_is_another_since(
+    course: Path, tmp_path: Path
+) -> None:
+    place = course / "submitted/ada/one/one.ipynb"
+    place.parent.mkdir(parents=True)
+    place.write_bytes(sheet(course, "ada", note=""))
+    opened = open_course(course)
+    problem_set = set_of(opened, str(course.parent / "one.md"))[1]
+    saved = datetime(2026, 12, 10, tzinfo=UTC).timestamp()
+    os.utime(place, (saved, saved))
+    settle_time(opened, "one", "ada", read_deadlines(opened, problem_set).terms("ada", NOW))
+    assert when(course, "ada") == "04 23:59"
+    write_extension(opened, "one", "ada", Extension(until=datetime(2026, 12, 11, tzinfo=UTC)))
+    times = grades(tmp_path / "grades.csv", "8 December 2026, 9:03 AM")
+    collected(course, moodle(course, tmp_path / "all.zip", 12), times=times)
+    assert when(course, "ada") == "08 09:03"
 
 
 def test_a_real_time_counts_before_a_guess_in_one_run(course: Path, tmp_path: Path) -> None:

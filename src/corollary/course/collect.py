@@ -18,6 +18,7 @@ from corollary.records.assigned import read_assigned
 from corollary.records.collected import OLDER, UNUSABLE, Arrival, keep, read_arrivals, remember, writable
 from corollary.records.deadlines import read_deadlines
 from corollary.records.files import Course, students
+from corollary.records.hand_in_time import guessed_time
 from corollary.records.settings import read_settings
 from corollary.records.submission import submissions
 from corollary.sandbox.archive import members
@@ -87,7 +88,8 @@ def collect(
             if each.content != latest.content and why != LATER:
                 conflicts.append(f"{student}: {writable(each.member.name)} {why}; the latter is taken")
             arrivals.append(each.arrival(OLDER, why))
-        past = Past(earlier, deadlines.of(student))
+        guessed = guessed_time(course, name, student) is not None
+        past = Past(earlier, deadlines.of(student), guessed)
         arrivals.append(settled(course, name, latest, there.get(student), past, moved, dry_run))
         if not dry_run:
             for each in theirs:

@@ -30,14 +30,15 @@ COUNTED = (ACCEPTED, UNCHANGED)
 
 @dataclass(frozen=True, slots=True)
 class Past:
-    """What came of one student before, and the student's deadline."""
+    """What came of one student before, the student's deadline, and whether grading guessed the time of what lies there."""
 
     arrivals: Sequence[Arrival]
     due: datetime | None
+    guessed: bool
 
     def source(self, since: datetime | None) -> str | None:
         """Where the time of what lies in `submitted/` is from; None when it was not collected."""
-        if since is None or (self.due is not None and since == self.due.astimezone(UTC)):
+        if since is None or self.guessed or (self.due is not None and since == self.due.astimezone(UTC)):
             return GUESSED
         ours = [each for each in self.arrivals if each.when == stamp(since) and each.outcome in COUNTED]
         return (
