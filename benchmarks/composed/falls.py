@@ -388,17 +388,17 @@ def hopper(draw: Random) -> Case:
         push = k * (0.8 - (y[1] - y[0]))
         return y[2], y[3], (-push / m[0] - G if flags == "flies" else 0), push / m[1] - G
 
+    def presses(y: Any) -> Any:
+        return m[0] * G + k * (0.8 - (y[1] - y[0]))
+
     def lands(t: Any, y: Any, flags: Any) -> Any:
         y = y.copy()
         y[0] = y[2] = 0
-        return y, "stands"
+        return y, "stands" if presses(y) > 0 else "flies"  # the spring may lift it at once
 
     events = [
         (lambda t, y, flags: y[0] if flags == "flies" else 1, lands),
-        (
-            lambda t, y, flags: m[0] * G + k * (0.8 - (y[1] - y[0])) if flags == "stands" else 1,
-            lambda t, y, flags: (y, "flies"),
-        ),
+        (lambda t, y, flags: presses(y) if flags == "stands" else 1, lambda t, y, flags: (y, "flies")),
     ]
     y = follow(f, (0, 0.8, 0, -np.sqrt(np.longdouble(2) * G * h)), until - t, events, "stands")
     scene = Scene(

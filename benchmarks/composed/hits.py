@@ -359,23 +359,23 @@ def pucks_collide(draw: Random) -> Case:
     static = mu[1] * draw.uniform(1.2, 2)
     starts = math.sqrt(static * m[1] * G / k)
 
-    opened: list[Any] = []
+    met: list[Any] = []
 
-    def moves(t: Any, y: Any, flags: Any) -> Any:
-        y = y.copy()
-        y[6:8] = 1e-25 * (y[2:4] - y[:2])
-        return y, (True, True, True)
-
-    def opens(t: Any, y: Any, flags: Any) -> Any:
-        opened.append((t, y))
+    def meets(t: Any, y: Any, flags: Any) -> Any:
+        met.append((t, y))
         return y, (False, False, False)
 
-    events = [
-        (lambda t, y, g: starts - deep(y) if g[0] and not g[2] else L(1), moves),
-        (lambda t, y, g: deep(y) if g[2] else L(1), opens),
-    ]
-    follow(f, (-close, b, 0, 0, speed, 0, 0, 0), 0.2, events, (True, True, False), h=0.00005)
-    t, y = opened[0]
+    moves = (lambda t, y, g: starts - deep(y) if g[0] else L(1), meets)
+    opens = (lambda t, y, g: deep(y) if g[2] else L(1), meets)
+    follow(f, (-close, b, 0, 0, speed, 0, 0, 0), 4 * starts / speed, [moves], (True, True, False), h=0.00005)
+    t, y = met.pop()
+    y[6:8] = 1e-25 * (y[2:4] - y[:2])
+    # As long as it is slow, friction turns it fast: short steps to begin with.
+    h = 1e-9
+    while not met:
+        begun, t, y = t, t + 16 * h, follow(f, y, 16 * h, [opens], (True, True, True), h)
+        h = min(2 * h, 0.00005)
+    t, y = begun + met[0][0], met[0][1]
     left, ends, places = L(until) - t0 - t, [], []
     if left < 0:
         return pucks_collide(draw)

@@ -48,21 +48,3 @@ def step(
     for node, row in zip(table.nodes[1:], table.rows[1:], strict=True):
         slopes.append(slope(x + node * h, [a + h * b for a, b in zip(y, weighted(row, slopes), strict=True)]))
     return [a + h * b for a, b in zip(y, weighted(table.result, slopes), strict=True)], slopes
-
-
-def error_estimate(
-    table: Tableau, slopes: Sequence[Sequence[float]], h: float, scale: Sequence[float]
-) -> float:
-    """How large the error of the step is, in units of `scale` (root mean square over the components).
-
-    Two estimates are combined as Hairer, Norsett and Wanner do (II.10): the smaller one leads as long as the
-    larger agrees that the step is in the asymptotic range.
-    """
-    sums = [
-        sum((d / s) ** 2 for d, s in zip(weighted(row, slopes), scale, strict=True))
-        for row in table.estimates
-    ]
-    if sums[0] == 0.0:
-        return 0.0
-    combined = sums[0] / (sums[0] + 0.01 * sums[1]) ** 0.5 if len(sums) == 2 else sums[0] ** 0.5
-    return abs(h) * combined / len(scale) ** 0.5

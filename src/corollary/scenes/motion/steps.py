@@ -33,8 +33,9 @@ STEADY = 250
 # error takes too lightly. What fades is remembered from a smaller product on: soon it is too small to be seen in the slopes, and would
 # still grow. So many steps at the edge call for an implicit method.
 SEEN, FADES, EDGE, STIFF_STEPS = 1.0, 3.0, 5.0, 15
-# An implicit step costs more than an explicit one: for so few it is not worth it.
-FEW_LEFT = 40
+# An implicit step costs more than an explicit one: for so few it is not worth it. What fades may have become slow meanwhile (a slip that
+# began): after so many of them, and twice as many each time that was in vain, explicit ones are tried again.
+FEW_LEFT, TRY_AGAIN = 40, 20
 # scipy's own least.
 LEAST_RELATIVE = 2.3e-14
 One = Callable[[float, list[float]], float]
@@ -46,6 +47,7 @@ class Stepper:
     def __init__(self, system: System, sizes: Sizes, tolerance: float) -> None:
         self.system, self.scene, self.sizes, self.tolerance = system, system.scene, sizes, tolerance
         self.steps, self.steady, self.stiff = 0, 0, False
+        self.implicit, self.patience = 0, TRY_AGAIN
         self.held_down, self.rate, self.fades = 0, 0.0, False
         self.seen = [0.0] * 3
         self.lately: deque[float] = deque(maxlen=STEADY)
@@ -55,6 +57,7 @@ class Stepper:
     def begin_anew(self) -> None:
         """Something has happened: nothing is known of how fast things fade now."""
         self.steady, self.held_down, self.rate, self.stiff = 0, 0, 0.0, False
+        self.implicit, self.patience = 0, TRY_AGAIN
         self.seen = [0.0] * 3
         self.lately.clear()
 
@@ -137,6 +140,11 @@ class Stepper:
         """
         if self.held_down >= STIFF_STEPS and not self.stiff and left > FEW_LEFT * last:
             self.stiff, self.steady, self.held_down = True, 0, 0
+            return True
+        self.implicit += self.stiff
+        if self.implicit == self.patience:
+            self.stiff, self.implicit, self.patience = False, 0, 2 * self.patience
+            self.held_down, self.rate, self.seen = 0, 0.0, [0.0] * 3
             return True
         if self.steady < STEADY or math.isinf(left):
             return False
