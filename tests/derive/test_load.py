@@ -41,6 +41,13 @@ def test_a_file_that_is_refused_with_its_line(refused, whole, line, words):
     assert at == line
 
 
+def test_a_word_is_no_argument(refused):
+    givens = "given:\n  body: {is: what rolls, in: [a cart, a sledge]}\n  m: {is: mass, value: 2, unit: kg}\n"
+    front = f"code: X1.1\ntitle: A cart\n{givens}"
+    _line, sentence = refused(whole="def derive(m, body):\n    pass\n", front=front)
+    assert sentence.endswith("X1.1 (m); body is a word, which stands in the text only")
+
+
 def test_a_missing_solution(make, tmp_path):
     make("")
     (tmp_path / "solutions" / "carts" / "cart.py").unlink()

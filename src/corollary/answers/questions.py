@@ -83,7 +83,7 @@ def _misfits(part: Part) -> Iterator[str]:
         having = [f".{name}" for name in known() if "components" in answer_type(name).accepts]
         yield f"part {part.id}: only {', '.join(having[:-1])} and {having[-1]} parts have components"
     if not part.components and "components" in needed:
-        yield f'part {part.id} is a {part.answer_type}; name its components: components="x y"'
+        yield f'part {part.id} is .{part.answer_type}; name its components: components="x y"'
     if "rows" in needed and not part.rows:
         yield f'part {part.id} is a .table; name its rows and columns: rows="before, after" columns="v, E", or say how many: rows=2 columns=2'
     if part.rows and any(unit.offset for unit in part.units):

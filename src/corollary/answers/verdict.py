@@ -85,3 +85,12 @@ Verdict = Right | Follows | Mistaken | Slip | Wrong | Unread | Unmarked
 def word(verdict: Verdict) -> str:
     """The verdict's name in reports and records."""
     return type(verdict).__name__.lower()
+
+
+def described(verdict: Verdict) -> str:
+    """The verdict's name, with its reason in brackets."""
+    match verdict:
+        case Wrong(why) | Mistaken(why) | Unread(why) | Unmarked(why) if why:
+            return f"{word(verdict)} ({why})"
+        case _:
+            return word(verdict)

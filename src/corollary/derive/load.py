@@ -72,11 +72,10 @@ def _loaded(problem: Problem, path: Path) -> Loaded:
     wanted = list(inspect.signature(derive).parameters)
     have = [given.symbol for given in problem.givens if not given.words]  # words are for the statement
     if strange := [name for name in wanted if name not in have]:
-        raise NotDerivable(
-            path,
-            line,
-            f"derive takes {', '.join(strange)}, not among the givens of {problem.code} ({', '.join(have)})",
-        )
+        words = [given.symbol for given in problem.givens if given.symbol in strange]
+        why = f"; {', '.join(words)} is a word, which stands in the text only" if words else ""
+        known = f"the givens of {problem.code} ({', '.join(have)})"
+        raise NotDerivable(path, line, f"derive takes {', '.join(strange)}, not among {known}{why}")
     from corollary.laws.law import own_letters  # only here, as sympy above
 
     symbols = {name: symbol_of(problem, name) for name in have}

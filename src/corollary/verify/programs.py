@@ -6,7 +6,7 @@ from collections.abc import Generator
 from contextlib import contextmanager, nullcontext
 
 from corollary.answers.registry import answer_type
-from corollary.answers.verdict import Mistaken, Right, Unread, Verdict, Wrong, word
+from corollary.answers.verdict import Mistaken, Right, Verdict, Wrong, described
 from corollary.grading.judge import judge
 from corollary.grading.key import Key
 from corollary.grading.programs.judge import code_of, plot_of
@@ -54,7 +54,7 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
                 ):
                     if not tally.check(isinstance(verdict, Right), "programs run"):
                         tally.complain(
-                            f"{where}: the example's {name} should be right and is {_described(verdict)}"
+                            f"{where}: the example's {name} should be right and is {described(verdict)}"
                         )
                 for name, verdict in zip(
                     part.answer_types, _verdicts(runner, key, part, bent(key, part)), strict=True
@@ -64,7 +64,7 @@ def check_programs(bank: Bank, key: Key, tally: Tally, runner: Runner | None = N
                         what = (
                             "the example with its numbers bent" if function else "a figure with nothing in it"
                         )
-                        tally.complain(f"{where}: {what} should be wrong and is {_described(verdict)}")
+                        tally.complain(f"{where}: {what} should be wrong and is {described(verdict)}")
     except CannotStart as error:
         tally.complain(f"{path.name}: its programs could not be run: {error}")
 
@@ -95,14 +95,6 @@ def _program(key: Key, part: Part) -> str:
 
 def _verdicts(runner: Runner, key: Key, part: Part, source: str) -> tuple[Verdict, ...]:
     return judge(key, {}, {part.id: ran(runner, key, part.id, source)})[part.id][0]
-
-
-def _described(verdict: Verdict) -> str:
-    match verdict:
-        case Wrong(why) | Mistaken(why) | Unread(why):
-            return f"{word(verdict)} ({why})"
-        case _:
-            return word(verdict)
 
 
 def _line(key: Key, part: Part) -> int:

@@ -8,7 +8,7 @@ from corollary.answers.proof.judging import grounds_of
 from corollary.answers.questions import question_of
 from corollary.answers.registry import answer_type, judging
 from corollary.answers.sample import Sample, Truth
-from corollary.answers.verdict import word
+from corollary.answers.verdict import described, word
 from corollary.formula.text import text
 from corollary.grading.expected import expected_of
 from corollary.grading.free_body import as_answered, free_body
@@ -31,7 +31,7 @@ def check_samples(key: Key, tally: Tally) -> None:
             if not tally.check(as_named, "kind samples"):
                 tally.complain(
                     f"{key.variant.problem.path.name}:{part.line}: part {part.id}: "
-                    f"the sample {sample.answer!r} should be {sample.verdict} and is {got}"
+                    f"the sample {sample.answer!r} should be {sample.verdict} and is {described(verdict)}"
                 )
 
 
