@@ -110,7 +110,9 @@ class Account
   def id = 1
   def shard = self
   def activate = yield
-  def allow_gradebook_show_first_last_names? = false
+  def allow_gradebook_show_first_last_names? = true
+  def feature_enabled?(*) = true
+  def self.site_admin = new(Found.new)
 end
 
 class Course

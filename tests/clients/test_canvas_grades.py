@@ -52,6 +52,9 @@ PLAIN: dict[str, tuple[str, ...]] = {
 }
 FILLED_IN = ("gradebook", "gradebook, excused with a mark", "gradebook, somebody missing")
 WITH_COMMA = "gradebook, semicolons and decimal comma"
+TWO_NAMES = "gradebook, two columns of names"
+NEW = (WITH_COMMA, TWO_NAMES)
+"""Forms of its gradebook that Canvas did not have in 2013."""
 BY_NAME = "by name"
 ROSTER = "roster"
 
@@ -109,30 +112,35 @@ def exported(case: str, old: bool) -> str:
         return text.replace(".", ",") if comma else text
 
     made = io.StringIO(newline="")
-    write = csv.writer(made, delimiter=";" if comma else ",", lineterminator="\n").writerow
-    write(["Student", "ID", "SIS User ID", "SIS Login ID", "Section", *notes, f"{TITLE} ({OURS})",
-           f"{TITLE} 10 ({ANOTHER})", "Current Score", "Final Score"])  # fmt: skip
-    write(["", "", "", "", "", *blank, hidden, "", "", ""])
-    write(
-        [
-            "    Points Possible",
-            "",
-            "",
-            "",
-            "",
-            *blank,
-            number(5.0),
-            number(10.0),
-            "(read only)",
-            "(read only)",
-        ]
-    )
+    table = csv.writer(made, delimiter=";" if comma else ",", lineterminator="\n")
+
+    def write(last: str, first: str, number: object, sis: str, login: str, *more: str) -> None:
+        if case == TWO_NAMES:  # with all that Canvas can have between the names and the section
+            table.writerow(
+                [last, first, number, sis, login, "", "school.example.org" if login else "", *more]
+            )
+        else:
+            table.writerow([f"{last}, {first}" if first else last, number, sis, login, *more])
+
+    of_marks = f"{TITLE} ({OURS})", f"{TITLE} 10 ({ANOTHER})", "Current Score", "Final Score"
+    if case == TWO_NAMES:
+        ids = ("ID", "SIS User ID", "SIS Login ID", "Integration ID", "Root Account")
+        table.writerow(["LastName", "FirstName", *ids, "Section", *notes, *of_marks])
+    else:
+        table.writerow(["Student", "ID", "SIS User ID", "SIS Login ID", "Section", *notes, *of_marks])
+    write("", "", "", "", "", "", *blank, hidden, "", "", "")
+    read_only = "(read only)"
+    write("    Points Possible", "", "", "", "", "", *blank, number(5.0), number(10.0), read_only, read_only)
     for each in sorted(people(case), key=sortable):
-        own = [sortable(each), NUMBERS[each.username], each.number, each.email, "Physics", *blank]
-        write([*own, number(scores[each.username]), number(7.25), number(72.5), number(72.5)])
+        marks = number(scores[each.username]), number(7.25), number(72.5), number(72.5)
+        write(
+            each.last, each.first, NUMBERS[each.username], each.number, each.email, "Physics", *blank, *marks
+        )
     if case != ROSTER:
-        write([NED, NED_NUMBER, "S-9", "ned@example.org", "Physics", *blank, number(33.0), "", "", ""])
-    write(["Student, Test", 2099, "", "4f3c", "Physics", *blank, "", "", "", ""])
+        write(
+            "Nobody", "Ned", NED_NUMBER, "S-9", "ned@example.org", "Physics", *blank, number(33.0), "", "", ""
+        )
+    write("Student", "Test", 2099, "", "4f3c", "Physics", *blank, "", "", "", "")
     return ("\ufeff" if comma else "") + made.getvalue()
 
 
@@ -222,7 +230,7 @@ def asked(importer: Path, case: str, file: Path) -> dict[str, Any]:
 
 
 def cases(old: bool) -> Collection[str]:
-    return (*PLAIN, BY_NAME, *FILLED_IN, *(() if old else (WITH_COMMA,)))
+    return (*PLAIN, BY_NAME, *FILLED_IN, *(() if old else NEW))
 
 
 @pytest.mark.client

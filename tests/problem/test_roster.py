@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -95,6 +96,13 @@ def test_canvas_gradebook_without_its_rows_that_are_no_people(tmp_path):
     assert dict(found.students[0].ids) == {"SIS Login ID": "ada", "SIS User ID": "S-17", "ID": "2001"}
     assert ids(tmp_path, CANVAS, "SIS User ID") == ["S-17", "S-18"]
     assert ids(tmp_path, CANVAS, "2") == ["2001", "2002"]
+
+
+def test_canvas_gradebook_with_last_and_first_names_apart(tmp_path):
+    """As an account can have it; its invented student is then called so by two cells."""
+    apart = CANVAS.replace("Student,ID", "LastName,FirstName,ID").replace(",,,,,", ",,,,,,", 2)
+    apart = re.sub(r'"(\w+), (\w+)"', r"\1,\2", apart)
+    assert roster(tmp_path, apart).students == roster(tmp_path, CANVAS).students
 
 
 def test_the_column_by_which_the_course_knows_its_students_is_taken_again(tmp_path):

@@ -185,7 +185,13 @@ def _is_nobody(columns: Columns, row: Sequence[str]) -> bool:
         "Student",
     ):
         return False
-    return bool(NOBODY.match(row[0])) or (not row[0] and not any(_cell(row, at) for at in columns.ids))
+    return is_nobody(row) or (not row[0] and not any(_cell(row, at) for at in columns.ids))
+
+
+def is_nobody(row: Sequence[str]) -> bool:
+    """Whether a row's name is one that Canvas writes where there is no person; it may have last and first names in columns of
+    their own."""
+    return any(NOBODY.match(name) for name in (*row[:1], ", ".join(row[:2])))
 
 
 def ids_heading(students: Sequence[Student]) -> str:

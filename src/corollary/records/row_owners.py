@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.problem.roster import NOBODY
+from corollary.problem.roster import is_nobody
 from corollary.problem.roster_columns import columns_of
 from corollary.records.lms_names import Directory
 
@@ -39,7 +39,7 @@ def row_owners(
 
         names = _names(cell(columns.name), cell(columns.first_name), cell(columns.last_name))
         ids = {value for at in columns.ids if (value := cell(at))}
-        if NOBODY.match(cell(0)) or not (ids or names):
+        if is_nobody(row) or not (ids or names):
             continue
         meant = {student for value in ids if (student := directory.by_id(value)) is not None}
         if not meant:
