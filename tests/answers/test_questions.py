@@ -51,6 +51,8 @@ def problem(tmp_path: Path) -> Callable[[str], Problem]:
         ("## A {#a .choice}\n- (a) one", "list options"),
         ("## A {#a .value}\n- (a) one", "list options"),
         ("## A {#a .plot .value}", "needs one kind"),
+        ('## A {#a .explain tolerance="5 %" because="so"}', "asks for no quantity; leave tolerance="),
+        ('## A {#a .expression plausible="1 to 2"}', "asks for no quantity"),
     ],
 )
 def test_a_heading_that_does_not_fit_its_answer_type(

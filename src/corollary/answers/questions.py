@@ -88,6 +88,12 @@ def _misfits(part: Part) -> Iterator[str]:
         yield f'part {part.id} is a .table; name its rows and columns: rows="before, after" columns="v, E", or say how many: rows=2 columns=2'
     if part.rows and any(unit.offset for unit in part.units):
         yield f"part {part.id}: the temperatures of a table are asked in K"
+    if (part.tolerance or part.plausible) and not any(
+        each.stated_by == "step" and not each.in_symbols for each in types
+    ):
+        yield f"part {part.id} asks for no quantity; leave tolerance=, because= and plausible= out"
+    if part.plausible and part.column_units:
+        yield f"part {part.id}: the columns of its table differ in their units; leave plausible= out"
     if part.slope and "slope" not in accepted:
         yield f"part {part.id}: only .forces parts have a slope"
     if ("function" in needed) != bool(part.signature) or (

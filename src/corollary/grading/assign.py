@@ -15,6 +15,7 @@ from corollary.grading.replay import WhatIf, ancestors, exchanged, letters_of, r
 from corollary.grading.rounding import MOST
 from corollary.problem.sampling import draws
 from corollary.problem.variant import Variant, chapter
+from corollary.units.unit import show
 
 APART = 0.005  # of the length: as much again as the least tolerance, so that a mistake rounded is not right either
 ENOUGH = 300  # draws, when one was found that another student has: a grid so nearly used up is shared
@@ -77,9 +78,21 @@ def admitted(solution: Solution, variant: Variant) -> tuple[Key | None, str]:
             )
         if truth.scale == 0:
             return None, f"part {part}: the answer is zero, and nothing says compared with what"
+    for part, number in implausible(key):
+        return None, f"part {part}: {number} is not plausible"
     for part, text in collisions(key):
         return None, f"part {part}: the mistake {text!r} cannot be told from the truth"
     return key, ""
+
+
+def implausible(key: Key) -> Iterable[tuple[str, str]]:
+    """Answers outside of what the part says is plausible, each as a number with its unit."""
+    for part in key.variant.problem.parts:
+        if part.plausible and part.id in key.truths:
+            low, high = part.plausible
+            for value in map(part.unit.from_si, key.truths[part.id].values):
+                if not low <= value <= high:
+                    yield part.id, f"{value:.4g} {show(part.unit)}".rstrip()
 
 
 def collisions(key: Key) -> Iterable[tuple[str, str]]:

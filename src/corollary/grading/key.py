@@ -118,7 +118,8 @@ def make_key(solution: Solution, variant: Variant) -> Key:
             off = MARGIN * noise[place].distance / scale if scale else 0.0
             uncertain = tuple(MARGIN * each + TINY * scale for each in noise[place].components)
             by_steps = MARGIN * noise[place].by_steps / scale if scale else 0.0
-            tolerance = min(MOST, max(LEAST, off + error))
+            own = parts[find.part].tolerance if find.part in parts else 0.0
+            tolerance = max(own, min(MOST, max(LEAST, off + error)))
             truths[find.part] = Truth(
                 place, values[place], proven, error, scale, tolerance, by_steps, uncertain
             )
@@ -143,13 +144,23 @@ def table_truth(
     ]
     uncertain = tuple(MARGIN * each + TINY * size for each, size in zip(noise.components, sizes, strict=True))
     if not all(sizes):
-        return Truth(place, stated.values, stated.certified, 0.0, 0.0, LEAST, 0.0, uncertain, tuple(sizes))
+        return Truth(
+            place,
+            stated.values,
+            stated.certified,
+            0.0,
+            0.0,
+            max(part.tolerance, LEAST),
+            0.0,
+            uncertain,
+            tuple(sizes),
+        )
 
     def most(several: Sequence[float]) -> float:
         return max(each / size for each, size in zip(several, sizes, strict=True))
 
     error = most(stated.errors)
-    tolerance = min(MOST, max(LEAST, MARGIN * most(noise.components) + error))
+    tolerance = max(part.tolerance, min(MOST, max(LEAST, MARGIN * most(noise.components) + error)))
     by_steps = MARGIN * most(noise.components_by_steps)
     return Truth(
         place,

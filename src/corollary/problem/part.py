@@ -27,7 +27,8 @@ class Part:
     it was handed out with the one of today, where these were changed since (empty: it has none); `lettered` is what its heading says in place of the id;
     `slope` is the angle of the slope, a formula of the givens, that the directions of forces are told by;
     `rows` and `columns` are the labels of a table, whose entries are the components, row by row, and `column_units` the units of
-    its columns, where they are not all the same.
+    its columns, where they are not all the same; `tolerance` is the share that answers may be off besides rounding (0: none of
+    the author's own) and `because` why; `plausible` is from where to where answers may lie, in the unit of the part.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -49,6 +50,9 @@ class Part:
     rows: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
     column_units: tuple[Unit, ...] = ()
+    tolerance: float = 0.0
+    because: str = ""
+    plausible: tuple[float, ...] = ()
 
     @property
     def units(self) -> tuple[Unit, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from corollary.problem.diagnostic import Diagnostic
@@ -17,7 +17,13 @@ ATTRIBUTE = re.compile(
 OPTION = re.compile(r"-\s+\((?P<letter>[a-zA-Z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
-KNOWN = {"unit", "points", "components", "function", "letter", "slope", "rows", "columns"}
+KNOWN = {
+    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible",
+}  # fmt: skip
+SHARE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*%\s*")
+SMALLEST, LARGEST = 1, 20  # per cent, of a tolerance of a part's own
+NUMBER = r"\s*([-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d{1,2})?)\s*"
+RANGE = re.compile(f"{NUMBER}to{NUMBER}")
 MOST_ENTRIES = 40  # of a table
 
 
@@ -110,6 +116,9 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         rows=rows,
         columns=columns,
         column_units=units if len(set(units)) > 1 else (),
+        tolerance=_tolerance(settings, ids[0], complain),
+        because=settings.get("because", ""),
+        plausible=_plausible(settings, ids[0], complain),
     )
 
 
@@ -155,6 +164,34 @@ def _unit(text: str, part: str, complain: Complain) -> Unit:
     except ValueError as error:
         complain(f"unit of part {part}: {error}")
         return unit("1")
+
+
+def _tolerance(settings: Mapping[str, str], part: str, complain: Complain) -> float:
+    """The share of an answer that it may be off for a reason of the author's; 0 where there is none."""
+    text, because = settings.get("tolerance", ""), settings.get("because", "")
+    if not text and not because:
+        return 0.0
+    share = SHARE.fullmatch(text)
+    if share is None or not because or not SMALLEST <= float(share[1]) <= LARGEST:
+        complain(
+            f'part {part} has tolerance="{text}" and because="{because}"; say a share from {SMALLEST} % to {LARGEST} %, and why: '
+            'tolerance="5 %" because="it is read off a diagram"'
+        )
+        return 0.0
+    return float(share[1]) / 100
+
+
+def _plausible(settings: Mapping[str, str], part: str, complain: Complain) -> tuple[float, ...]:
+    """From where to where answers may lie, in the unit of the part; empty where that is left out."""
+    if "plausible" not in settings:
+        return ()
+    ends = RANGE.fullmatch(settings["plausible"])
+    if ends is None or not float(ends[1]) < float(ends[2]):
+        complain(
+            f'part {part} has plausible="{settings["plausible"]}"; say from where to where, in the unit of the part: plausible="0.1 to 30"'
+        )
+        return ()
+    return float(ends[1]), float(ends[2])
 
 
 def _points(text: str, part: str, complain: Complain) -> float:

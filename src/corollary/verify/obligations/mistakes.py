@@ -14,16 +14,14 @@ from corollary.grading.rounding import MOST
 from corollary.verify.obligations.obligation import Clause, Obligation
 from corollary.verify.obligations.values import TWO, ZERO
 
-FAR = Number(
-    Fraction(str(MOST)) + Fraction(str(APART))
-)  # relative: beyond, it is told apart whatever the tolerance is
-
 
 def apart(solution: Solution) -> Iterator[Obligation]:
     """Every mistake is told from the truth, in the parts where it shows first; numbers for which it is not are redrawn."""
     for each in visible_mistakes(solution):
         claim = f"part {each.part}: {each.mistake.text!r} is told from the truth"
         line, find = each.mistake.line, solution.unknowns[each.at]
+        largest = max(MOST, solution.problem.part(each.part).tolerance)
+        share = Number(Fraction(str(largest)) + Fraction(str(APART)))  # relative: beyond, it is told apart
         wrong = mistaken(solution, each.place, each.mistake.rule, each.at)
         if find.in_givens is None or wrong is None:
             why = "it rests on a simulation"
@@ -31,12 +29,12 @@ def apart(solution: Solution) -> Iterator[Obligation]:
         elif solution.problem.part(each.part).rows:
             pairs = zip(wrong, find.in_givens, strict=True)
             need = tuple(
-                far for mine, tree in pairs for far in _far((mine,), (tree,), (tree,)) if mine != tree
+                far for mine, tree in pairs for far in _far((mine,), (tree,), (tree,), share) if mine != tree
             )
             yield Obligation("mistake apart", claim, line, (need,), redrawn=True)
         else:
-            needs = [_far(wrong, find.in_givens, find.in_givens)]
-            needs += [_far(wrong, find.in_givens, (find.scale,))] if find.scale is not None else []
+            sizes = [find.in_givens, *([] if find.scale is None else [(find.scale,)])]
+            needs = [_far(wrong, find.in_givens, size, share) for size in sizes]
             yield Obligation("mistake apart", claim, line, tuple(needs), redrawn=True)
 
 
@@ -71,13 +69,13 @@ def mistaken(solution: Solution, place: int, rule: Rule, at: int) -> tuple[Expr,
     return trees
 
 
-def _far(wrong: tuple[Expr, ...], truth: tuple[Expr, ...], size: tuple[Expr, ...]) -> Clause:
+def _far(wrong: tuple[Expr, ...], truth: tuple[Expr, ...], size: tuple[Expr, ...], share: Number) -> Clause:
     """The distance is larger than the share of the size: for numbers without squares, whose factors are seen at once."""
     gaps = [Sum((mine, Negative(theirs))) for mine, theirs in zip(wrong, truth, strict=True)]
     if len(gaps) == len(size) == 1:
-        allowed = Product((FAR, size[0]))
+        allowed = Product((share, size[0]))
         beyond = Product((Sum((gaps[0], Negative(allowed))), Sum((gaps[0], allowed))))
         return (Relation(">", beyond, ZERO),)
     far = Sum(tuple(Power(each, TWO) for each in gaps)) if len(gaps) > 1 else Power(gaps[0], TWO)
-    own = [Power(Product((FAR, each)), TWO) for each in size]
+    own = [Power(Product((share, each)), TWO) for each in size]
     return (Relation(">", far, Sum(tuple(own)) if len(own) > 1 else own[0]),)
