@@ -90,6 +90,7 @@ def test_numbers_with_an_answer_that_is_not_plausible_are_not_dealt(tmp_path):
         ('tolerance="0.5 m/s" because="why not"', "say a share from 1 % to 20 %"),
         ('plausible="30"', 'say from where to where, in the unit of the part: plausible="0.1 to 30"'),
         ('plausible="30 to 10"', "say from where to where"),
+        ('hint="Divide {{d}} by it."', "the hint of part a has a hole"),
     ],
 )
 def test_what_cannot_be_meant_is_said(tmp_path, attributes, said):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import permutations
 
 import pytest
@@ -44,6 +45,12 @@ def test_the_first_hint_is_the_next_step():
     assert told("X12.5", "c", "a", "b")[0] == "One step is left, and it starts from your answer in (b)."
     assert "Change of momentum" in told("X12.5", "a")[1]
     assert r"\Delta p = m\, v_{1} - m\, v_{0}" in told("X12.5", "a")[2]
+
+
+def test_an_authors_own_hint_comes_first():
+    of = key("X12.5")
+    part = replace(of.variant.problem.part("a"), hint="Draw the ball before and after.")
+    assert hints(of, part, frozenset()) == ("Draw the ball before and after.", *told("X12.5", "a"))
 
 
 def test_a_way_that_the_author_did_not_take_counts_too():

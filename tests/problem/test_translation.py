@@ -125,6 +125,19 @@ def test_words_that_are_drawn_are_translated(tmp_path: Path):
         )
 
 
+def test_a_hint_is_translated(tmp_path: Path):
+    path = tmp_path / "ball.md"
+    path.write_text(ORIGINAL.replace("{#a ", '{#a hint="Weigh it." ', 1), encoding="utf-8")
+    hinted = read_problem(path)
+    translated(hinted)
+    assert [each.partition(": ")[2] for each in complaints(hinted)] == [
+        "the text 'Weigh it.' is missing; it is read in the original's language"
+    ]
+    translated(hinted, GERMAN + "\n> Weigh it.\nWiege ihn.\n")
+    with language("de"):
+        assert in_language(hinted).part("a").hint == "Wiege ihn."
+
+
 def test_what_is_missing_is_read_in_the_original(problem: Problem):
     translated(problem, "---\ntitle: Ein Ball\nof: OF\n---\n\n## Gewicht {#a}\nMit {{q}}?\n")
     with language("de"):

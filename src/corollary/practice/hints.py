@@ -31,7 +31,13 @@ DIGIT = re.compile(r"\d")
 
 
 def hints(key: Key, part: Part, right: Set[str]) -> tuple[str, ...]:
-    """What may be told, one after the other, to whom the parts in `right` are known; empty where nothing can be told."""
+    """What may be told, one after the other, to whom the parts in `right` are known; the author's own hint comes first. Empty
+    where nothing can be told."""
+    return (*((part.hint,) if part.hint else ()), *_of_the_derivation(key, part, right))
+
+
+def _of_the_derivation(key: Key, part: Part, right: Set[str]) -> tuple[str, ...]:
+    """What the derivation has to tell."""
     solution = key.solution
     asked = solution.answer(part.id)
     if asked is not None:

@@ -28,7 +28,8 @@ class Part:
     `slope` is the angle of the slope, a formula of the givens, that the directions of forces are told by;
     `rows` and `columns` are the labels of a table, whose entries are the components, row by row, and `column_units` the units of
     its columns, where they are not all the same; `tolerance` is the share that answers may be off besides rounding (0: none of
-    the author's own) and `because` why; `plausible` is from where to where answers may lie, in the unit of the part.
+    the author's own) and `because` why; `plausible` is from where to where answers may lie, in the unit of the part; `hint` is what
+    the author tells whoever practises and asks for one.
 
     Whether there is such a type, and the rest fits it, is checked where answer types are known (`answers.questions`).
     """
@@ -53,6 +54,7 @@ class Part:
     tolerance: float = 0.0
     because: str = ""
     plausible: tuple[float, ...] = ()
+    hint: str = ""
 
     @property
     def units(self) -> tuple[Unit, ...]:

@@ -18,7 +18,7 @@ OPTION = re.compile(r"-\s+\((?P<letter>[a-zA-Z])\)\s+(?P<text>.+)")
 ID = re.compile(r"[a-z][a-z0-9_]*$")
 Complain = Callable[[str], None]
 KNOWN = {
-    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible",
+    "unit", "points", "components", "function", "letter", "slope", "rows", "columns", "tolerance", "because", "plausible", "hint",
 }  # fmt: skip
 SHARE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*%\s*")
 SMALLEST, LARGEST = 1, 20  # per cent, of a tolerance of a part's own
@@ -119,6 +119,7 @@ def _part(path: Path, line: int, heading: str, lines: list[str], complaints: lis
         tolerance=_tolerance(settings, ids[0], complain),
         because=settings.get("because", ""),
         plausible=_plausible(settings, ids[0], complain),
+        hint=_hint(settings.get("hint", ""), ids[0], complain),
     )
 
 
@@ -192,6 +193,12 @@ def _plausible(settings: Mapping[str, str], part: str, complain: Complain) -> tu
         )
         return ()
     return float(ends[1]), float(ends[2])
+
+
+def _hint(text: str, part: str, complain: Complain) -> str:
+    if "{{" in text:
+        complain(f"the hint of part {part} has a hole; a hint is the same for all numbers")
+    return text
 
 
 def _points(text: str, part: str, complain: Complain) -> float:

@@ -89,6 +89,7 @@ def in_language(problem: Problem) -> Problem:
             columns=(columns := tuple(found.texts.get(label, label) for label in part.columns)),
             components=entries(rows, columns) or part.components,
             text=chosen(theirs.text, part.text),
+            hint=found.texts.get(part.hint, part.hint),
             options=tuple(
                 replace(option, text=chosen(texts.get(option.letter, ""), option.text))
                 for texts in [{each.letter: each.text for each in theirs.options}]
@@ -179,7 +180,8 @@ def faults(problem: Problem, found: ProblemTranslation) -> Iterator[Diagnostic]:
         yield Diagnostic(path, found.parts[gone].line, f"the problem has no part {gone}; take it out")
     meanings = (given.meaning for given in problem.givens if not given.source)
     words = (word for given in problem.givens for word in given.words)
-    for each in (*labels(problem), *sides(problem), *meanings, *words):
+    hinted = (part.hint for part in problem.parts if part.hint)
+    for each in (*labels(problem), *sides(problem), *meanings, *words, *hinted):
         pairs.append((found.lines.get(each, 1), f"the text {each!r}", each, found.texts.get(each, "")))
     for line, what, original, theirs in pairs:
         if original and not theirs:
