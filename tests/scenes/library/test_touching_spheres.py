@@ -106,3 +106,13 @@ def test_spheres_that_miss_each_other_fall():
 def test_what_cannot_be_watched_is_refused_in_a_sentence(settings, says):
     with pytest.raises(BadSetting, match=says):
         run("touching_spheres", settings)
+
+
+def test_an_error_is_a_share_of_the_largest_speed_on_the_way():
+    """What two spheres that all but stand still are off by is what they were off by when they were fast."""
+    found = run(
+        "touching_spheres", {"vA": (0.0, 4.9), "vB": (0.0, 4.9), "dx": 0.039, "dy": 0.0, "k": 1e-3, "t": 0.5}
+    )
+    speeds = found.measured["velocities"]
+    assert max(map(abs, speeds.value)) < 0.01
+    assert speeds.size >= 4.9

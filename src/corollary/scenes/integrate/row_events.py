@@ -254,8 +254,8 @@ def stays(y, touching, row, tolerance):
 
 
 @kernel
-def at_rest(y, touching, row, deepest):
-    """Gives every chain of touching bodies its common velocity, and every contact in it the overlap to which weight squeezes it."""
+def at_rest(y, touching, row, deepest, hardest):
+    """Gives every chain of touching bodies its common velocity, and every contact in it the overlap to which weight squeezes it, and that force."""
     inverse, falls, k, q, _, _ = row
     count, start = len(k), 0
     while start <= count:
@@ -269,8 +269,9 @@ def at_rest(y, touching, row, deepest):
                 break
             fall = falls[stop + 1] - falls[stop]
             if fall > 0.0:
-                rest = (fall / (inverse[stop] + inverse[stop + 1]) / k[stop]) ** (1.0 / q[stop])
-                deepest[stop] = max(deepest[stop], rest)
+                weighs = fall / (inverse[stop] + inverse[stop + 1])
+                deepest[stop] = max(deepest[stop], (weighs / k[stop]) ** (1.0 / q[stop]))
+                hardest[stop] = max(hardest[stop], weighs)
             stop += 1
         together = y[2 * wall] if wall != TIME else carried / mass
         for i in range(start, stop + 1):

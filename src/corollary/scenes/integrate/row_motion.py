@@ -154,7 +154,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
         settle(y, touching, first, last)
         # Before the inactive: a contact that its damping holds for ever soon has too little in it to be seen.
         if damped and stays(y, touching, row, tolerance):
-            at_rest(y, touching, row, deepest)
+            at_rest(y, touching, row, deepest, hardest)
             return STICKS, began, math.inf, openings, spent
         if inactive(y, touching, row, first, last, noise):
             faint, at = release_faint(time, y, touching, noise)

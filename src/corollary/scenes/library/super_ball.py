@@ -172,13 +172,16 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
         "duration": run.observed["duration"],
     }
     off = BY_NO_GAP if apart > gap else 0.0
-    error = run.relative_error("velocities") + off
+    fast, far = run.measured["velocities"], run.measured["trajectory"]
+    highest = fast.size**2 / (2.0 * g)  # at their greatest speed thrown straight up
+    error = fast.relative_error + off
     errors = {
         "velocities": error,
-        "heights": 2.0 * error + run.relative_error("trajectory") * max(places) / max(heights[1:]),
+        "heights": 2.0 * error + far.relative_error * far.size / highest,
         "duration": run.relative_error("duration") + off,
     }
-    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, "released")
+    scales = {"velocities": fast.size, "heights": highest}
+    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, "released", scales)
 
 
 SCENE = SceneDefinition("a small ball on a large one, dropped together", SETTINGS, play)

@@ -59,18 +59,19 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     assert isinstance(overlap, float)
     refuse_too_soft(overlap, reach)
     observed, errors = run.observed, {name: each.relative_error for name, each in run.measured.items()}
+    scales = {name: each.size for name, each in run.measured.items()}
     on_a, on_b = (
         (m * (v - u), m * (w - s)) for m, (u, s), (v, w) in ((ma, va, after[:2]), (mb, vb, after[2:]))
     )
     # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
-    error_estimate = errors["velocities"] * max(map(abs, after)) * max(ma, mb)
+    off = errors["velocities"] * scales["velocities"]
+    error_estimate = off * max(ma, mb)
     # The energy goes with the squares of the velocities, those of the body that moves fast too.
     swift = ma * math.hypot(*after[:2]) + mb * math.hypot(*after[2:])
     had = 0.5 * (ma * math.hypot(*va) ** 2 + mb * math.hypot(*vb) ** 2)
     ratio = observed.get("energy_ratio")
     if isinstance(ratio, float) and ratio > 0.0:
-        off = swift * errors["velocities"] * max(map(abs, after)) / had
-        errors["energy_ratio"] = max(errors["energy_ratio"], off / ratio)
+        errors["energy_ratio"] = max(errors["energy_ratio"], swift * off / had / scales["energy_ratio"])
     observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
     errors["momentum"] = _share(2.0 * error_estimate, observed["momentum"])
     if overlap > 0.0:
@@ -79,9 +80,8 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     if g:
         observed["momentum_change"] = on_a[0] + on_b[0], on_a[1] + on_b[1]
         errors["momentum_change"] = _share(2.0 * error_estimate, observed["momentum_change"])
-    return by_relative_errors(
-        observed, errors, run.model, run.why, run.evaluations, "released" if overlap > 0.0 else "missed"
-    )
+    outcome = "released" if overlap > 0.0 else "missed"
+    return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, outcome, scales)
 
 
 def _share(error_estimate: float, of: tuple[float, ...]) -> float:
