@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pint
@@ -20,6 +21,7 @@ IN_PINT = {
     "e": "elementary_charge",
     "au": "astronomical_unit",
     "ly": "light_year",
+    "pc": "parsec",
     "delta_degC": "kelvin",
     "delta_degF": "delta_degF",
     "delta_K": "kelvin",
@@ -34,7 +36,10 @@ IN_PINT = {
     "F": "farad",
     "C": "coulomb",
 }
-OF_PINT = {"torr": (101325 / 760, "pascal")}  # pint has no torr: 760 of them are an atmosphere, by definition
+OF_PINT = {  # pint has no torr, 760 of which are an atmosphere, and the parsec of before 2015
+    "torr": (101325 / 760, "pascal"),
+    "parsec": (648000 / math.pi, "astronomical_unit"),
+}
 NAMES = [row[0].split()[0] for row in ROWS]
 
 
@@ -113,6 +118,13 @@ def test_a_difference_of_temperatures_is_read_as_one():
     read = read_quantity("20 °C", unit("Δ°C"))
     assert isinstance(read, Reading)
     assert (read.si, read.as_read) == ((20, 0), "20 °C")
+
+
+def test_an_angstrom_has_two_signs_and_three_spellings():
+    for typed in ("Å", "\N{ANGSTROM SIGN}", "Ångström", "ångstrøm", "angstroms"):
+        assert unit(typed).si == 1e-10
+    assert show(unit("eV/Å")) == "eV/Å"
+    assert canonical(unit("eV/Å")) == "eV/angstrom"
 
 
 def test_what_is_no_unit_says_why():

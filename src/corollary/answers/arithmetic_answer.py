@@ -55,7 +55,7 @@ def _units_behind(functions: tuple[str, ...]) -> re.Pattern[str]:
         rf"{word}(?=\s*\()" if word in ABBREVIATIONS or arity(known[word]) > 1 else word for word in functions
     ]
     word = (
-        rf"(?!(?:{'|'.join(sorted((*words, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩ]++|[°º%]"
+        rf"(?!(?:{'|'.join(sorted((*words, 'pi'), key=len, reverse=True))})(?![A-Za-z]))[A-Za-zµμΩΩÅ]++|[°º%]"
     )
     symbol = rf"(?:{word})(?:{UNIT_POWER})?"
     below = rf"\s*/\s*\(\s*{symbol}(?:\s*\*?\s*{symbol})*\s*\)"

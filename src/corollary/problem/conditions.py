@@ -30,7 +30,7 @@ from corollary.units.unit import ONE, Dimension, Unit, read_unit, show, si_unit,
 
 COMPARED = re.compile(r"\s*(<=|>=|!=|==|<|>|=|≤|≥|≠)\s*")
 NUMBER = r"(?<![\w.])(?P<number>\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)"
-SYMBOL = r"(?:(?:Δ|delta )?[°º]\s?[CF]?|[A-Za-zµμΩΩ]+|%)(?:\^(?:-?[\d.]+|\(-?[\d./]+\))|[⁻⁰¹²³⁴-⁹]+)?"
+SYMBOL = r"(?:(?:Δ|delta )?[°º]\s?[CF]?|[A-Za-zµμΩΩÅ]+|%)(?:\^(?:-?[\d.]+|\(-?[\d./]+\))|[⁻⁰¹²³⁴-⁹]+)?"
 FACTORS = rf"{SYMBOL}(?: +{SYMBOL})*"
 BELOW = rf"/(?:\({FACTORS}\)|{SYMBOL})"
 QUANTITY = rf"{NUMBER} ?(?P<unit>{FACTORS}(?:{BELOW})?|(?<= )1{BELOW})"

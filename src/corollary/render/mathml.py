@@ -17,7 +17,7 @@ from latex2mathml.converter import convert_to_element
 LONGEST, DEEPEST = 4000, 60
 DEFINES = re.compile(r"\\(newcommand|renewcommand|def|DeclareMathOperator|newenvironment)\b")
 # The number and unit of a filled hole (`20.0 m/s`, joined by a no-break space): the unit stands upright in a formula.
-SYMBOL = r"[A-Za-zµΩ%°][A-Za-zµΩ%°/·⁰¹²³⁴⁵⁶⁷⁸⁹⁻^0-9.()]*"
+SYMBOL = r"[A-Za-zµΩÅ%°][A-Za-zµΩÅ%°/·⁰¹²³⁴⁵⁶⁷⁸⁹⁻^0-9.()]*"
 MEASURED = re.compile(rf"\u00a0({SYMBOL}(?: {SYMBOL})*)")
 CHILDREN = {
     "mfrac": 2,

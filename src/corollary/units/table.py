@@ -114,10 +114,12 @@ cal     | kg m^2 s^-2        | 4.184             | k             | calorie kalor
 e       | A s                | 1.602176634e-19   |               |
 rpm     | s^-1               | pi/30             |               |
 d       | s                  | 86400             |               | day tag dag
-yr      | s                  | 31557600          |               | year jahr
+yr      | s                  | 31557600          | k M G         | year jahr
 ha      | m^2                | 10000             |               | hectare
 au      | m                  | 149597870700      |               |
 ly      | m                  | 9460730472580800  |               |
+pc      | m                  | 30856775814913673 | k M G         | parsec
+angstrom Å \N{ANGSTROM SIGN} | m             | 1/10000000000     |               | angstrom ångström ångstrøm
 inch inches | m              | 0.0254            |               |
 ft feet | m                  | 0.3048            |               | foot
 mi      | m                  | 1609.344          |               | mile

@@ -37,22 +37,19 @@ LONGEST_UNIT = 80
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 LARGEST_POWER = 9
 MOST_CACHED = 1024
-SIGNS = {"deg": "°", "ohm": "Ω", "degC": "°C", "degF": "°F"}
+SIGNS = {"deg": "°", "ohm": "Ω", "angstrom": "Å", "degC": "°C", "degF": "°F"}
 """How units are shown that files spell out."""
 IN_TEX = {
-    "deg": r"{}^{\circ}",
-    "ohm": r"\Omega",
-    "%": r"\%",
-    "degC": r"{}^{\circ}C",
-    "degF": r"{}^{\circ}F",
-}
+    "deg": r"{}^{\circ}", "ohm": r"\Omega", "angstrom": "Å", "%": r"\%",
+    "degC": r"{}^{\circ}C", "degF": r"{}^{\circ}F",
+}  # fmt: skip
 
 MARK = re.compile(
-    rf"\s*(?:(?P<symbol>{TEMPERATURE}|[A-Za-zµμèéΩΩℓ]+|[°º%])"
+    rf"\s*(?:(?P<symbol>{TEMPERATURE}|[A-Za-zµμèéåøöÅ\u212bΩΩℓ]+|[°º%])"
     r"(?P<power>[⁻⁺]?[⁰¹²³⁴-⁹]+|\s?(?:\^|\*\*)\s?(?:[+-]?[0-9.]+|[({][+-]?[0-9./]+[)}])|[+-]?[0-9]+)?"
     r"|(?P<one>1(?![0-9.,]))|(?P<sign>\*|/|\(|\)))"
 )
-NAMES, NAMES_IN_TEX = (re.compile("deg[CF]?|ohm" + also) for also in ("", "|%"))
+NAMES, NAMES_IN_TEX = (re.compile("deg[CF]?|ohm|angstrom" + also) for also in ("", "|%"))
 SECONDS = re.compile(r"(?:sec|secs)$")
 Factors = list[tuple[Unit, Fraction]]
 
