@@ -43,13 +43,13 @@ def judge(answer: Answer, expected: Expected) -> Verdict:
 
 
 def samples(truth: Truth, question: Question) -> tuple[Sample, ...]:
-    """`truth` is one good example."""
+    """`truth` is one good example. What is wrong is not shifted alike, for a law may leave a direction free: (1, 1) and (2, 2)."""
     assert not isinstance(truth, str)
     truth = [question.unit.from_si(value) for value in truth]
     scale = max(map(abs, truth)) or 1.0
     return (
         Sample(list(truth), "right"),
-        Sample([value + 0.31 * scale for value in truth], "wrong"),
+        Sample([value + (0.31 + 0.17 * place) * scale for place, value in enumerate(truth)], "wrong"),
         Sample(list(truth)[:-1], "unread"),
         Sample("any", "unread"),
         Sample([None] * len(truth), "unread"),
