@@ -85,9 +85,11 @@ class Measurement:
 
     @property
     def relative_error(self) -> float:
-        """The largest error of a component in units of `size`."""
+        """The largest error of a component in units of `size`; infinite where there is nothing to compare with."""
         largest = max(components(self.error), default=0.0)
-        return largest / self.size if largest else 0.0
+        if not largest:
+            return 0.0
+        return largest / self.size if self.size else math.inf
 
 
 @dataclass(frozen=True, slots=True)

@@ -147,11 +147,11 @@ def _consistent(items: Sequence[Item], statuses: Sequence[Status], found: Answer
     strong = max((float(np.abs(z).max(initial=0.0)) for z in found.multipliers), default=0.0)
     strong = max(strong, *(item.given * item.static for item in items if item.rub), 0.0)
     fast = max(fast, float(np.abs(inverse * found.total).max(initial=0.0)))
-    # What is left of a curve at a speed that was taken for none is nothing to what friction can hold.
+    # What is left of a curve at a speed that was taken for none, or of frictions that cancel, is nothing to what friction can hold.
     holds = (
         item.given * item.static * float(np.abs(item.rows * inverse).max()) for item in items if item.rub
     )
-    fast = max(fast, 1e-12 * max(holds, default=0.0))
+    fast = max(fast, 1e-8 * max(holds, default=0.0))
     for i, (item, status) in enumerate(zip(items, statuses, strict=True)):
         z, w = found.multipliers[i], found.left[i]
         if item.rub:

@@ -10,6 +10,7 @@ import numpy as np
 
 from corollary.scenes.motion.clusters import clusters
 from corollary.scenes.motion.complementarity import Item, Status, answer, settled
+from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
 from corollary.scenes.run import GuardFailed
@@ -50,6 +51,9 @@ class Moment:
             self._project(slow, [])
             mode = self._settle_forces(touching, sides)
         self._project(*held_in(mode))
+        if self.before is not None and mode.creeps:
+            for k, extra in left_over(self.system, self.time, self.y, self.before, mode):
+                self._project(held_in(mode)[0], [k], extra)
         return mode
 
     def _push_out(self) -> None:
@@ -222,7 +226,11 @@ class Moment:
             if isinstance(status, tuple) and len(status) == 2 and len(item.may) > 1:
                 way = found.left[j]
                 size = float(np.linalg.norm(way))
-                if size and float(np.abs(way / size - np.array(status)).max()) > 1e-9:
+                # Where friction all but balances the pull, what is left points nowhere.
+                if (
+                    size > 1e-6 * float(np.linalg.norm(item.bias))
+                    and float(np.abs(way / size - np.array(status)).max()) > 1e-9
+                ):
                     may: tuple[Status, ...] = ("stick", tuple((way / size).tolist()))
                     turned[j], changed = replace(item, may=may), True
         return turned if changed else None
@@ -250,8 +258,10 @@ class Moment:
                 self.lasts = max(self.lasts, -2.0 * rate / pulled / (1.0 - c.restitution))
         return slow
 
-    def _project(self, constraints: Sequence[int], rubs: Sequence[int]) -> None:
-        """Take out of the places and velocities what rounding and steps left against what holds."""
+    def _project(
+        self, constraints: Sequence[int], rubs: Sequence[int], slips: Sequence[float] | None = None
+    ) -> None:
+        """Take out of the places and velocities what rounding and steps left against what holds: of rubs all slip, or these (m/s)."""
         system, inverse = self.system, self.system.inverse(self.time)
         rows = [system.constraints[i].row(self.time, self.y) for i in constraints]
         if constraints:
@@ -265,7 +275,7 @@ class Moment:
         speeds = [self._rate(i) for i in constraints]
         for k in rubs:
             rows += system.rubs[k].rows(self.time, self.y)
-            speeds += system.slip(self.time, self.y, k)
+            speeds += slips or system.slip(self.time, self.y, k)
         if rows:
             matrix = np.array(rows)
             change = inverse * (matrix.T @ _solved(matrix, inverse, speeds))

@@ -92,7 +92,9 @@ class Stepper:
             return 0.02 * part * self.sizes.deep / self.sizes.fast
         gained = max((abs(a) for a in self.system.gains(time, y, y, mode.touching)), default=0.0)
         calm = self.sizes.fast / gained if gained else math.inf
-        return 0.01 * min(calm, self.sizes.long / self.sizes.fast)
+        # Where nothing has happened, another method goes on from where the last one had got to.
+        known = 10.0 * self.lately[-1] if self.lately else math.inf
+        return min(0.01 * calm, 0.01 * self.sizes.long / self.sizes.fast, known)
 
     def advance(self, solver: DOP853 | Radau, begun: float) -> None:
         """One step. Raises GuardFailed when there have been too many, or none is short enough."""

@@ -1,0 +1,70 @@
+"""A body that stops, turns back, or begins to slip on a rough table, as slowly as can be."""
+
+import math
+
+import pytest
+
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.plan import play
+from corollary.scenes.run import Observable as O
+from corollary.scenes.run import components
+from corollary.scenes.scene import Body, Scene
+
+TIMES = (1.9, 0.7)
+
+
+def driven(way, mu, static, speed):
+    push = ForceFunction(0, lambda t, x, v: tuple(9.0 * math.sin(9.0 * t + 0.4) * w for w in way))
+    body = Body(0.5, (0.0,) * len(way), tuple(speed * w for w in way))
+    scene = Scene((body,), (push, Friction(0, mu, static=static)), until=TIMES[0])
+    return play(scene, {O.TRAJECTORY, O.VELOCITIES}, 1e-11, TIMES)
+
+
+@pytest.mark.parametrize(("mu", "static"), [(0.05, 0.05), (0.3, 0.5), (0.7, 0.9)])
+@pytest.mark.parametrize("speed", [0.0, 0.7])
+def test_a_plane_is_no_other_than_a_line(mu, static, speed):
+    line, plane = driven((1.0,), mu, static, speed), driven((0.6, 0.8), mu, static, speed)
+    for name in ("trajectory", "velocities"):
+        along, across = components(line.observed[name]), components(plane.observed[name])
+        stated = max(components(plane.errors[name])) + max(components(line.errors[name]))
+        for i, x in enumerate(along):
+            # An estimate: off by less than three times what it says.
+            assert abs(0.6 * across[2 * i] + 0.8 * across[2 * i + 1] - x) <= 3.0 * stated
+            assert abs(0.6 * across[2 * i + 1] - 0.8 * across[2 * i]) <= 3.0 * stated
+        assert stated < 1e-6
+
+
+def test_a_slip_that_begins_while_its_pull_turns_is_the_same_at_any_tolerance():
+    """At first the pull is hardly more than friction, and steps short: an implicit method that took a long one would lose its way."""
+    held = 0.3 * 9.8
+
+    def push(t, x, v):
+        size = held * (0.97 + 0.03 * t)
+        return size * math.cos(2.0 * t), size * math.sin(2.0 * t)
+
+    bodies = Body(1.0, (0.0, 0.0), (0.0, 0.0)), Body(1.0, (1.0, 1.0), (2.0, 0.0))
+    scene = Scene(bodies, (ForceFunction(0, push), Friction(0, 0.3)), until=1.5)
+    coarse, fine = (play(scene, {O.VELOCITIES}, tolerance) for tolerance in (1e-9, 1e-11))
+    rows = zip(
+        *(
+            components(each)
+            for run in (coarse, fine)
+            for each in (run.observed["velocities"], run.errors["velocities"])
+        ),
+        strict=True,
+    )
+    for x, error, y, other in rows:
+        assert abs(x - y) <= error + other < 1e-6
+    # Friction and the pull's growth, 0.03 g mu a second, leave next to no work.
+    assert 0.005 < math.hypot(*components(fine.observed["velocities"])[:2]) < 0.5 * 0.03 * held * 0.5**2
+
+
+def test_a_body_stays_on_one_table_while_a_belt_drags_at_it():
+    """What the belt pulls the table holds: the two cancel, but for their last digits."""
+    rubbed = (
+        Friction(0, 0.4893624152476247, static=0.6361711398219121),
+        Friction(0, 0.46859695842710974, belt=(0.89,)),
+    )
+    found = play(Scene((Body(0.2780188549096266, (0.07,), (0.0,)),), rubbed, until=0.7), {O.VELOCITIES})
+    assert found.observed["velocities"] == pytest.approx((0.0,), abs=1e-15)
