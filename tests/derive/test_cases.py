@@ -13,8 +13,10 @@ from corollary.derive.solve import solve
 from corollary.derive.worked_solution import worked_solution
 from corollary.formula.ball import Undefined
 from corollary.grading.key import make_key
+from corollary.grading.key_record import key_record
 from corollary.problem.sampling import sample
 from corollary.problem.variant import chapter
+from corollary.verify.certificate.script import certificate
 from corollary.verify.verify import verify
 
 FRONT = """\
@@ -88,6 +90,24 @@ def told(solution, variant) -> str:
     return worked_solution(key.solution, variant, key.values, {}, ())
 
 
+def test_the_key_as_data_is_that_of_the_case(bank):
+    """`corollary key` told the force of a block at rest where it slides."""
+    problem = problem_of(bank)
+    solution = solve(bank, problem)
+    formulas = set()
+    for variant in sample(problem, 40):
+        told = key_record(solution, variant)["parts"]
+        key = make_key(solution, variant)
+        assert [told[part]["value"] for part in "ab"] == [key[part].value for part in "ab"]
+        formulas.add(told["a"]["expression"])
+    assert len(formulas) == 2
+
+
+def test_a_proof_script_has_the_laws_of_every_case(bank):
+    steps = certificate(solve(bank, problem_of(bank)))
+    assert [step.names for step in steps] == [("N",), ("F",), ("a",), ("F",), ("a",)]
+
+
 def test_laws_of_both_cases_are_put_back(bank):
     assert unproven(bank, problem_of(bank)) == (6, [])
 
@@ -120,6 +140,8 @@ def test_numbers_at_which_no_case_holds_have_no_answer(make):
     between = next(each for each in sample(problem, 60) if not solution.regimes_at(each.exact))
     with pytest.raises(Undefined, match="none of the cases hold; exactly one must"):
         make_key(solution, between)
+    told = key_record(solution, between)["parts"]
+    assert told["a"] == {"why": "no value for these numbers: none of the cases hold; exactly one must"}
     assert make_key(solution, chapter(problem)).solution.case == "the block stays at rest"
 
 

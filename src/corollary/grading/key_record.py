@@ -35,11 +35,17 @@ def key_record(solution: Solution, variant: Variant) -> dict[str, Any]:
     A part without a value for these numbers says why, and the others keep theirs.
     """
     problem = variant.problem
-    found = _answers(solution, variant)
+    try:
+        solution = solution.at(variant.exact)
+    except Undefined as why:
+        parts = {part.id: {"why": f"no value for these numbers: {why}"} for part in problem.parts}
+    else:
+        found = _answers(solution, variant)
+        parts = {part.id: _part(solution, variant, part, found) for part in problem.parts}
     return {
         "code": problem.code,
         "given": {name: finite(value) for name, value in variant.si.items()},
-        "parts": {part.id: _part(solution, variant, part, found) for part in problem.parts},
+        "parts": parts,
     }
 
 

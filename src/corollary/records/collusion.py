@@ -165,14 +165,15 @@ def _truths(
     problem: Problem, solutions: Solutions, assigned: Mapping[str, AssignedSheet], parts: set[str]
 ) -> dict[str, dict[str, tuple[float, ...]]]:
     """The right answers of everybody, by part and student."""
-    solution = solutions.of(problem)
-    places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part in parts}
-    truths: dict[str, dict[str, tuple[float, ...]]] = {part: {} for part in places}
+    whole = solutions.of(problem)
+    truths = {find.part: dict[str, tuple[float, ...]]() for find in whole.unknowns if find.part in parts}
     for student, sheet in assigned.items():
         variant = sheet.variant(problem)
         if variant is None:
             continue
         try:
+            solution = whole.at(variant.exact)
+            places = {find.part: place for place, find in enumerate(solution.unknowns) if find.part in truths}
             values = replay(solution, variant.exact, until=max(places.values(), default=-1))
         except Undefined:
             continue

@@ -49,8 +49,13 @@ def push(solution: Solution) -> Pushed:
     refused: dict[str, int] = {}
     worst, where = 0.0, ""
     for label, givens in pushed(chapter(solution.problem)):
-        replayed = replay_in_doubles(solution, givens)
-        for find in solution.unknowns:
+        try:
+            here = solution.at(givens)
+        except Undefined as reason:
+            refused[str(reason)] = refused.get(str(reason), 0) + 1
+            continue
+        replayed = replay_in_doubles(here, givens)
+        for find in here.unknowns:
             for i, tree in enumerate(find.in_givens or ()):
                 try:
                     true = certified(tree, givens)

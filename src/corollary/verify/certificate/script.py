@@ -36,12 +36,16 @@ class CertifiedStep:
 
 
 def certificate(solution: Solution) -> list[CertifiedStep]:
-    """The lemmas of a solution, step by step."""
+    """The lemmas of a solution, step by step, of all its cases; what several cases share stands once."""
     seen: dict[str, int] = {}
-    return [
-        CertifiedStep(find.names, find.part, tuple(_named_apart(each, seen) for each in found))
-        for find, found in lemmas(solution)
-    ]
+    steps: dict[tuple[int, object], CertifiedStep] = {}
+    for case in [each.solution for each in solution.regimes] or [solution]:
+        for find, found in lemmas(case):
+            what = find.statement.line, find.in_givens
+            if what not in steps:
+                apart = tuple(_named_apart(each, seen) for each in found)
+                steps[what] = CertifiedStep(find.names, find.part, apart)
+    return list(steps.values())
 
 
 def script(solution: Solution, steps: Sequence[CertifiedStep], without: Collection[str] = ()) -> str:
