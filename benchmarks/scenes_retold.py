@@ -42,7 +42,8 @@ def composed(rng: Random) -> Scene:
     bodies: list[Body] = []
     while len(bodies) < count:
         place = tuple(rng.uniform(-2.0, 2.0) for _ in range(axes))
-        radius = rng.choice([0.0, rng.uniform(0.05, 0.3)])
+        # On a line points would pass each other, and a ball and a point that lie on a floor just touch.
+        radius = rng.choice([0.0, rng.uniform(0.05, 0.3)]) if axes == 2 else rng.uniform(0.05, 0.3)
         if any(math.dist(place, other.place) < radius + other.radius + 0.05 for other in bodies):
             continue
         held = rng.random() < 0.15 and len(bodies) + 1 < count

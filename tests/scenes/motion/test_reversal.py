@@ -6,6 +6,8 @@ import pytest
 
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.rod import Rod
+from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.plan import play
 from corollary.scenes.run import Observable as O
 from corollary.scenes.run import components
@@ -68,3 +70,28 @@ def test_a_body_stays_on_one_table_while_a_belt_drags_at_it():
     )
     found = play(Scene((Body(0.2780188549096266, (0.07,), (0.0,)),), rubbed, until=0.7), {O.VELOCITIES})
     assert found.observed["velocities"] == pytest.approx((0.0,), abs=1e-15)
+
+
+def test_a_block_on_a_rough_table_begins_to_slide_the_way_its_rod_pulls_it():
+    """Nothing but the rod pulls it: both go with (F - mu m g) / (m + M)."""
+    m, big, mu, force = 2.0, 3.0, 0.25, 20.0
+    pulled = ForceFunction(1, lambda t, x, v: (0.6 * force, 0.8 * force))
+    bodies = Body(m, (0.0, 0.0), (0.0, 0.0)), Body(big, (0.6, 0.8), (0.0, 0.0))
+    found = play(Scene(bodies, (Rod((0, 1)), pulled, Friction(0, mu)), until=0.5), {O.VELOCITIES})
+    speed = 0.5 * (force - mu * m * 9.8) / (m + big)
+    assert found.observed["velocities"] == pytest.approx((0.6 * speed, 0.8 * speed) * 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("along", [2.9, 3.1])
+def test_friction_holds_only_what_a_wall_does_not(along):
+    """Pressed to a smooth wall by far more than friction could hold, a body on a rough table slides as what acts along the wall says."""
+    mu, static = 0.2, 0.306
+    pressed = ForceFunction(0, lambda t, x, v: (along, -40.0))
+    scene = Scene(
+        (Body(1.0, (0.0, 0.0), (0.0, 0.0)),),
+        (HardWall((0.0, 1.0)), pressed, Friction(0, mu, static=static)),
+        until=0.5,
+    )
+    found = play(scene, {O.VELOCITIES})
+    speed = 0.5 * (along - mu * 9.8) if along > static * 9.8 else 0.0
+    assert found.observed["velocities"] == pytest.approx((speed, 0.0), rel=1e-6, abs=1e-12)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import Literal
 
@@ -24,6 +24,8 @@ Status = Literal["off", "on", "stick"] | tuple[float, ...]
 # A multiplier or an acceleration so small against the others is zero.
 NOISE = 1e-10
 MOST_COMBINATIONS = 3000
+# What friction takes beside something rigid that can hold the same: the square of this.
+LAST = 1e-4
 
 
 @dataclass(slots=True)
@@ -91,7 +93,9 @@ def answer(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) ->
             if not (np.abs(matrix @ solved - wanted) <= 1e-6 * size + 1e-9 * size.max()).all():
                 raise np.linalg.LinAlgError
         except np.linalg.LinAlgError:
-            solved = np.linalg.lstsq(matrix, wanted, rcond=1e-12)[0]
+            # Where several could hold the same, what is rigid does, and friction only what is left.
+            shares = np.where([items[owner].rub for owner in owners], LAST, 1.0)
+            solved = shares * np.linalg.lstsq(matrix * shares, wanted, rcond=1e-12)[0]
         total = extra + along.T @ solved
     return _shared_out(items, owners, np.asarray(solved, dtype=np.float64), total, inverse)
 
@@ -129,6 +133,19 @@ def settled(items: Sequence[Item], inverse: Array, where: str) -> tuple[Status, 
     raise GuardFailed(
         f"{where}: no forces of rigid bodies obey Coulomb's law here ({names}); give the contact a stiffness instead."
     )
+
+
+def redirected(items: Sequence[Item], inverse: Array) -> list[Item]:
+    """The same, but slips of two components that may begin do so the way the bodies would go if nothing rubbed."""
+    alone = answer(items, ["off" if item.rub else item.may[0] for item in items], inverse)
+    found: list[Item] = []
+    for item, way in zip(items, alone.left, strict=True):
+        size = float(np.linalg.norm(way))
+        if item.rub and len(way) == 2 and item.may[0] == "stick" and size:
+            off: tuple[Status, ...] = ("off",) if "off" in item.may else ()
+            item = replace(item, may=("stick", tuple((way / size).tolist()), *off))
+        found.append(item)
+    return found
 
 
 def _combinations(items: Sequence[Item]) -> Iterator[tuple[Status, ...]]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from corollary.scenes.motion.clusters import clusters
-from corollary.scenes.motion.complementarity import Item, Status, answer, settled
+from corollary.scenes.motion.complementarity import Item, Status, answer, redirected, settled
 from corollary.scenes.motion.reversal import left_over
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -193,7 +193,11 @@ class Moment:
             item.may = self._ways(k, item) + (("off",) if pressed >= 0 else ())
             items.append(item)
         where = f"at {self.time:.6g} s"
-        statuses = settled(items, inverse, where)
+        try:
+            statuses = settled(items, inverse, where)
+        except GuardFailed:  # what holds a body pulls it another way than what acts on it alone
+            items = redirected(items, inverse)
+            statuses = settled(items, inverse, where)
         for _ in range(50):
             turned = self._turned(items, statuses, inverse)
             if turned is None:
