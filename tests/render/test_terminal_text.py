@@ -18,6 +18,8 @@ from corollary.render.terminal_text import formula_text, terminal_text
         (r"\int_0^T F\,dt", "∫₀ᵀ F dt"),
         (r"30^\circ", "30°"),
         (r"x = -1", "x = −1"),
+        (r"-1, -2", "−1, −2"),
+        (r"-x - 2", "−x − 2"),
         (r"F^{\text{net}}", "F^net"),
         (r"\vec p = m\vec v", "p\u20d7 = m v\u20d7"),
         (r"F_x = \frac{\Delta p_x}{\Delta t} \qquad F_y = 0", "F_x = Δp_x/Δt   F_y = 0"),

@@ -132,7 +132,8 @@ def pick(
             fitting.append(root)
         elif any(fits):
             raise NoRoot(
-                f"where={where} holds for {_equations(root)} at some values of the givens and fails at others"
+                f"where={where} holds for {_equations(root)} at some values of the givens and fails at others; "
+                "say which root is meant by one that does not change its mind (a mistake may have a where= of its own)"
             )
         else:
             holes = (("root", _formula(root)), ("condition", f"${_condition(where)}$"))

@@ -184,7 +184,9 @@ def _joined(children: list[Element]) -> list[Element]:
 
 
 def _signed(children: list[Element]) -> list[Element]:
-    """A sign after another operator belongs to the number behind it."""
+    """A sign that comes first, or after another operator, belongs to the number behind it."""
+    if children and children[0].tag == "mo" and children[0].text in SIGNS:
+        children[0].set("form", "prefix")
     for before, sign in pairwise(children):
         if (
             sign.tag == "mo"
