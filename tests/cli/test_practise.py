@@ -115,8 +115,8 @@ def test_a_set_that_is_not_due_is_left_out(tmp_path):
     (bank / "problems" / "sets" / "exam.md").write_text(SET, encoding="utf-8")
     done = CliRunner().invoke(app, ["practise", "--bank", str(bank), "--no-browser"])
     assert done.exit_code == 2
-    assert "left out, since not due yet: the problems of exam" in done.stderr
-    assert "no problem is left to practise on" in done.stderr
+    assert "left out, since not due yet: the problems of exam (due " in done.stderr
+    assert "no problem is left to practise on; name other problems" in done.stderr
 
 
 @pytest.fixture

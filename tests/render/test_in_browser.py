@@ -29,6 +29,12 @@ OUT_OF_REACH = """
   each.scrollWidth > each.clientWidth + 1 && ["auto", "scroll"].includes(getComputedStyle(each).overflowX) && each.tabIndex < 0
 ).map(each => each.outerHTML.slice(0, 200))
 """
+ON_THE_EDGE = """
+[...document.querySelectorAll("body *")].filter(each => {
+  const {left, right, width} = each.getBoundingClientRect(), edge = document.documentElement.clientWidth;
+  return width && parseFloat(getComputedStyle(each).borderLeftWidth) && (left < 1 || right > edge - 1);
+}).map(each => each.outerHTML.slice(0, 200))
+"""
 TALLER = "[...document.querySelectorAll('.formula')].filter(each => each.querySelector('span') && each.clientHeight > 40).length"
 
 
@@ -71,6 +77,15 @@ def test_nothing_sticks_out_and_what_scrolls_is_reached_by_keyboard(pages, chrom
     page = opened(chromium, pages[name], width, "light")
     assert page.evaluate(STICKING_OUT) <= 0
     assert page.evaluate(OUT_OF_REACH) == []
+    page.context.close()
+
+
+@pytest.mark.parametrize("name", ["feedback", "report", "sheet"])
+def test_printed_borders_lie_inside_of_the_page(pages, chromium, name):
+    """Paper cuts off what lies on the edge of its margin."""
+    page = opened(chromium, pages[name], DESK, "light")
+    page.emulate_media(media="print")
+    assert page.evaluate(ON_THE_EDGE) == []
     page.context.close()
 
 

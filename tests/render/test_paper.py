@@ -237,6 +237,13 @@ def text_of(file: bytes) -> str:
     return read.stdout.decode()
 
 
+def test_no_line_of_a_marking_scheme_reaches_into_another():
+    """Two lines of fractions of fractions are as high as both."""
+    tall = typst_formula(r"\frac{\sqrt{\frac{a}{b}}^2}{\frac{c}{d}}")
+    both = f"measure(items([{tall}#linebreak(){tall}])).height"
+    page(f"#context assert({both} >= 2 * measure([#set par(leading: 0pt);{tall}]).height)")
+
+
 @pytest.mark.client
 def test_poppler_reads_the_students_numbers_pages_and_no_key(run: PrintRun):
     sheet = run.sheets[0]

@@ -103,6 +103,32 @@ def test_problems_of_a_set_that_is_left_out_leave_nothing_behind(little, tmp_pat
         assert secret not in written
 
 
+@pytest.mark.parametrize(
+    "named", [["X12.2", "PLACE"], ["X12.2", "-o", "PLACE"], ["-o", "PLACE", "energetic_collision"]]
+)
+def test_the_folder_of_a_site_is_named_last_or_by_its_option(little, tmp_path, named):
+    named = [each.replace("PLACE", str(tmp_path / "site")) for each in named]
+    usual = ["--to", "site", "--variants", "1", "--pyodide", str(little), "--json"]
+    done = CliRunner().invoke(app, ["export", *named, *usual])
+    assert done.exit_code == 0, done.output
+    assert json.loads(done.stdout)["problems"] == ["X12.2"]
+    assert (tmp_path / "site" / "index.html").is_file()
+
+
+@pytest.mark.parametrize(
+    ("named", "sentence"),
+    [
+        (["--to", "site"], "name the folder for the site: corollary export --to site DIR"),
+        (["momentum_1", "--to", "site"], "name the folder for the site last"),
+        (["--to", "moodle"], "say which set: corollary export SET --to moodle"),
+    ],
+)
+def test_what_is_missing_is_said(named, sentence):
+    done = CliRunner().invoke(app, ["export", *named, "--bank", "chapter"])
+    assert done.exit_code == 2
+    assert sentence in done.stderr
+
+
 def test_options_of_a_site_are_for_a_site(tmp_path):
     done = CliRunner().invoke(app, ["export", "momentum_1", "--to", "text", "--except", "momentum_1"])
     assert done.exit_code == 2

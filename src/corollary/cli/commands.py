@@ -279,7 +279,7 @@ command(
     SOLUTION,
     *PRINTED_AND_MARKED,
     path("--ids", text="feedback-zip: what Moodle or Canvas knows the students by, as for release."),
-    click.Option(["--output", "-o"], type=PATH, default=Path("export"), help="The folder for the files."),
+    path("--output", "-o", text="The folder for the files; export/ when left out."),
     JSON,
 )
 command(

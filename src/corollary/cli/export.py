@@ -9,7 +9,12 @@ from typing import Unpack
 
 from corollary.cli import export_questions
 from corollary.cli.ending import HOLDS, answer, counted, refuse, say
-from corollary.cli.export_options import ExportOptions, refuse_options_of_marks, refuse_what_is_for_others
+from corollary.cli.export_options import (
+    USUAL_FOLDER,
+    ExportOptions,
+    refuse_options_of_marks,
+    refuse_what_is_for_others,
+)
 from corollary.cli.progress import bar
 from corollary.course.export import (
     chapters_sheet,
@@ -50,9 +55,9 @@ def run(**given: Unpack[ExportOptions]) -> int:
     if chosen.site:
         from corollary.cli.export_site import run as export_site  # here, since it brings the scenes
 
-        return export_site(
-            names, given["bank"], given["left_out"], given["pyodide"], given["variants"], given["as_json"]
-        )
+        return export_site(names, given)
+    if not names:
+        refuse("say which set: corollary export SET --to " + given["to"])
     if chosen.items is not None:
         return export_questions.run(chosen, names, given)
     course = None if given["course"] is None else open_course(given["course"])
@@ -65,7 +70,8 @@ def run(**given: Unpack[ExportOptions]) -> int:
         if len(names) > 1:
             refuse(f"{given['to']} is of one set; export each by itself")
         made = _of_one_set(chosen, course, *found[0], given)
-    written = write_files(given["output"], made.files)
+    folder = given["output"] or USUAL_FOLDER
+    written = write_files(folder, made.files)
     if given["as_json"]:
         codes = [each.name for each in problem_sets]
         about: dict[str, object] = {"set": codes[0]} if len(codes) == 1 else {"sets": codes}
@@ -73,7 +79,7 @@ def run(**given: Unpack[ExportOptions]) -> int:
     else:
         count = len(written)
         titles = ", ".join(each.title for each in problem_sets)
-        print(f"{titles}: {count} file{'s' * (count != 1)} in {given['output']}/")
+        print(f"{titles}: {count} file{'s' * (count != 1)} in {folder}/")
     return HOLDS
 
 

@@ -10,6 +10,8 @@ from corollary.cli.ending import refuse
 from corollary.course.marks_export import By
 from corollary.render.exports import Target
 
+USUAL_FOLDER = Path("export")
+
 
 class ExportOptions(TypedDict):
     """As they were given; `sets` are also codes and topics, and for a site the folder behind them."""
@@ -27,7 +29,7 @@ class ExportOptions(TypedDict):
     blank: str | None
     template: Path | None
     headings: Sequence[str]
-    output: Path
+    output: Path | None
     as_json: bool
     ids: Path | None
     forms: int | None

@@ -7,7 +7,7 @@ from dataclasses import asdict
 
 from corollary.cli.console import console
 from corollary.cli.ending import HOLDS, answer, say
-from corollary.cli.export_options import ExportOptions
+from corollary.cli.export_options import USUAL_FOLDER, ExportOptions
 from corollary.course.export import write_files
 from corollary.course.item_export import Exported, export_items
 from corollary.messages import few
@@ -19,7 +19,7 @@ def run(chosen: Target, names: Sequence[str], given: ExportOptions) -> int:
     records: list[dict[str, object]] = []
     for name in names:
         made = export_items(chosen, given["bank"], name, given["variants"], given["apart"])
-        written = [str(path) for path in write_files(given["output"], made.files)]
+        written = [str(path) for path in write_files(given["output"] or USUAL_FOLDER, made.files)]
         records.append(
             {
                 "set": name,

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from corollary.atomic import write_whole
 from corollary.cli.ending import HOLDS, answer, refuse, say
+from corollary.cli.export_options import ExportOptions
 from corollary.cli.practise import not_to_be_practised
 from corollary.cli.progress import bar
 from corollary.practice.practice import practice
@@ -19,31 +20,20 @@ from corollary.user_cache import folder
 USUAL_TURNS = 5
 
 
-def run(
-    named: Sequence[str],
-    bank: Path | None,
-    left_out: Sequence[str],
-    pyodide: Path | None,
-    turns: int | None,
-    as_json: bool,
-) -> int:
-    """The last of what is named is the folder; before it sets, problems or topics, all of the bank when none is."""
-    *wanted, place = named
-    output, opened = Path(place), open_bank(bank)
-    if place in (*set_names(opened), *(each.code for each in opened)):
-        refuse(
-            f"{place} is in the bank; name the folder for the site last: corollary export {place} --to site DIR"
-        )
+def run(named: Sequence[str], given: ExportOptions) -> int:
+    """Sets, problems or topics, all of the bank when none is named; the last is the folder, unless that is an option."""
+    opened = open_bank(given["bank"])
+    wanted, output = _wanted(opened, named, given["output"])
     try:
-        found = practice(opened, _words(opened, wanted), not_to_be_practised(opened, tuple(left_out)))
-        python = pyodide or fetched(folder() or output)
+        found = practice(opened, wanted, not_to_be_practised(opened, tuple(given["left_out"])))
+        python = given["pyodide"] or fetched(folder() or output)
         files = dict(python_files(python))
     except (LookupError, NoPyodide) as error:
         refuse(str(error))
     refused = list[str]()
     with bar("exercises", len(found.problems)) as done:
         for problem in found.problems:
-            text = exercise_file(found, problem, turns or USUAL_TURNS)
+            text = exercise_file(found, problem, given["variants"] or USUAL_TURNS)
             if text is None:
                 refused.append(problem.code)
             else:
@@ -61,7 +51,7 @@ def run(
     size = sum(map(len, files.values()))
     if refused:
         say(f"left out, since they have no answers: {', '.join(refused)}")
-    if as_json:
+    if given["as_json"]:
         codes = [each.code for each in found.problems]
         answer(
             {"to": "site", "files": [str(output / name) for name in files], "problems": codes, "bytes": size}
@@ -71,10 +61,19 @@ def run(
     return HOLDS
 
 
-def _words(bank: Bank, wanted: Sequence[str]) -> list[str]:
-    """The problems of the sets named, and what else is."""
-    sets = set(set_names(bank))
+def _wanted(bank: Bank, named: Sequence[str], output: Path | None) -> tuple[list[str], Path]:
+    """The problems of the sets named, and what else is; and the folder."""
+    sets, wanted = set(set_names(bank)), list(named)
+    if output is None:
+        if not wanted:
+            refuse("name the folder for the site: corollary export --to site DIR")
+        place = wanted.pop()
+        if place in sets or place in {each.code for each in bank}:
+            refuse(
+                f"{place} is in the bank; name the folder for the site last: corollary export {place} --to site DIR"
+            )
+        output = Path(place)
     words = list[str]()
     for each in wanted:
         words += [problem.code for problem in find_set(bank, each).problems] if each in sets else [each]
-    return words
+    return words, output

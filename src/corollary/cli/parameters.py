@@ -193,9 +193,9 @@ EXPORTED = (
     click.Argument(
         ["sets"],
         nargs=-1,
-        required=True,
         metavar="SET…",
-        help="A problem set of the bank, or a path to its .md file; of marks several. As questions of an LMS a problem, too.",
+        help="A problem set of the bank, or a path to its .md file; of marks several. As questions of an LMS a problem, too. "
+        "For a site problems, sets and topics, all when none is named, and last its folder.",
         shell_complete=CODES_AND_SETS,
     ),
     TargetOption(

@@ -18,6 +18,7 @@ from corollary.practice.offline import known
 from corollary.practice.posed import Answer, Posed
 from corollary.practice.practice import Practice, practice
 from corollary.problem.bank import Bank, open_bank
+from corollary.problem.dates import in_words
 from corollary.problem.problem_set import find_set, set_names
 from corollary.render.animation import animation
 from corollary.render.markdown import html
@@ -49,12 +50,12 @@ def not_to_be_practised(bank: Bank, names: tuple[str, ...]) -> set[str]:
     """The problems of the sets named, and of those that are not due yet: who practises on these has the answers."""
     now = datetime.now(UTC)
     sets = [find_set(bank, name) for name in names]
-    open_ones = [
-        each for each in (find_set(bank, name) for name in set_names(bank)) if each.due and each.due > now
-    ]
-    if waiting := [each.name for each in open_ones if each.name not in names]:
+    every = [find_set(bank, name) for name in set_names(bank)]
+    open_ones = [(each, each.due) for each in every if each.due and each.due > now]
+    if waiting := [f"{each.name} (due {in_words(due)})" for each, due in open_ones if each.name not in names]:
         say(f"left out, since not due yet: the problems of {', '.join(waiting)}")
-    return {problem.code for each in (*sets, *open_ones) for problem in each.problems}
+    sets += [each for each, _due in open_ones]
+    return {problem.code for each in sets for problem in each.problems}
 
 
 def _server(found: Practice, port: int) -> OnePageServer:

@@ -66,5 +66,7 @@ def practice(bank: Bank, wanted: Sequence[str] = (), left_out: Set[str] = frozen
         if (not wanted or {each.code, each.name, each.topic} & set(wanted)) and each.code not in left_out
     ]
     if not chosen:
-        raise LookupError("no problem is left to practise on")
+        raise LookupError(
+            "no problem is left to practise on; name other problems, sets or topics, or come back when the set is due"
+        )
     return Practice(bank, tuple(chosen), Solutions(bank))

@@ -64,7 +64,7 @@ def typst_exercise_key(exercise: Exercise, key: Key, scheme: Scheme, weight: flo
         title = words_of(f"({prompt.part.heading_letter}) ") + typst_line(prompt.part.title)
         pieces.append(f"#exercise-part([{title}], [{words_of(points_earned(each.out_of))}])")
         if items := [f"[{item}]" for item in _items(each, key, prompt)]:
-            pieces.append(f"#list({', '.join(items)})")
+            pieces.append(f"#items({', '.join(items)})")
         pieces.append(typst_text(formulas_in_convention(each.answer)))
     return "\n\n".join(filter(None, pieces))
 
