@@ -40,6 +40,13 @@ def test_an_interval_is_read(typed):
     assert sorted(found.values) == pytest.approx([-0.2, 0.5], abs=1e-12)
 
 
+@pytest.mark.parametrize("typed", ["2 m", "x < 2 m", "2"])
+def test_of_one_end_the_other_is_asked_for(typed):
+    answer = read(typed)
+    assert isinstance(answer, Unclear)
+    assert answer.why == 'an interval has two ends; write both, such as "-1.5 to 2.5"'
+
+
 def test_what_is_no_interval_is_not_guessed():
     assert isinstance(read("0.2 m"), Unclear)
     assert isinstance(read("rather long"), Unclear)

@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 from typing import final
 
-from corollary.answers.answer import Answer, Numbers
+from corollary.answers.answer import Answer, Numbers, Unclear
 from corollary.answers.answer_type import AnswerType
 from corollary.answers.numbers import scalar
 from corollary.answers.question import Question
@@ -23,6 +23,7 @@ FROM_TO = re.compile(
     re.IGNORECASE,
 )
 CHAIN = re.compile(r"(?P<low>[^<≤>≥=]+)(?:[<>]=?|[≤≥])\s*[^\W\d]\w*\s*(?:[<>]=?|[≤≥])(?P<high>[^<≤>≥=]+)")
+ONE_END = re.compile(r"\s*(?:[^\W\d]\w*\s*(?:[<>]=?|[≤≥]))?\s*(?P<end>[^<≤>≥=]+)")
 AROUND = re.compile(
     r"\s*\(?\s*(?P<middle>[^±()]+?)\s*(?:±|\+/-|\+-)\s*(?P<half>[0-9.,]+)\s*\)?\s*(?P<unit>[^±]*)"
 )
@@ -55,7 +56,15 @@ class IntervalType(AnswerType):
         if isinstance(answer, Numbers):
             low, high = answer.as_read.removeprefix("(").removesuffix(")").split(", ", 1)
             return replace(answer, as_read=_("from {low} to {high}", low=low, high=high))
+        if isinstance(answer, Unclear) and isinstance(value, Text) and _is_one_end(value.text, question):
+            return replace(answer, why=_('an interval has two ends; write both, such as "-1.5 to 2.5"'))
         return answer
+
+
+def _is_one_end(text: str, question: Question) -> bool:
+    """`2 m`, or `x < 2 m`."""
+    one = ONE_END.fullmatch(text)
+    return one is not None and isinstance(scalar(Text(one["end"]), question), Numbers)
 
 
 def _around(middle: str, half: str, unit: str, question: Question) -> Answer:
