@@ -47,8 +47,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         _held_fast(settings, max(tolerance, 1e-13)),
         _held_fast(settings, max(tolerance / 30.0, 1e-14)),
     )
-    (way, speed, spent), error = finer, abs(rough[1] - finer[1])
-    angle = way / length
+    (way, speed, spent), angle = finer, finer[0] / length
     risen = 2.0 * length * math.sin(0.5 * angle) ** 2
     height = risen + speed**2 / (2.0 * g)
     observed: dict[str, Observed] = {
@@ -57,7 +56,12 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         "angle": 2.0 * math.asin(min(1.0, math.sqrt(0.5 * height / length))),
         "energy_change": both * g * height - 0.5 * bullet * v**2,
     }
-    errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * error / common)
+    # The height keeps what the way is off by, too, which the speed forgets; of two runs either may be right by chance.
+    off = abs(rough[1] - finer[1]) / common
+    raised = off + math.sin(angle) * abs(rough[0] - way) / height
+    errors = dict.fromkeys(observed, 4.0 * ROUNDING + 2.0 * raised) | {
+        "velocities": 4.0 * ROUNDING + 2.0 * off
+    }
     scales = {"energy_change": 0.5 * bullet * v**2}
     why = "a block that swings while a dashpot brakes the bullet in it: step by step; then energy for the rest of the swing"
     return by_relative_errors(observed, errors, "integration", why, rough[2] + spent, "sticks", scales)
