@@ -31,6 +31,8 @@ SAFETY = 1.5
 FINEST = 2e-14
 COARSEST = 1e-6
 """From here on steps are so long that two runs take the same and cannot tell their error; they cost little less, too."""
+BY_TOUCH = 10.0
+"""So many times what a step may be off is what a slight touch, or the root that a parting ends in, has cost: by benchmarks/calibration.py."""
 BY_BODY = {Observable.VELOCITIES, Observable.TRAJECTORY, Observable.IMPULSE}
 CHAOTIC = 1e6
 """From this condition on a change of the data by CHANGED comes out as large as the value: it is said."""
@@ -89,10 +91,13 @@ def measured(
         )
     # Where motion fades, each step forgets the errors of those before, and two runs say nothing of each other's: what is off in the end is
     # as much as a step is allowed to be, in the mean square of all components, absolutely and relatively.
-    # A slight touch is over within a few steps, which may be off by as much as they are allowed to be in both runs alike.
+    # A slight touch is over within a few steps, and the step that ends where bodies part hides a root from its estimate: both may be off
+    # by more than they are allowed to be, in both runs alike.
     fine = max(tolerance / FINER, FINEST)
     touches = sum(h.what.startswith("touch") for h in right.happenings)
-    step_off = fine * max(2.0 * math.sqrt(len(right.state)) if right.fades else 0.2, math.sqrt(touches))
+    step_off = fine * max(
+        2.0 * math.sqrt(len(right.state)) if right.fades else 0.2, BY_TOUCH * math.sqrt(touches)
+    )
     same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
@@ -128,6 +133,7 @@ def measured(
             for i, each in enumerate(apart)
         )
         error: Observed = errors if isinstance(value, tuple) else errors[0]
+        size = size or _unmet(right, what)
         found[what.value] = Measurement(value, error, "estimate", "integration", why, size, condition)
     if not same and not right.rests:
         warnings.append(
@@ -172,6 +178,17 @@ def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:
     }
 
 
+def _unmet(path: Trajectory, what: Observable) -> float:
+    """What a contact would have been like that did not come about, to compare its error with; zero for everything else."""
+    match what:
+        case Observable.LARGEST_OVERLAP:
+            return path.deep
+        case Observable.DURATION:
+            return path.deep / path.fast
+        case _:
+            return 0.0
+
+
 def _shares(
     scene: Scene,
     rough: Trajectory,
@@ -213,7 +230,9 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     """What is known beside the difference of runs: touches met slowly, bounces still going on at the end."""
     if what is Observable.DURATION:
         span = contact_span(path)
-        return span.slack if span else 0.0
+        return span.slack if span else 4.0 * math.ulp(path.long) / path.fast
+    if what is Observable.LARGEST_OVERLAP:  # spheres that begin one rounding apart may touch
+        return 4.0 * math.ulp(path.long)
     if what is Observable.TURNING_POINTS and path.stretches and flat(scene, path):
         return path.near
     if what in (Observable.VELOCITIES, Observable.SPINS):
