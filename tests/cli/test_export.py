@@ -83,6 +83,10 @@ REFUSED = [
     (["--to", "md", "--course", "nowhere"], "is no course of ours"),
     (["--to", "pdf", "--forms", "2", "--variants", "2"], "each choose the numbers; give one of them"),
     (["--to", "md", "--forms", "2"], "--forms is for paper; leave it out, or export --to pdf"),
+    (["--to", "moodle", "--formula-sheet"], "--formula-sheet is for paper"),
+    (["--to", "qti", "--solution"], "qti always has the worked solutions; leave it out"),
+    (["--to", "site", "place", "--apart"], "--apart is for questions of an LMS"),
+    (["--to", "site", "place", "--columns", "parts"], "--columns is for marks"),
     (["--to", "html", "--large-print"], "--large-print is for paper"),
     (["--to", "md", "--variants", "0"], "`corollary export --help` says how"),
 ]
@@ -94,6 +98,12 @@ def test_what_cannot_be_exported_is_answered_in_a_sentence(run, arguments: list[
     assert (status, out) == (2, "")
     assert sentence in err
     assert len(err.splitlines()) == 1
+
+
+def test_one_problem_is_no_set(run) -> None:
+    status, _out, err = run("X12.5", "--to", "pdf")
+    assert status == 2
+    assert "`corollary show X12.5` writes it" in err
 
 
 def test_help_lists_what_is_registered(installed):

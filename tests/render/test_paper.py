@@ -237,6 +237,11 @@ def text_of(file: bytes) -> str:
     return read.stdout.decode()
 
 
+def test_the_title_of_a_part_and_its_points_are_words_apart():
+    said = catalogue_of(page("= Set\n\n== One\n\n#part([Mean force], [2 points])"))
+    assert b"(Mean force 2 points)" in said
+
+
 def test_no_line_of_a_marking_scheme_reaches_into_another():
     """Two lines of fractions of fractions are as high as both."""
     tall = typst_formula(r"\frac{\sqrt{\frac{a}{b}}^2}{\frac{c}{d}}")

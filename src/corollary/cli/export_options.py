@@ -43,8 +43,16 @@ class ExportOptions(TypedDict):
 def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
     """Refuses the first option that the target has no use for."""
     to = given["to"]
+    _refuse_options_of_paper(
+        chosen, ("--formula-sheet", given["formula_sheet"]), ("--large-print", given["large_print"])
+    )
     of_students = given["course"] is not None or given["roster"] is not None or given["forms"] is not None
+    if given["solution"] and (chosen.site or chosen.items is not None):
+        refuse(f"--solution is for sheets, and {to} always has the worked solutions; leave it out")
     if chosen.site:
+        refuse_options_of_marks(given)
+        if given["apart"]:
+            refuse(f"--apart is for questions of an LMS; leave it out for {to}")
         if of_students:
             refuse(f"{to} is for everybody; say how many variants of each problem with --variants")
         return
@@ -60,11 +68,11 @@ def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
     numbers = (given["course"], given["roster"], given["variants"], given["forms"])
     if sum(each is not None for each in numbers) > 1:
         refuse("--course, --roster, --variants and --forms each choose the numbers; give one of them")
-    for option, value in (
-        ("--forms", given["forms"]),
-        ("--formula-sheet", given["formula_sheet"]),
-        ("--large-print", given["large_print"]),
-    ):
+    _refuse_options_of_paper(chosen, ("--forms", given["forms"]))
+
+
+def _refuse_options_of_paper(chosen: Target, *options: tuple[str, object]) -> None:
+    for option, value in options:
         if value and chosen.paper is None:
             refuse(f"{option} is for paper; leave it out, or export --to pdf")
 

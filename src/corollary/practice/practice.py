@@ -67,6 +67,6 @@ def practice(bank: Bank, wanted: Sequence[str] = (), left_out: Set[str] = frozen
     ]
     if not chosen:
         raise LookupError(
-            "no problem is left to practise on; name other problems, sets or topics, or come back when the set is due"
+            "no problem is left to practise on; name other problems or topics, or come back when the set is due"
         )
     return Practice(bank, tuple(chosen), Solutions(bank))

@@ -107,6 +107,10 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
     path = next((place for place in places if place.is_file()), None)
     if path is None:
         have = set_names(bank)
+        if any(name in (each.code, each.name) for each in bank):
+            raise UnknownCode(
+                f"{name} is one problem, and no problem set; `corollary show {name}` writes it, `--format` says as what"
+            )
         raise UnknownCode(
             f"there is no problem set {name}{did_you_mean(name, have)}; the bank has: {', '.join(have) or 'none'}"
         )
