@@ -85,6 +85,7 @@ REFUSED = [
     (["--to", "md", "--forms", "2"], "--forms is for paper; leave it out, or export --to pdf"),
     (["--to", "moodle", "--formula-sheet"], "--formula-sheet is for paper"),
     (["--to", "qti", "--solution"], "qti always has the worked solutions; leave it out"),
+    (["--to", "csv", "--solution"], "--solution is for sheets; leave it out for csv"),
     (["--to", "site", "place", "--apart"], "--apart is for questions of an LMS"),
     (["--to", "site", "place", "--columns", "parts"], "--columns is for marks"),
     (["--to", "html", "--large-print"], "--large-print is for paper"),

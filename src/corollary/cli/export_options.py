@@ -49,6 +49,8 @@ def refuse_what_is_for_others(chosen: Target, given: ExportOptions) -> None:
     of_students = given["course"] is not None or given["roster"] is not None or given["forms"] is not None
     if given["solution"] and (chosen.site or chosen.items is not None):
         refuse(f"--solution is for sheets, and {to} always has the worked solutions; leave it out")
+    if given["solution"] and (chosen.marks is not None or chosen.feedback is not None):
+        refuse(f"--solution is for sheets; leave it out for {to}")
     if chosen.site:
         refuse_options_of_marks(given)
         if given["apart"]:
