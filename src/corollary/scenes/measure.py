@@ -230,7 +230,7 @@ def _extra(scene: Scene, path: Trajectory, what: Observable) -> float:
     """What is known beside the difference of runs: touches met slowly, bounces still going on at the end."""
     if what is Observable.DURATION:
         span = contact_span(path)
-        return span.slack if span else 4.0 * math.ulp(path.long) / path.fast
+        return span.slack if span else 400.0 * math.ulp(path.long) / path.fast  # even where they close slowly
     if what is Observable.LARGEST_OVERLAP:  # spheres that begin one rounding apart may touch
         return 4.0 * math.ulp(path.long)
     if what is Observable.TURNING_POINTS and path.stretches and flat(scene, path):

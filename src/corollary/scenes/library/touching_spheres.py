@@ -66,6 +66,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     # Momenta are differences: what rounding or steps leave of a velocity may be much of a small change.
     off = errors["velocities"] * scales["velocities"]
     error_estimate = off * max(ma, mb)
+    thrown = scales["velocities"] * max(ma, mb)
     # The energy goes with the squares of the velocities, those of the body that moves fast too.
     swift = ma * math.hypot(*after[:2]) + mb * math.hypot(*after[2:])
     had = 0.5 * (ma * math.hypot(*va) ** 2 + mb * math.hypot(*vb) ** 2)
@@ -73,20 +74,21 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     if isinstance(ratio, float) and ratio > 0.0:
         errors["energy_ratio"] = max(errors["energy_ratio"], swift * off / had / scales["energy_ratio"])
     observed["momentum"] = ma * after[0] + mb * after[2], ma * after[1] + mb * after[3]
-    errors["momentum"] = _share(2.0 * error_estimate, observed["momentum"])
+    errors["momentum"], scales["momentum"] = _share(2.0 * error_estimate, observed["momentum"], thrown)
     if overlap > 0.0:
-        observed["mean_force"] = on_a[0] / t, (on_a[1] + ma * g * t) / t
-        errors["mean_force"] = _share(error_estimate / t, observed["mean_force"])
+        observed["mean_force"] = push = on_a[0] / t, (on_a[1] + ma * g * t) / t
+        errors["mean_force"], scales["mean_force"] = _share(error_estimate / t, push, thrown / t)
     if g:
-        observed["momentum_change"] = on_a[0] + on_b[0], on_a[1] + on_b[1]
-        errors["momentum_change"] = _share(2.0 * error_estimate, observed["momentum_change"])
+        observed["momentum_change"] = change = on_a[0] + on_b[0], on_a[1] + on_b[1]
+        errors["momentum_change"], scales["momentum_change"] = _share(2.0 * error_estimate, change, thrown)
     outcome = "released" if overlap > 0.0 else "missed"
     return by_relative_errors(observed, errors, run.model, run.why, run.evaluations, outcome, scales)
 
 
-def _share(error_estimate: float, of: tuple[float, ...]) -> float:
-    size = math.hypot(*of)
-    return error_estimate / size if size > 0.0 else error_estimate
+def _share(error_estimate: float, of: tuple[float, ...], natural: float) -> tuple[float, float]:
+    """An error in units of a value's size, and that: of what is zero, its natural size."""
+    size = max(map(abs, of)) or natural
+    return error_estimate / size, size
 
 
 SCENE = SceneDefinition("two spheres push each other while both fall", SETTINGS, play)
