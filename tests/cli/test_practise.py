@@ -14,9 +14,10 @@ import pytest
 from click.testing import CliRunner
 
 from corollary.cli.commands import app
-from corollary.cli.practise import answered
+from corollary.cli.practise import answered, with_sets
 from corollary.practice.practice import practice
 from corollary.problem.bank import chapter_bank
+from corollary.problem.problem_set import find_set
 
 SET = """\
 ---
@@ -105,6 +106,12 @@ def test_odd_answers_are_read_and_shown_harmlessly(kicks, answer):
     got = ask(kicks, ask="judge", part="a", answers={"a": answer})
     assert not got["right"]
     assert "<script>" not in got["html"]
+
+
+def test_a_set_stands_for_its_problems():
+    bank = chapter_bank()
+    codes = [problem.code for problem in find_set(bank, "momentum_1").problems]
+    assert with_sets(bank, ["X12.3", "momentum_1", "collisions"]) == ["X12.3", *codes, "collisions"]
 
 
 def test_a_set_that_is_not_due_is_left_out(tmp_path):

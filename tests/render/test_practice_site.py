@@ -49,6 +49,13 @@ def test_serialized_says_what_grading_says(kicks, turns):
         assert offline.preview("a", answer) == posed.preview("a", answer)
 
 
+def test_a_file_in_place_of_its_folder_is_refused(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine", encoding="utf-8")
+    done = CliRunner().invoke(app, ["export", "X12.5", "--to", "site", str(tmp_path / "notes.txt")])
+    assert done.exit_code == 2
+    assert "is a file; name a folder for the site" in done.stderr
+
+
 def test_what_is_said_of_a_mistake_stands_in_the_file_as_html(turns):
     verdict = Offline(json.loads(turns[0]["key"])).verdict("a", {"a": "86 kg m/s"})
     assert "<math" in turns[0]["said"][verdict.mistake]

@@ -8,7 +8,7 @@ import click
 
 from corollary.cli.app import app as app  # with every command of this table
 from corollary.cli.app import command
-from corollary.cli.completion import CODES, CODES_AND_SETS, SCENES, SETS, STUDENTS
+from corollary.cli.completion import CODES_AND_SETS, SCENES, SETS, STUDENTS
 from corollary.cli.parameters import (
     AT_LEAST_1,
     AUDITED,
@@ -151,7 +151,9 @@ command(
 command(
     "practise",
     "A local page to practise on: any exercise, other numbers each time, hints, and the worked solution step by step.",
-    all_when_left_out("wanted", "[CODE|TOPIC]...", "Problems or topics to practise on", CODES),
+    all_when_left_out(
+        "wanted", "[CODE|TOPIC|SET]...", "Problems, topics or sets to practise on", CODES_AND_SETS
+    ),
     *BANK_AND_LANGUAGE,
     several(
         "--except",

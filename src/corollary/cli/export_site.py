@@ -8,11 +8,11 @@ from pathlib import Path
 from corollary.atomic import write_whole
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.export_options import ExportOptions
-from corollary.cli.practise import not_to_be_practised
+from corollary.cli.practise import not_to_be_practised, with_sets
 from corollary.cli.progress import bar
 from corollary.practice.practice import practice
 from corollary.problem.bank import Bank, open_bank
-from corollary.problem.problem_set import find_set, set_names
+from corollary.problem.problem_set import set_names
 from corollary.render.practice_site import exercise_file, page_file, python_files, snapshot_file
 from corollary.render.pyodide import NoPyodide, NoSnapshot, fetched
 from corollary.user_cache import folder
@@ -63,17 +63,16 @@ def run(named: Sequence[str], given: ExportOptions) -> int:
 
 def _wanted(bank: Bank, named: Sequence[str], output: Path | None) -> tuple[list[str], Path]:
     """The problems of the sets named, and what else is; and the folder."""
-    sets, wanted = set(set_names(bank)), list(named)
+    wanted = list(named)
     if output is None:
         if not wanted:
             refuse("name the folder for the site: corollary export --to site DIR")
         place = wanted.pop()
-        if place in sets or place in {each.code for each in bank}:
+        if place in {*set_names(bank), *(each.code for each in bank)}:
             refuse(
                 f"{place} is in the bank; name the folder for the site last: corollary export {place} --to site DIR"
             )
         output = Path(place)
-    words = list[str]()
-    for each in wanted:
-        words += [problem.code for problem in find_set(bank, each).problems] if each in sets else [each]
-    return words, output
+    if output.exists() and not output.is_dir():
+        refuse(f"{output} is a file; name a folder for the site")
+    return with_sets(bank, wanted), output

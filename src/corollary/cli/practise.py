@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, cast
@@ -39,11 +39,19 @@ def run(
 ) -> int:
     opened = open_bank(bank)
     try:
-        found = practice(opened, wanted, not_to_be_practised(opened, left_out))
+        found = practice(opened, with_sets(opened, wanted), not_to_be_practised(opened, left_out))
     except LookupError as error:
         refuse(str(error))
     serve(_server(found, port), "ctrl-C ends it, and your browser keeps what you did", no_browser)
     return HOLDS
+
+
+def with_sets(bank: Bank, wanted: Sequence[str]) -> list[str]:
+    """What is named, with the codes of its problems in place of each set."""
+    sets, words = set(set_names(bank)), list[str]()
+    for each in wanted:
+        words += [problem.code for problem in find_set(bank, each).problems] if each in sets else [each]
+    return words
 
 
 def not_to_be_practised(bank: Bank, names: tuple[str, ...]) -> set[str]:
