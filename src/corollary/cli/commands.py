@@ -151,9 +151,7 @@ command(
 command(
     "practise",
     "A local page to practise on: any exercise, other numbers each time, hints, and the worked solution step by step.",
-    all_when_left_out(
-        "wanted", "[CODE|TOPIC|SET]...", "Problems, topics or sets to practise on", CODES_AND_SETS
-    ),
+    all_when_left_out("wanted", "[CODE|TOPIC|SET]...", "What to practise on", CODES_AND_SETS),
     *BANK_AND_LANGUAGE,
     several(
         "--except",

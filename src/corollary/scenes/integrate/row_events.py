@@ -219,7 +219,7 @@ def never_faster(drag, spring, z):
 
 @kernel
 def stays(y, touching, row, tolerance):
-    """Whether the bodies that touch will touch for ever, and their overlaps have seen their largest.
+    """Whether the bodies that touch will touch for ever, and their overlaps and forces have seen their largest, or do so at rest.
 
     Certain for a single damped contact that opens: with z = -rate/overlap, dz/dt = z^2 - (eta/mu) z + (k/mu) overlap^(q-1): once z is
     below the larger root it stays there, and the overlap fades exponentially at most; weight on a floor makes z smaller still.
@@ -245,9 +245,17 @@ def stays(y, touching, row, tolerance):
     if overlap <= 0.0:
         return False
     if rate > 0.0:
-        # It creeps down to its resting overlap without ever passing it: the same argument, seen from there.
+        # It creeps down to its resting overlap without ever passing it: the same argument, seen from there. Slowing down is a push
+        # above its weight, which has seen its largest once it falls.
         rest = (fall / spring) ** (1.0 / q[live]) if fall > 0.0 else 0.0
-        return overlap < rest and never_faster(drag, spring * q[live] * rest**power, rate / (rest - overlap))
+        pushed = spring * overlap ** q[live] + drag * rate
+        if (
+            overlap >= rest
+            or pushed < fall
+            or spring * q[live] * overlap**power * rate > drag * (pushed - fall)
+        ):
+            return False
+        return never_faster(drag, spring * q[live] * rest**power, rate / (rest - overlap))
     if fall > 0.0 and 0.5 * mass * rate * rate + stored(k[live], q[live], overlap) < mass * fall * overlap:
         return True
     return never_faster(drag, spring * overlap**power, -rate / overlap)

@@ -178,6 +178,9 @@ def _overdamped(m: float, contact: Contact, speed: float, g: float, change: floa
     errors = dict.fromkeys(observed, ROUNDING)
     if stopped > rest:
         errors["largest_overlap"] = max(ROUNDING, change)
+    if m * g > contact.eta * speed:  # it sinks ever slower: that takes a little more than its weight
+        slows = contact.q * contact.k * m * rest ** (contact.q - 1.0) / contact.eta**2
+        errors["peak_force"] = max(ROUNDING, slows)
     why = "the damping is so much above the critical one that it alone decides"
     overdamped = by_relative_errors(observed, errors, "conservation", why, 0, "sticks")
     return replace(overdamped, warnings=(NEVER_PART,))
