@@ -107,7 +107,7 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
     path = next((place for place in places if place.is_file()), None)
     if path is None:
         have = set_names(bank)
-        if any(name in (each.code, each.name) for each in bank):
+        if _is_a_problem(bank, name):
             raise UnknownCode(
                 f"{name} is one problem, and no problem set; `corollary show {name}` writes it, `--format` says as what"
             )
@@ -115,6 +115,13 @@ def find_set(bank: Bank, name: str, usual: Usual = USUAL) -> ProblemSet:
             f"there is no problem set {name}{did_you_mean(name, have)}; the bank has: {', '.join(have) or 'none'}"
         )
     return read_set(bank, path, usual)
+
+
+def _is_a_problem(bank: Bank, name: str) -> bool:
+    try:
+        return any(name in (each.code, each.name) for each in bank)
+    except Malformed:  # of other problems; here it is a set that was asked for
+        return False
 
 
 def bank_of_set(folder: Path | None, name: str) -> Bank:
