@@ -116,3 +116,21 @@ def test_an_error_is_a_share_of_the_largest_speed_on_the_way():
     speeds = found.measured["velocities"]
     assert max(map(abs, speeds.value)) < 0.01
     assert speeds.size >= 4.9
+
+
+def test_spheres_that_begin_to_squeeze_are_as_far_off_as_is_said():
+    """The power 3/2 leaves a root behind at the very start, which both runs had stepped over alike."""
+    there = {
+        "mA": 1.1488973, "mB": 1.1665915, "R": 0.05, "q": 1.5, "k": 169705.62748, "eta": 0.00117735583,
+        "dx": 0.0, "dy": 0.1, "vA": (-0.24706920, 1.6485109), "vB": (-0.32623850, 0.062924044), "t": 0.014536986,
+    }  # fmt: skip
+    known = run("touching_spheres", there, 1e-12)
+    for tolerance in (1e-7, 1e-8, 1e-9, 1e-10):
+        found = run("touching_spheres", there, tolerance)
+        for value, true, error in zip(
+            found.observed["velocities"],
+            known.observed["velocities"],
+            found.errors["velocities"],
+            strict=True,
+        ):
+            assert abs(value - true) <= error

@@ -88,7 +88,7 @@ class Stepper:
         if any(mode.touching):
             # The first step leaves a root behind, which its estimate of its error takes too lightly, and a run of another tolerance would
             # repeat: what it is off, of order 5/2 in its length with q = 3/2, is to be a part of what is allowed.
-            part = min(1.0, (self.tolerance / 1e-10) ** 0.4)
+            part = min(1.0, (self.tolerance / 1e-8) ** 0.4)
             return 0.02 * part * self.sizes.deep / self.sizes.fast
         gained = max((abs(a) for a in self.system.gains(time, y, y, mode.touching)), default=0.0)
         calm = self.sizes.fast / gained if gained else math.inf
