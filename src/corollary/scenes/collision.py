@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.integrate import both_ways, regularised
 from corollary.scenes.progress import part
-from corollary.scenes.row import RowOfBodies, RowResult, energy, natural_units
+from corollary.scenes.row import (
+    RowOfBodies,
+    RowResult,
+    caught_between,
+    energy,
+    in_si,
+    in_units,
+    natural_units,
+)
 from corollary.scenes.run import GuardFailed, Model
 
 # What rounding leaves of a closed formula.
@@ -71,12 +78,6 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
     )
 
 
-def caught_between(masses: Sequence[float]) -> float:
-    """How many times heavier the bodies, near or far, are that a body lies between: it is thrown to and fro some square root of that."""
-    sides = ((max(masses[:i]), m, max(masses[i + 1 :])) for i, m in enumerate(masses[1:-1], start=1))
-    return max((min(left, right) / m for left, m, right in sides), default=1.0)
-
-
 def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
     """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
     before = energy(line, [-gap for gap in line.gaps], line.velocities)
@@ -87,30 +88,30 @@ def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
 
 def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     """The error is the difference from a coarser run, which is the coarser one's: the finer one's is smaller."""
-    compiled = both_ways.wanted()
+    compiled, units = both_ways.wanted(), natural_units(line)
+    if units is None:
+        return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
+    scaled = in_units(line, units)
     with part(0.0, 0.6):  # first the one that may need too many steps
-        fine = regularised.collide(line, max(tolerance / 30.0, 1e-15), compiled=compiled)
+        fine = regularised.follow(scaled, max(tolerance / 30.0, 1e-15), compiled)
     with part(0.6, 1.0):
-        coarse = regularised.collide(line, max(tolerance, 1e-14), compiled=compiled)
+        coarse = regularised.follow(scaled, max(tolerance, 1e-14), compiled)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."
         )
-    units = natural_units(line)
-    if units is None:
-        return Collided(fine, {}, "conservation", "nothing moves toward anything", 0)
     error = {
-        "velocities": _apart(coarse.velocities, fine.velocities) / units.speed,
+        "velocities": _apart(coarse.velocities, fine.velocities),
         "duration": 0.0
         if math.isinf(fine.duration)
-        else abs(coarse.duration - fine.duration) / max(units.time, fine.duration),
-        "overlaps": _apart(coarse.overlaps, fine.overlaps) / units.overlap,
-        "forces": _apart(coarse.forces, fine.forces) / units.force,
+        else abs(coarse.duration - fine.duration) / max(1.0, fine.duration),
+        "overlaps": _apart(coarse.overlaps, fine.overlaps),
+        "forces": _apart(coarse.forces, fine.forces),
     }
-    why = _reason(line)
     together = SHARED * max(error.values())
     errors = {name: max(SAFE * max(e, together), ROUNDING) for name, e in error.items()}
-    return Collided(fine, errors, "integration", why, coarse.evaluations + fine.evaluations)
+    spent = coarse.evaluations + fine.evaluations
+    return Collided(in_si(fine, units), errors, "integration", _reason(line), spent)
 
 
 def _reason(line: RowOfBodies) -> str:

@@ -68,6 +68,12 @@ def reduced_mass(a: float, b: float) -> float:
     return 1.0 / (1.0 / a + 1.0 / b)
 
 
+def caught_between(masses: Sequence[float]) -> float:
+    """How many times heavier the bodies, near or far, are that a body lies between: it is thrown to and fro some square root of that."""
+    sides = ((max(masses[:i]), m, max(masses[i + 1 :])) for i, m in enumerate(masses[1:-1], start=1))
+    return max((min(left, right) / m for left, m, right in sides), default=1.0)
+
+
 def natural_units(line: RowOfBodies) -> Units | None:
     """Units in which the collision is of order one; none when nothing ever moves toward anything.
 
@@ -95,7 +101,9 @@ def _squeeze(contact: Contact, mass: float, speed: float) -> float:
 
 
 def in_units(line: RowOfBodies, units: Units) -> RowOfBodies:
-    """The same line in its natural units."""
+    """The same line in its natural units. Raises OverflowError when one of these leaves the range of a computer."""
+    if not all(map(math.isfinite, (units.mass, units.speed, units.overlap, units.time, units.force))):
+        raise OverflowError("a number of the collision is too large or too small")
     return RowOfBodies(
         masses=tuple(m / units.mass for m in line.masses),
         velocities=tuple(v / units.speed for v in line.velocities),

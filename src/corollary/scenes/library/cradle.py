@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from corollary.scenes.collision import caught_between, collide
+from corollary.scenes.collision import collide
 from corollary.scenes.definition import SceneDefinition, Setting, one, row
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.certain import found
 from corollary.scenes.models.proven import collisions
 from corollary.scenes.models.two_bodies import collision
-from corollary.scenes.row import RowOfBodies
+from corollary.scenes.row import RowOfBodies, caught_between
 from corollary.scenes.run import BadSetting, Observed, Run, by_relative_errors
 
 SETTINGS = (
