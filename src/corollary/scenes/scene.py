@@ -92,6 +92,13 @@ class Force(ABC):
         """The same for a force that depends on the time (s), too; this is what is asked for."""
         return self.act(scene, state, masses, since)
 
+    def accelerations(self, scene: Scene, time: float, state: State, since: State) -> Iterator[float]:
+        """What it does to each component of a velocity (m/s^2); looked at where it `may_be_brief`."""
+        masses = [body.mass for body in scene.bodies]
+        for i, newtons in self.act_at(scene, time, state, masses, since):
+            if not math.isinf(masses[i]):
+                yield from (newton / masses[i] for newton in newtons)
+
     def constraints(self, scene: Scene) -> Iterable[Constraint]:
         """What it holds: rods, strings, walls."""
         return ()
@@ -99,6 +106,14 @@ class Force(ABC):
     def rubs(self, scene: Scene, held: Sequence[Constraint]) -> Iterable[Rub]:
         """Where it rubs, if there is dry friction in it; `held` are its own constraints."""
         return ()
+
+    @property
+    def may_be_brief(self) -> bool:
+        """Whether it may act for much shorter than anything else happens: steps that feel nothing of it are then searched for it.
+
+        The laws of this package do not; anybody else's may.
+        """
+        return not type(self).__module__.startswith(__name__.rpartition(".")[0])
 
     @property
     def conserves(self) -> Conserves:

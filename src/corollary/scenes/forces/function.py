@@ -43,6 +43,10 @@ class ForceFunction(Force):
         return self.energy(place(scene, state, self.body)) if self.energy else 0.0
 
     @property
+    def may_be_brief(self) -> bool:
+        return True
+
+    @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY if self.energy else Conserves.NOTHING
 

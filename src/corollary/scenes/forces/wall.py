@@ -93,6 +93,14 @@ class HardWall(Force):
         """How far (m) the surface of a body is from the wall; negative behind it."""
         return sum(n * x for n, x in zip(self.normal, place, strict=True)) - self.at(time)[0] - radius
 
+    def accelerations(self, scene: Scene, time: float, state: State, since: State) -> Iterator[float]:
+        """That of the wall itself."""
+        yield self.at(time)[2]
+
+    @property
+    def may_be_brief(self) -> bool:
+        return self.moves is not None
+
     @property
     def does_no_work_at_rest(self) -> bool:
         return self.moves is None and self.velocity == 0.0

@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from corollary.scenes.constraint import farther_off
+from corollary.scenes.motion.brief import overlooked
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.modes import Moment
@@ -113,11 +114,9 @@ class Follower:
             path.rests.append(ends)
             if self.scene.until is not None and ends > self.scene.until:
                 path.dropped = max(path.dropped, moment.dropped)
-        if keeps_energy(self.scene, mode):
-            # Hits that cost energy are settled at once: what is watched is each stretch between them.
-            self.energy = energy(self.scene, path.time, path.state)
-        else:
-            self.energy = None
+        # Hits that cost energy are settled at once: what is watched is each stretch between them.
+        watched = keeps_energy(self.scene, mode)
+        self.energy = energy(self.scene, path.time, path.state) if watched else None
         return mode
 
     def _left(self) -> float:
@@ -163,6 +162,9 @@ class Follower:
                 solver.dense_output(),
                 last,
             )
+            if overlooked(self.scene, stretch, self.tolerance * self.sizes.fast):
+                self.steps.at_most = 0.5 * stretch.lasts
+                return mode
             met = self.steps.first_event(guards, stretch)
             if self.steps.nearest < path.near:
                 path.grazes.append(stretch.begin)
@@ -173,9 +175,8 @@ class Follower:
             if solver.status == "finished":
                 path.time = self.scene.until if self.scene.until is not None else path.time
                 return mode
-            if self.scene.until is None and self._over():
-                return mode
-            if self.steps.too_slow(self._left(), stretch.lasts):
+            over = self.scene.until is None and self._over()
+            if over or self.steps.too_slow(self._left(), stretch.lasts):
                 return mode
             if self._drifted(mode):
                 moment = Moment(system, path.time, list(path.state), self.sizes, mode)
@@ -210,6 +211,7 @@ class Follower:
 
     def _after(self, guards: Guards, index: int) -> Mode:
         """What follows when a guard has fallen. Raises GuardFailed or BadSetting for what is impossible."""
+        # A hit or a stop needs nothing: it is settled as what holds from then on is.
         path, mode, guard = self.path, guards.mode, guards.names[index]
         touching, sides = list(mode.touching), list(mode.sides)
         moment = Moment(self.system, path.time, list(path.state), self.sizes, mode)
@@ -240,8 +242,6 @@ class Follower:
                 z = forces.multipliers[at]
                 size = float(np.linalg.norm(z)) or 1.0
                 moment.barred_rubs = {k: tuple((-z / size).tolist())}
-            case "hit" | "stop":
-                pass
         return self._decide(moment, tuple(touching), tuple(sides))
 
     def _turn(self, moment: Moment, number: int) -> None:

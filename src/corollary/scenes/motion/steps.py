@@ -53,6 +53,8 @@ class Stepper:
         self.lately: deque[float] = deque(maxlen=STEADY)
         self.nearest = math.inf
         self.longest = 100.0 * sizes.long / sizes.fast if system.contacts else math.inf
+        self.at_most = math.inf
+        """How long (s) the next phase's first step may be."""
 
     def begin_anew(self) -> None:
         """Something has happened: nothing is known of how fast things fade now."""
@@ -93,7 +95,8 @@ class Stepper:
         gained = max((abs(a) for a in self.system.gains(time, y, y, mode.touching)), default=0.0)
         calm = self.sizes.fast / gained if gained else math.inf
         # Where nothing has happened, another method goes on from where the last one had got to.
-        known = 10.0 * self.lately[-1] if self.lately else math.inf
+        known = min(10.0 * self.lately[-1] if self.lately else math.inf, self.at_most)
+        self.at_most = math.inf
         return min(0.01 * calm, 0.01 * self.sizes.long / self.sizes.fast, known)
 
     def advance(self, solver: DOP853 | Radau, begun: float) -> None:

@@ -1,0 +1,132 @@
+"""Forces of somebody's own that act for shorter than the steps before them last: each kick is felt, whatever it hits."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from corollary.scenes.forces.contact import Contact
+from corollary.scenes.forces.friction import Friction
+from corollary.scenes.forces.function import ForceFunction
+from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.weight import Weight
+from corollary.scenes.motion.brief import LOOKS
+from corollary.scenes.plan import play
+from corollary.scenes.run import Observable, Run, components
+from corollary.scenes.scene import Body, Force, Scene
+
+WHEN, IMPULSE = 5.0, 2.0
+LASTS = 1e-2
+
+
+def kick(t: float, lasts: float = LASTS) -> float:
+    """A bell of a force (N) with a known impulse."""
+    return IMPULSE / (lasts * math.sqrt(math.pi)) * math.exp(-(((t - WHEN) / lasts) ** 2))
+
+
+def kicked(lasts: float = LASTS, body: int = 0) -> ForceFunction:
+    return ForceFunction(body, lambda t, x, v: (kick(t, lasts),))
+
+
+def played(*forces: Force, until: float = 10.0, bodies: Sequence[Body] = (Body(1.0, (0.0,), (0.0,)),)) -> Run:
+    return play(
+        Scene(tuple(bodies), forces, until=until),
+        {Observable.VELOCITIES, Observable.TRAJECTORY},
+        times=(until,),
+    )
+
+
+def assert_true(found: Run, name: str, *true: float) -> None:
+    for value, error, exact in zip(
+        components(found.observed[name]), components(found.errors[name]), true, strict=True
+    ):
+        assert abs(value - exact) <= error < 1e-5, (name, value, error, exact)
+
+
+@pytest.mark.parametrize("lasts", [1.0, 1e-2, 3.0 * 10.0 / LOOKS])
+def test_a_kick_in_the_middle_of_free_flight_gives_its_impulse(lasts):
+    found = played(kicked(lasts))
+    assert_true(found, "velocities", IMPULSE)
+    assert_true(found, "trajectory", IMPULSE * (10.0 - WHEN))
+
+
+def test_a_kick_told_as_a_table_of_measured_forces():
+    at, newtons = [5.0, 5.002, 5.004, 5.007, 5.01], [0.0, 800.0, 1200.0, 300.0, 0.0]
+
+    force = ForceFunction(0, lambda t, x, v: (float(np.interp(t, at, newtons)),))
+    found = played(force, bodies=[Body(0.43, (0.0,), (0.0,))])
+    assert_true(found, "velocities", float(np.trapezoid(newtons, at)) / 0.43)
+
+
+def test_a_kick_tears_a_block_off_that_friction_holds():
+    brake = 0.2 * 9.8
+    begins = WHEN - LASTS * math.sqrt(math.log(kick(WHEN) / brake))
+
+    def speed(t: float) -> float:
+        pushed = 0.5 * IMPULSE * (math.erf((t - WHEN) / LASTS) - math.erf((begins - WHEN) / LASTS))
+        return pushed - brake * (t - begins)
+
+    ends = float(brentq(speed, WHEN, 9.0, xtol=1e-15, rtol=1e-15))
+    slid = sum(quad(speed, a, b, epsabs=1e-13, epsrel=1e-13)[0] for a, b in ((begins, 5.1), (5.1, ends)))
+    found = played(Friction(0, 0.2), kicked())
+    assert found.outcome == "sticks"
+    assert_true(found, "trajectory", slid)
+
+
+def test_a_kick_lifts_a_ball_off_the_floor():
+    weight = 9.8
+    leaves = WHEN - LASTS * math.sqrt(math.log(kick(WHEN) / weight))
+    pushed = 0.5 * IMPULSE * (1.0 - math.erf((leaves - WHEN) / LASTS))
+    found = played(Weight(weight), HardWall((1.0,), restitution=0.5), kicked(), until=5.2)
+    assert_true(found, "velocities", pushed - weight * (5.2 - leaves))
+
+
+def test_a_plate_that_jumps_up_once_throws_what_lies_on_it():
+    high, lasts = 0.005, 1e-2
+
+    def moves(t: float) -> tuple[float, float, float]:
+        s = (t - 3.0) / lasts
+        now = high * math.exp(-s * s)
+        return now, -2.0 * s / lasts * now, (4.0 * s * s - 2.0) / lasts**2 * now
+
+    leaves = float(
+        brentq(lambda t: moves(t)[2] + 9.8, 3.0 - 0.99 * lasts, 3.0 - 0.5 * lasts, xtol=1e-16, rtol=1e-15)
+    )
+    found = played(Weight(9.8), HardWall((1.0,), restitution=0.0, moves=moves), until=3.05)
+    assert_true(found, "velocities", moves(leaves)[1] - 9.8 * (3.05 - leaves))
+
+
+def test_what_is_kicked_hits_what_lies_ahead():
+    bodies = [Body(1.0, (0.0,), (0.0,), 0.1), Body(1.0, (1.0,), (0.0,), 0.1)]
+    assert_true(played(Contact(1e5, 1.5), kicked(), bodies=bodies), "velocities", 0.0, IMPULSE)
+
+
+def test_a_narrow_well_on_the_way_is_passed_sooner_than_none():
+    deep, wide = 0.05, 1e-2
+
+    def well(x: Sequence[float]) -> float:
+        return -deep * math.exp(-(((x[0] - 5.0) / wide) ** 2))
+
+    pull = ForceFunction(0, lambda t, x, v: (2.0 * (x[0] - 5.0) / wide**2 * well(x),), energy=well)
+    found = played(pull, bodies=[Body(1.0, (0.0,), (1.0,))])
+    saved, _ = quad(
+        lambda x: 1.0 - 1.0 / math.sqrt(1.0 - 2.0 * well([x])), 4.9, 5.1, points=[5.0], epsabs=1e-14
+    )
+    assert_true(found, "trajectory", 10.0 + saved)
+
+
+def test_a_law_of_somebody_elses_is_searched_and_those_of_the_package_are_not():
+    class Kick(Force):
+        def act(self, scene, state, masses, since):
+            return ()
+
+        def act_at(self, scene, time, state, masses, since):
+            yield 0, (kick(time),)
+
+    assert Kick().may_be_brief
+    assert not Weight().may_be_brief
+    assert not HardWall((1.0,)).may_be_brief
+    assert_true(played(Kick()), "velocities", IMPULSE)
