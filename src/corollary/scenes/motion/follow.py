@@ -211,7 +211,6 @@ class Follower:
 
     def _after(self, guards: Guards, index: int) -> Mode:
         """What follows when a guard has fallen. Raises GuardFailed or BadSetting for what is impossible."""
-        # A hit or a stop needs nothing: it is settled as what holds from then on is.
         path, mode, guard = self.path, guards.mode, guards.names[index]
         touching, sides = list(mode.touching), list(mode.sides)
         moment = Moment(self.system, path.time, list(path.state), self.sizes, mode)
@@ -236,12 +235,12 @@ class Follower:
             case "release":
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
-                k = guard.number
                 _, forces, _ = self.system.held(path.time, path.state, guards.since, mode)
-                at = next(at for rub, at in guards.sticks if rub == k)
-                z = forces.multipliers[at]
+                z = forces.multipliers[dict(guards.sticks)[guard.number]]
                 size = float(np.linalg.norm(z)) or 1.0
-                moment.barred_rubs = {k: tuple((-z / size).tolist())}
+                moment.barred_rubs = {guard.number: tuple((-z / size).tolist())}
+            case "hit" | "stop":
+                pass
         return self._decide(moment, tuple(touching), tuple(sides))
 
     def _turn(self, moment: Moment, number: int) -> None:
