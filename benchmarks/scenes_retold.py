@@ -18,6 +18,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from random import Random
 
+from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.drag import Drag
 from corollary.scenes.forces.friction import Friction
@@ -25,7 +26,8 @@ from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.rod import Rod, String
 from corollary.scenes.forces.spring import Spring
-from corollary.scenes.forces.wall import HardWall
+from corollary.scenes.forces.thrust import Thrust
+from corollary.scenes.forces.wall import HardWall, Shift
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.plan import play
 from corollary.scenes.run import BadSetting, GuardFailed, Observable, Run, components
@@ -58,6 +60,8 @@ def composed(rng: Random) -> Scene:
     ]
     if axes == 2 and rng.random() < 0.3:
         forces[0] = replace(forces[0], mu=rng.uniform(0.05, 0.6))
+    if rng.random() < 0.15:
+        forces.append(_burning(rng, bodies, loose, axes))
     if rng.random() < 0.6:
         forces.append(Weight(9.8))
     if rng.random() < 0.6:
@@ -74,7 +78,10 @@ def composed(rng: Random) -> Scene:
 def _walls(rng: Random, axes: int) -> list[Force]:
     up = (0.0,) * (axes - 1) + (1.0,)
     mu = rng.choice([0.0, rng.uniform(0.05, 0.7)]) if axes == 2 else 0.0
-    walls: list[Force] = [HardWall(up, -2.5, rng.choice([0.0, 0.5, rng.uniform(0.1, 1.0), 1.0]), mu)]
+    static = rng.choice([None, 1.3 * mu])
+    plate = _plate(rng) if rng.random() < 0.2 else None
+    back = rng.choice([0.0, 0.5, rng.uniform(0.1, 1.0), 1.0])
+    walls: list[Force] = [HardWall(up, -2.5, back, mu, static, moves=plate)]
     if rng.random() < 0.4:
         angle = rng.uniform(2.0, 4.3)
         normal = (math.cos(angle), math.sin(angle)) if axes == 2 else (-1.0,)
@@ -82,6 +89,37 @@ def _walls(rng: Random, axes: int) -> list[Force]:
             HardWall(normal, -4.0, rng.uniform(0.1, 1.0), velocity=rng.choice([0.0, rng.uniform(-0.5, 0.5)]))
         )
     return walls
+
+
+def _plate(rng: Random) -> Shift:
+    """A floor that swings, or jumps up once."""
+    high, pace, lasts, when = (
+        rng.uniform(0.01, 0.2),
+        rng.uniform(3.0, 60.0),
+        10.0 ** rng.uniform(-2.5, -0.5),
+        rng.uniform(0.1, 1.0),
+    )
+    if rng.random() < 0.5:
+
+        def swings(t: float) -> tuple[float, float, float]:
+            s, c = math.sin(pace * t), math.cos(pace * t)
+            return -2.5 + high * s, high * pace * c, -high * pace * pace * s
+
+        return swings
+    high *= min(1.0, 10.0 * lasts)
+
+    def jumps(t: float) -> tuple[float, float, float]:
+        s = (t - when) / lasts
+        now = high * math.exp(-s * s)
+        return -2.5 + now, -2.0 * s / lasts * now, (4.0 * s * s - 2.0) / lasts**2 * now
+
+    return jumps
+
+
+def _burning(rng: Random, bodies: Sequence[Body], loose: Sequence[int], axes: int) -> Force:
+    i = rng.choice(loose)
+    way, rate = tuple(rng.uniform(-9.0, 9.0) for _ in range(axes)), bodies[i].mass * rng.uniform(0.05, 0.3)
+    return Thrust(i, way, rate) if rng.random() < 0.5 else Absorption(i, way, rate)
 
 
 def _between(rng: Random, bodies: Sequence[Body]) -> Force:
@@ -111,6 +149,11 @@ def _on(rng: Random, i: int, axes: int) -> Force:
         case "friction":
             mu = rng.uniform(0.05, 0.8)
             return Friction(i, mu, static=rng.choice([None, 1.3 * mu]), belt=rng.choice([(), wind]))
+        case _ if rng.random() < 0.3:
+            push, when, lasts = rng.uniform(-3.0, 3.0), rng.uniform(0.0, 1.0), 10.0 ** rng.uniform(-2.5, -1.0)
+            return ForceFunction(
+                i, lambda t, x, v: tuple(push / lasts * math.exp(-(((t - when) / lasts) ** 2)) for _ in x)
+            )
         case _:
             size, pace, stiff = rng.uniform(-9.0, 9.0), rng.uniform(1.0, 20.0), rng.uniform(0.0, 5.0)
             return ForceFunction(
@@ -170,9 +213,24 @@ class Telling:
                 return Weight(g * self.length / self.time**2)
             case HardWall():
                 normal = self.turned(force.normal)
-                moved = force.offset + sum(n * s for n, s in zip(force.normal, self.shift, strict=True))
+                farther = sum(n * s for n, s in zip(force.normal, self.shift, strict=True))
+                moves = force.moves
+
+                def plate(t: float) -> tuple[float, float, float]:
+                    assert moves
+                    place, speed, gained = moves(t / self.time)
+                    return (
+                        (place + farther) * self.length,
+                        speed * self.speed,
+                        gained * self.speed / self.time,
+                    )
+
                 return replace(
-                    force, normal=normal, offset=moved * self.length, velocity=force.velocity * self.speed
+                    force,
+                    normal=normal,
+                    offset=(force.offset + farther) * self.length,
+                    velocity=force.velocity * self.speed,
+                    moves=plate if moves else None,
                 )
             case Spring():
                 ends = self.number(force.ends[0]), self.number(force.ends[1])
@@ -189,6 +247,10 @@ class Telling:
             case Drag(i, linear, quadratic, wind):
                 quadratic *= self.mass / self.length
                 return Drag(self.number(i), linear * drag, quadratic, self.turned(wind, self.speed))
+            case Thrust(i, relative, burn):
+                return Thrust(self.number(i), self.turned(relative, self.speed), burn * drag)
+            case Absorption(i, velocity, rate):
+                return Absorption(self.number(i), self.turned(velocity, self.speed), rate * drag)
             case Friction():
                 g, belt = force.g * self.length / self.time**2, self.turned(force.belt, self.speed)
                 return replace(force, body=self.number(force.body), g=g, belt=belt)
