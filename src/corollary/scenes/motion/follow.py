@@ -235,10 +235,7 @@ class Follower:
             case "release":
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
-                _, forces, _ = self.system.held(path.time, path.state, guards.since, mode)
-                z = forces.multipliers[dict(guards.sticks)[guard.number]]
-                size = float(np.linalg.norm(z)) or 1.0
-                moment.barred_rubs = {guard.number: tuple((-z / size).tolist())}
+                moment.barred_rubs = guards.broken(guard.number, path.time, path.state)
             case "hit" | "stop":
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))

@@ -231,8 +231,9 @@ class Moment:
                 way = found.left[j]
                 size = float(np.linalg.norm(way))
                 # Where friction all but balances the pull, what is left points nowhere.
+                brakes = item.kinetic * item.given * float(np.abs(item.rows * inverse).max())
                 if (
-                    size > 1e-6 * float(np.linalg.norm(item.bias))
+                    size > 1e-6 * max(float(np.linalg.norm(item.bias)), brakes)
                     and float(np.abs(way / size - np.array(status)).max()) > 1e-9
                 ):
                     may: tuple[Status, ...] = ("stick", tuple((way / size).tolist()))
