@@ -91,11 +91,11 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     compiled, units = both_ways.wanted(), natural_units(line)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
-    scaled = in_units(line, units)
+    laid = regularised.laid_out(in_units(line, units), compiled)
     with part(0.0, 0.6):  # first the one that may need too many steps
-        fine = regularised.follow(scaled, max(tolerance / 30.0, 1e-15), compiled)
+        fine = regularised.follow(laid, max(tolerance / 30.0, 1e-15))
     with part(0.6, 1.0):
-        coarse = regularised.follow(scaled, max(tolerance, 1e-14), compiled)
+        coarse = regularised.follow(laid, max(tolerance, 1e-14))
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."
