@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.integrate import both_ways, regularised
-from corollary.scenes.progress import part
+from corollary.scenes.progress import tell
 from corollary.scenes.row import (
     RowOfBodies,
     RowResult,
     caught_between,
-    energy,
     in_si,
     in_units,
+    kept,
     natural_units,
 )
 from corollary.scenes.run import GuardFailed, Model
@@ -80,8 +80,8 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
 
 def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
     """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
-    before = energy(line, [-gap for gap in line.gaps], line.velocities)
-    after = energy(line, [0.0] * len(line.gaps), result.velocities)
+    before, _, _ = kept(line, [-gap for gap in line.gaps], line.velocities)
+    after, _, _ = kept(line, [0.0] * len(line.gaps), result.velocities)
     masses = [m for m in line.masses if not math.isinf(m)]
     return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 
@@ -92,10 +92,11 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
     laid = regularised.laid_out(in_units(line, units), compiled)
-    with part(0.0, 0.6):  # first the one that may need too many steps
-        fine = regularised.follow(laid, max(tolerance / 30.0, 1e-15))
-    with part(0.6, 1.0):
-        coarse = regularised.follow(laid, max(tolerance, 1e-14))
+    tell(0.0)
+    fine = regularised.follow(laid, max(tolerance / 30.0, 1e-15))  # first, for it may need too many steps
+    tell(0.6)
+    coarse = regularised.follow(laid, max(tolerance, 1e-14))
+    tell(1.0)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."

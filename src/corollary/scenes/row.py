@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import accumulate, pairwise
+from itertools import accumulate
 
 from corollary.scenes.forces.contact import Contact, stored
 from corollary.scenes.run import GuardFailed, Outcome
@@ -77,16 +77,16 @@ def natural_units(line: RowOfBodies) -> Units | None:
 
     The unit of overlap is the largest there can be, not the one of the contact force alone: weight counts too.
     """
-    mass = largest = squeezed = resting = 0.0
-    for a, b in pairwise(line.masses):
-        mass = max(mass, reduced_mass(a, b))
-    for (a, b), (u, v), gap, c in zip(
-        pairwise(line.masses), pairwise(line.velocities), line.gaps, line.contacts, strict=True
-    ):
-        fall = line.weight if math.isinf(a) and not math.isinf(b) else 0.0
-        largest = max(largest, (u - v) * (u - v) + 2.0 * fall * max(gap, 0.0))
-        squeezed = max(squeezed, 2.0 * stored(c, -gap) / mass)
-        resting = max(resting, (mass * fall / c.k) ** (1.0 / c.q))
+    mass = max(map(reduced_mass, line.masses, line.masses[1:]))
+    largest = squeezed = resting = 0.0
+    for i, (c, gap) in enumerate(zip(line.contacts, line.gaps, strict=True)):
+        closing = line.velocities[i] - line.velocities[i + 1]
+        largest = max(largest, closing * closing)
+        if gap < 0.0:
+            squeezed = max(squeezed, 2.0 * stored(c, -gap) / mass)
+        if line.weight and line.masses[i] == math.inf and line.masses[i + 1] < math.inf:
+            largest = max(largest, closing * closing + 2.0 * line.weight * max(gap, 0.0))
+            resting = max(resting, (mass * line.weight / c.k) ** (1.0 / c.q))
     speed = math.sqrt(max(largest, squeezed))
     overlap = max(resting, *(_squeeze(c, mass, speed) for c in line.contacts))
     if resting > 0.0 and speed == 0.0:
@@ -129,41 +129,33 @@ def in_si(result: RowResult, units: Units) -> RowResult:
     )
 
 
-def energy(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float]) -> float:
-    """Kinetic, stored and (beside a wall on the left) potential energy."""
-    total = height = 0.0
-    for m, v in zip(line.masses, velocities, strict=True):
-        if m < math.inf:
-            total += 0.5 * m * v * v
-    for c, d in zip(line.contacts, overlaps, strict=True):
-        total += stored(c, d)
+Kept = tuple[float, float, float]
+"""Energy (kinetic, stored and, beside a wall on the left, potential), momentum, and how much momentum there is whatever its direction."""
+
+
+def kept(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float]) -> Kept:
+    """What no collision without damping changes, for bodies with these overlaps and velocities; walls left out."""
+    loose = [(m, v) for m, v in zip(line.masses, velocities, strict=True) if m < math.inf]
+    energy = math.fsum(0.5 * m * v * v for m, v in loose)
+    energy += math.fsum(stored(c, d) for c, d in zip(line.contacts, overlaps, strict=True))
     if line.weight:
-        for m, d in zip(line.masses[1:], overlaps, strict=True):
-            height -= d
-            if m < math.inf:
-                total += m * line.weight * height
-    return total
+        heights = zip(line.masses[1:], accumulate(overlaps), strict=True)
+        energy -= math.fsum(m * line.weight * depth for m, depth in heights if m < math.inf)
+    return energy, math.fsum(m * v for m, v in loose), math.fsum(abs(m * v) for m, v in loose)
 
 
-def guard(
-    line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float], tolerance: float
-) -> None:
-    """Refuse a motion to these overlaps and velocities that lost momentum, or gained energy, or (without damping) lost some.
+def guard(line: RowOfBodies, before: Kept, after: Kept, tolerance: float) -> None:
+    """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some.
 
     Raises GuardFailed. The line is in natural units, so `tolerance` is a relative one.
     """
-    before = energy(line, [-gap for gap in line.gaps], line.velocities)
-    gained = (energy(line, overlaps, velocities) - before) / max(1.0, abs(before))
+    gained = (after[0] - before[0]) / max(1.0, abs(before[0]))
     if abs(gained) > tolerance and (gained > 0.0 or all(c.eta == 0.0 for c in line.contacts)):
         raise GuardFailed(
             f"The run changed the energy by {gained:.1e} of itself; {tolerance:.1e} is allowed. Ask for less."
         )
-    if line.weight == 0.0 and math.inf not in line.masses:
-        was = [m * v for m, v in zip(line.masses, line.velocities, strict=True)]
-        momenta = [m * v for m, v in zip(line.masses, velocities, strict=True)]
-        lost = math.fsum(momenta) - math.fsum(was)
-        size = sum(map(abs, was)) + sum(map(abs, momenta))
-        if abs(lost) > 1e-12 * size:
-            raise GuardFailed(
-                f"The run changed the momentum by {lost / size:.1e} of itself; no force from outside acts."
-            )
+    lost, size = after[1] - before[1], after[2] + before[2]
+    if abs(lost) > 1e-12 * size and line.weight == 0.0 and math.inf not in line.masses:
+        raise GuardFailed(
+            f"The run changed the momentum by {lost / size:.1e} of itself; no force from outside acts."
+        )

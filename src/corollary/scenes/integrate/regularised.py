@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from corollary.scenes.forces.contact import smoothing_power
 from corollary.scenes.integrate import both_ways, row_motion
 from corollary.scenes.row import (
+    Kept,
     RowOfBodies,
     RowResult,
     caught_between,
@@ -44,6 +45,10 @@ def collide(line: RowOfBodies, tolerance: float = 1e-13, *, compiled: bool = Fal
     return in_si(follow(laid_out(in_units(line, units), compiled), tolerance), units)
 
 
+Seen = tuple[int, float, float, int, int]
+"""What `row_motion.follow` gives."""
+
+
 class LaidOut(NamedTuple):
     """A line in its natural units as a kernel takes it, once for all runs; what has no value yet is room to work in.
 
@@ -51,7 +56,7 @@ class LaidOut(NamedTuple):
     """
 
     line: RowOfBodies
-    kernel: Callable[..., tuple[int, float, float, int, int]]
+    kernel: Callable[..., tuple[Seen, Kept, Kept]]
     first: int
     most: int
     start: Any
@@ -66,9 +71,9 @@ def laid_out(line: RowOfBodies, compiled: bool) -> LaidOut:
     """A line in its natural units, for plain or compiled steps. Raises BadSetting when these need numba and it is missing."""
     start, touching, row = state_of(line)
     deepest, room = [0.0] * len(line.gaps), both_ways.room(row_motion.ROOM, len(start), compiled)
-    kernel, most = row_motion.follow, MOST_STEPS
+    kernel, most = row_motion.collide, MOST_STEPS
     if compiled:
-        kernel, most = both_ways.compiled("row_motion").follow, MOST_COMPILED
+        kernel, most = both_ways.compiled("row_motion").collide, MOST_COMPILED
         start, touching, deepest, *row = both_ways.arrays(start, touching, deepest, *row)
     first = min(FIRST_STEPS, OF_ALL // len(line.masses)) if _may_throw(line) else most
     return LaidOut(line, kernel, first, most, start, touching, tuple(row), deepest, deepest.copy(), room)
@@ -77,9 +82,9 @@ def laid_out(line: RowOfBodies, compiled: bool) -> LaidOut:
 def follow(laid: LaidOut, tolerance: float) -> RowResult:
     """The same as `collide` for what is laid out; the result is in natural units, too."""
     line, first, most = laid.line, laid.first, laid.most
-    state, seen = _steps(laid, tolerance, first)
+    state, seen, before, after = _steps(laid, tolerance, first)
     if seen[0] == row_motion.TOO_LONG and first < most and _ends(line):
-        state, seen = _steps(laid, tolerance, most)
+        state, seen, before, after = _steps(laid, tolerance, most)
     end, began, ended, openings, evaluations = seen
     if end == row_motion.TOO_LONG:
         raise GuardFailed(
@@ -89,11 +94,10 @@ def follow(laid: LaidOut, tolerance: float) -> RowResult:
         raise GuardFailed("No step is small enough to follow the collision. Make the settings less extreme.")
     if not all(map(math.isfinite, state)):
         raise OverflowError("a number of the collision is too large or too small")
-    velocities = tuple(state[::2])
     if end != row_motion.STICKS:
-        guard(line, state[1::2], velocities, 1e3 * tolerance + 1e-15 * evaluations)
+        guard(line, before, after, 1e3 * tolerance + 1e-15 * evaluations)
     return RowResult(
-        velocities=velocities,
+        velocities=tuple(state[::2]),
         duration=ended - began if began < math.inf else 0.0,
         overlaps=tuple(map(float, laid.deepest)),
         forces=tuple(map(float, laid.hardest)),
@@ -115,13 +119,11 @@ def _ends(line: RowOfBodies) -> bool:
     return rough_steps(line, MOST_ROUGH) < MOST_ROUGH
 
 
-def _steps(
-    laid: LaidOut, tolerance: float, most: int
-) -> tuple[list[float], tuple[int, float, float, int, int]]:
+def _steps(laid: LaidOut, tolerance: float, most: int) -> tuple[list[float], Seen, Kept, Kept]:
     """The state at the end, and what the kernel gives; the largest overlaps and forces are left where they are laid out."""
     y = laid.start.copy()
-    seen = laid.kernel(y, laid.touching, laid.row, laid.deepest, laid.hardest, tolerance, most, laid.room)
-    return list(map(float, y)), seen
+    given = laid.kernel(y, laid.touching, laid.row, laid.deepest, laid.hardest, tolerance, most, laid.room)
+    return list(map(float, y)), *given
 
 
 def state_of(line: RowOfBodies) -> tuple[list[float], list[bool], tuple[Sequence[float], ...]]:
