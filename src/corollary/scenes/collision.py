@@ -12,9 +12,9 @@ from corollary.scenes.row import (
     RowOfBodies,
     RowResult,
     caught_between,
+    conserved,
     in_si,
     in_units,
-    kept,
     natural_units,
 )
 from corollary.scenes.run import GuardFailed, Model
@@ -80,8 +80,8 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
 
 def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
     """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
-    before, _, _ = kept(line, [-gap for gap in line.gaps], line.velocities)
-    after, _, _ = kept(line, [0.0] * len(line.gaps), result.velocities)
+    before, _, _ = conserved(line, [-gap for gap in line.gaps], line.velocities)
+    after, _, _ = conserved(line, [0.0] * len(line.gaps), result.velocities)
     masses = [m for m in line.masses if not math.isinf(m)]
     return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 

@@ -129,11 +129,11 @@ def in_si(result: RowResult, units: Units) -> RowResult:
     )
 
 
-Kept = tuple[float, float, float]
+Conserved = tuple[float, float, float]
 """Energy (kinetic, stored and, beside a wall on the left, potential), momentum, and how much momentum there is whatever its direction."""
 
 
-def kept(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float]) -> Kept:
+def conserved(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[float]) -> Conserved:
     """What no collision without damping changes, for bodies with these overlaps and velocities; walls left out."""
     loose = [(m, v) for m, v in zip(line.masses, velocities, strict=True) if m < math.inf]
     energy = math.fsum(0.5 * m * v * v for m, v in loose)
@@ -144,7 +144,7 @@ def kept(line: RowOfBodies, overlaps: Sequence[float], velocities: Sequence[floa
     return energy, math.fsum(m * v for m, v in loose), math.fsum(abs(m * v) for m, v in loose)
 
 
-def guard(line: RowOfBodies, before: Kept, after: Kept, tolerance: float) -> None:
+def guard(line: RowOfBodies, before: Conserved, after: Conserved, tolerance: float) -> None:
     """Refuse a motion that lost momentum, or gained energy, or (without damping) lost some.
 
     Raises GuardFailed. The line is in natural units, so `tolerance` is a relative one.

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from corollary.scenes.forces.contact import smoothing_power
 from corollary.scenes.integrate import both_ways, row_motion
 from corollary.scenes.row import (
-    Kept,
+    Conserved,
     RowOfBodies,
     RowResult,
     caught_between,
@@ -56,7 +56,7 @@ class LaidOut(NamedTuple):
     """
 
     line: RowOfBodies
-    kernel: Callable[..., tuple[Seen, Kept, Kept]]
+    kernel: Callable[..., tuple[Seen, Conserved, Conserved]]
     first: int
     most: int
     start: Any
@@ -119,7 +119,7 @@ def _ends(line: RowOfBodies) -> bool:
     return rough_steps(line, MOST_ROUGH) < MOST_ROUGH
 
 
-def _steps(laid: LaidOut, tolerance: float, most: int) -> tuple[list[float], Seen, Kept, Kept]:
+def _steps(laid: LaidOut, tolerance: float, most: int) -> tuple[list[float], Seen, Conserved, Conserved]:
     """The state at the end, and what the kernel gives; the largest overlaps and forces are left where they are laid out."""
     y = laid.start.copy()
     given = laid.kernel(y, laid.touching, laid.row, laid.deepest, laid.hardest, tolerance, most, laid.room)

@@ -100,8 +100,8 @@ def stride_for(variable, power, y, base, lasting):
 
 
 @kernel
-def kept(y, row):
-    """Energy, momentum, and momentum whatever its direction, as `row.kept` has them."""
+def conserved(y, row):
+    """Energy, momentum, and momentum whatever its direction, as `row.conserved` has them."""
     inverse, falls, k, q, _, _ = row
     energy = momentum = size = height = 0.0
     for i in range(len(inverse)):

@@ -16,7 +16,7 @@ first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, e
 nears_zero, crossing, at_rest = events.nears_zero, events.crossing, events.at_rest
 lasts_at_least = events.lasts_at_least
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
-kept = law.kept
+conserved = law.conserved
 damped_force, largest_force, largest_overlap = peaks.damped_force, peaks.largest_force, peaks.largest_overlap
 factor, whole, error_size = stages.factor, stages.whole, stages.error_size
 STAGES, EVALUATIONS, TIME = stages.STAGES, stages.EVALUATIONS, law.TIME
@@ -254,7 +254,7 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
 
 @kernel
 def collide(y, touching, row, deepest, hardest, tolerance, most, room):
-    """The same, and what it should have kept, before and after (`row_law.kept`)."""
-    before = kept(y, row)
+    """The same, and what it should have kept, before and after (`row_law.conserved`)."""
+    before = conserved(y, row)
     seen = follow(y, touching, row, deepest, hardest, tolerance, most, room)
-    return seen, before, kept(y, row)
+    return seen, before, conserved(y, row)
