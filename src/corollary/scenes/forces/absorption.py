@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Force, Scene, State, velocity
+from corollary.scenes.scene import ForceOnOne, Scene, State, velocity
 
 
 @dataclass(frozen=True, slots=True)
-class Absorption(Force):
+class Absorption(ForceOnOne):
     """One body takes up mass that moves with `velocity`, at `rate` kg/s (> 0); its force is (u - v) dm/dt."""
 
-    body: int
     velocity: tuple[float, ...]
     rate: float
 
@@ -21,10 +20,6 @@ class Absorption(Force):
     ) -> Iterator[tuple[int, list[float]]]:
         own = velocity(scene, state, self.body)
         yield self.body, [self.rate * (u - v) for u, v in zip(self.velocity, own, strict=True)]
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)
 
     @property
     def mass_rates(self) -> tuple[tuple[int, float], ...]:

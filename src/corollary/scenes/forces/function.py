@@ -6,21 +6,20 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Conserves, Force, Scene, place, velocity
+from corollary.scenes.scene import Conserves, ForceOnOne, Scene, place, velocity
 
 Field = Callable[[float, Sequence[float], Sequence[float]], Sequence[float]]
 Potential = Callable[[Sequence[float]], float]
 
 
 @dataclass(frozen=True, slots=True)
-class ForceFunction(Force):
+class ForceFunction(ForceOnOne):
     """`function(t, place, velocity)` is the force (N, by components) on one body; SI throughout.
 
     With `energy`, the potential energy (J) at a place, the force conserves energy, and every run is watched for it: a potential that
     is not the function's is found out. The function is to be smooth; where it jumps, write a `Force` with `events`.
     """
 
-    body: int
     function: Field
     energy: Potential | None = None
 
@@ -45,7 +44,3 @@ class ForceFunction(Force):
     @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY if self.energy else Conserves.NOTHING
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)

@@ -6,14 +6,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Force, Scene, State, opposite, seen_from
+from corollary.scenes.scene import Conserves, ForceBetween, Scene, State, opposite, seen_from
 
 
 @dataclass(frozen=True, slots=True)
-class InverseSquare(Force):
+class InverseSquare(ForceBetween):
     """Two bodies (places in the scene) attract each other with strength/r^2, in N m^2; they repel when it is negative."""
 
-    ends: tuple[int, int]
     strength: float
 
     def act(
@@ -31,7 +30,3 @@ class InverseSquare(Force):
     @property
     def conserves(self) -> Conserves:
         return Conserves.MOMENTUM | Conserves.ENERGY
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return self.ends
