@@ -157,21 +157,6 @@ def components(value: Observed) -> tuple[float, ...]:
     return value if isinstance(value, tuple) else (value,)
 
 
-def measurement(
-    value: Observed,
-    relative: float,
-    model: Model,
-    why: str,
-    scale: float = 0.0,
-    error_is: ErrorKind = "estimate",
-) -> Measurement:
-    """A value of which a relative error is known: in units of its largest component, or of `scale` (SI) where that is larger."""
-    size = max((abs(x) for x in components(value) if math.isfinite(x)), default=0.0)
-    size = max(size, scale)
-    error: Observed = (relative * size,) * len(value) if isinstance(value, tuple) else relative * size
-    return Measurement(value, error, error_is, model, why, size)
-
-
 def by_relative_errors(
     observed: Mapping[str, Observed],
     errors: Mapping[str, float],
@@ -181,10 +166,12 @@ def by_relative_errors(
     outcome: Outcome,
     scales: Mapping[str, float] | None = None,
 ) -> Run:
-    """A run of one model whose errors are known relative to the size of the values, or to the `scales` (SI) given for some."""
-    scales = scales or {}
-    measured = {
-        name: measurement(value, errors[name], model, why, scales.get(name, 0.0))
-        for name, value in observed.items()
-    }
+    """A run of one model whose errors are estimated relative to the largest component of a value, or to its scale (SI) if that is larger."""
+    scales, measured = scales or {}, dict[str, Measurement]()
+    for name, value in observed.items():
+        size = max((abs(x) for x in components(value) if math.isfinite(x)), default=0.0)
+        size = max(size, scales.get(name, 0.0))
+        error = errors[name] * size
+        errors_of_all: Observed = (error,) * len(value) if isinstance(value, tuple) else error
+        measured[name] = Measurement(value, errors_of_all, "estimate", model, why, size)
     return Run(measured, evaluations, outcome)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found
 from corollary.scenes.models.two_bodies import BETA, undamped
-from corollary.scenes.run import Observed, Run, by_relative_errors, components
+from corollary.scenes.run import Run, by_relative_errors, components
 
 SETTINGS = (
     Setting("m", "mass of the sphere", "kg", 1.0, above=0.0),
@@ -20,14 +19,14 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """Speed before the hit, velocities (sphere, block) after it, and the height the pendulum then reaches.
 
     The work of weight along the arc gives the speed; the hit is a contact on a line, and what it neglects is the swing of the
     rope while it lasts: an angle v T / L.
     """
     speed, run = found(lambda: _speed(settings)), found(lambda: _evaluated(settings))
-    length, g = one(settings, "L"), one(settings, "g")
+    length, g = numbers(settings, "L", "g")
     before, lasts = (
         components(each.value)[0] for each in (speed.measured["speed_before"], run.measured["duration"])
     )
@@ -46,13 +45,13 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     return replace(swung, measured=speed.measured | swung.measured)
 
 
-def _speed(settings: Mapping[str, Observed]) -> Evaluated:
+def _speed(settings: Settings) -> Evaluated:
     length, g = balls(settings, "L", "g")
     why = "from the horizontal to the bottom weight does the work m g L"
     return Evaluated("released", {"speed_before": (2 * g * length).sqrt()}, "conservation", why)
 
 
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+def _evaluated(settings: Settings) -> Evaluated:
     m, block, length, g, k = balls(settings, "m", "M", "L", "g", "k")
     speed = (2 * g * length).sqrt()
     mass = 1 / (1 / m + 1 / block)

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.scenes.collision import collide
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
@@ -52,14 +51,14 @@ NO_GAP, BY_NO_GAP = 1e-11, 1e-10
 MOST_FLIGHTS = 1000.0  # of the lower ball before the upper one comes: more take too long
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """Velocities (lower, upper; up positive) after the last opening, and the height to which the upper ball then rises.
 
     With a gap the lower ball leaves the floor before they meet, as the example supposes; without one all three touch at once and
     the answer is another. Weight during the contacts is left out, unless they are `weighed`; `heights` is counted from the balls'
     places when the lower one meets the floor.
     """
-    ma, mb, h0, g, k, q, gap = (one(settings, name) for name in ("mA", "mB", "h0", "g", "k", "q", "gap"))
+    ma, mb, h0, g, k, q, gap = numbers(settings, "mA", "mB", "h0", "g", "k", "q", "gap")
     speed = math.sqrt(2.0 * g * h0)
     line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
     found = collide(line, tolerance)
