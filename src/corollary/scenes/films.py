@@ -66,8 +66,8 @@ def cradle(settings: Settings) -> Film:
 
 
 def kick(settings: Settings) -> Film:
-    m, v0, force, dt = numbers(settings, "m", "v0", "F", "dt")
-    power = round(one(settings, "pulse"))
+    m, v0, force, dt, pulse = numbers(settings, "m", "v0", "F", "dt", "pulse")
+    power = round(pulse)
     peak = force * math.sqrt(math.pi) * math.gamma(power / 2 + 1) / math.gamma((power + 1) / 2)
     push = ForceFunction(0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,))
     fastest = max(abs(v0), abs(v0 + force * dt / m))
@@ -92,14 +92,10 @@ def bullet_block(settings: Settings) -> Film:
     common = m * v / (m + block)
     slides = common / (mu * g) if mu else 1.0
     way = common * slides
-    bodies = (
-        Body(m, (-way,), (v,), name="A"),
-        Body(block, (0.0,), (0.0,), name=BLOCK),
-    )
+    bodies = Body(m, (-way,), (v,), name="A"), Body(block, (0.0,), (0.0,), name=BLOCK)
     stops: Act = ((Friction(0, mu, g), Friction(1, mu, g)) if mu else (), 1.05 * slides)
-    return film(
-        bodies, [((), way / v), ((catching(m, block, dt),), dt), stops], radii=(0.04 * way, 0.16 * way)
-    )
+    acts: list[Act] = [((), way / v), ((catching(m, block, dt),), dt), stops]
+    return film(bodies, acts, radii=(0.04 * way, 0.16 * way))
 
 
 def absorbed_drop(settings: Settings) -> Film | None:
@@ -131,8 +127,7 @@ def snowball(settings: Settings) -> Film:
 
 
 def ball_on_floor(settings: Settings) -> Film | None:
-    names = ("m", "k", "q", "R", "y0", "v0", "g", "eta")
-    m, k, q, radius, y0, v0, g, eta = (one(settings, name) for name in names)
+    m, k, q, radius, y0, v0, g, eta = numbers(settings, "m", "k", "q", "R", "y0", "v0", "g", "eta")
     meets = math.sqrt(max(v0 * v0 + 2.0 * g * (y0 - radius), 0.0))
     if v0 > 0.0 or meets == 0.0:
         return None
@@ -175,8 +170,8 @@ def pendulum_block(settings: Settings) -> Film:
 
 
 def ballistic_pendulum(settings: Settings) -> Film:
-    bullet, block, v, length, g = numbers(settings, "mA", "mB", "v", "L", "g")
-    dt, start = one(settings, "dt"), 0.6 * length
+    bullet, block, v, length, g, dt = numbers(settings, "mA", "mB", "v", "L", "g", "dt")
+    start = 0.6 * length
     bodies = (
         Body(bullet, (-start, 0.0), (v, 0.0), name="A"),
         Body(block, (0.0, 0.0), (0.0, 0.0), name=BLOCK),
@@ -203,12 +198,9 @@ def super_ball(settings: Settings) -> Film:
     forces = Contact(k, q, chosen=((0, 2), (0, 1))), Weight(g)
     fall = math.sqrt(2.0 * h0 / g)
     rise = (3.0 * a - b) / (a + b)
-    return film(
-        bodies,
-        [(forces, fall * (1.0 + max(1.0, 0.8 * rise)))],
-        upright=True,
-        lines=(((-2.0 * h0, 0.0), (2.0 * h0, 0.0)),),
-    )
+    ground = ((-2.0 * h0, 0.0), (2.0 * h0, 0.0))
+    until = fall * (1.0 + max(1.0, 0.8 * rise))
+    return film(bodies, [(forces, until)], upright=True, lines=(ground,))
 
 
 def ions(settings: Settings) -> Film:

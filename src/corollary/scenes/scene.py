@@ -61,6 +61,10 @@ class Event:
     of_speed: bool = False
 
 
+Pushes = Iterable[tuple[int, Sequence[float]]]
+"""Forces (N, by components), each with the place in the scene of the body it acts on."""
+
+
 class Force(ABC):
     """What acts on the bodies of a scene: one file each, and nothing else has to know it. All numbers are SI.
 
@@ -69,9 +73,7 @@ class Force(ABC):
     """
 
     @abstractmethod
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterable[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """The force (N, by components) on each body it acts on; a body may be named several times.
 
         `since` is the state with which the present step began: a force that is switched by an event asks there whether it acts, and
@@ -88,7 +90,7 @@ class Force(ABC):
 
     def act_at(
         self, scene: Scene, time: float, state: State, masses: Sequence[float], since: State
-    ) -> Iterable[tuple[int, Sequence[float]]]:
+    ) -> Pushes:
         """The same for a force that depends on the time (s), too; this is what is asked for."""
         return self.act(scene, state, masses, since)
 
@@ -172,9 +174,7 @@ class ContactForce(Force, ABC):
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
         """The force (N) on b of its touch with a; a feels the opposite. Zero while they are apart."""
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         for a, b in self.serves(scene):
             yield from opposite(a, b, self.between(scene, state, a, b))
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import ForceOnOne, Scene, State, velocity
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State, velocity
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,9 +15,7 @@ class Absorption(ForceOnOne):
     velocity: tuple[float, ...]
     rate: float
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         own = velocity(scene, state, self.body)
         yield self.body, [self.rate * (u - v) for u, v in zip(self.velocity, own, strict=True)]
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Event, ForceOnOne, Scene, velocity
+from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,9 +21,7 @@ class Drag(ForceOnOne):
     quadratic: float = 0.0
     wind: tuple[float, ...] = ()
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         relative = self._relative(scene, state)
         speed = math.hypot(*relative)
         if scene.axes == 1 and (before := self._relative(scene, since)[0]):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.rows import velocity_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import ForceOnOne, Scene
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,9 +36,7 @@ class Friction(ForceOnOne):
         """The static coefficient."""
         return self.mu if self.static is None else self.static
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: what it does follows from whether the body sticks."""
         return ()
 

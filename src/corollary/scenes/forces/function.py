@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Conserves, ForceOnOne, Scene, place, velocity
+from corollary.scenes.scene import Conserves, ForceOnOne, Pushes, Scene, place, velocity
 
 Field = Callable[[float, Sequence[float], Sequence[float]], Sequence[float]]
 Potential = Callable[[Sequence[float]], float]
@@ -23,15 +23,13 @@ class ForceFunction(ForceOnOne):
     function: Field
     energy: Potential | None = None
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """At time zero; `act_at` knows the time."""
         return self.act_at(scene, 0.0, state, masses, since)
 
     def act_at(
         self, scene: Scene, time: float, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, Sequence[float]]]:
+    ) -> Pushes:
         yield (
             self.body,
             self.function(time, place(scene, state, self.body), velocity(scene, state, self.body)),

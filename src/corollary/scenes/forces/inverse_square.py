@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, ForceBetween, Scene, State, opposite, seen_from
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, State, opposite, seen_from
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,9 +15,7 @@ class InverseSquare(ForceBetween):
 
     strength: float
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Sequence[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         apart, _ = seen_from(scene, state, *self.ends)
         r = math.hypot(*apart)
         return opposite(self.ends[1], self.ends[0], [self.strength * x / r**3 for x in apart])

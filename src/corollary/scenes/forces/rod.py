@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, ForceBetween, Scene, seen_from
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,9 +19,7 @@ class Link(ForceBetween, ABC):
 
     length: float | None = None
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds."""
         return ()
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Event, ForceBetween, Scene, State, opposite, seen_from
+from corollary.scenes.scene import Conserves, Event, ForceBetween, Pushes, Scene, State, opposite, seen_from
 
 FADING = 40.0
 """In powers of e, over the time that something takes to get stuck: less than a double tells is left of its relative velocity."""
@@ -20,9 +20,7 @@ class Spring(ForceBetween):
     length: float = 0.0
     damping: float = 0.0
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Sequence[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         apart, relative = seen_from(scene, state, *self.ends)
         long = math.hypot(*apart)
         if scene.axes == 1 and self.length:

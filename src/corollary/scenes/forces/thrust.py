@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import ForceOnOne, Scene, State
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,9 +18,7 @@ class Thrust(ForceOnOne):
     relative: tuple[float, ...]
     burn: float
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         yield self.body, [-self.burn * v for v in self.relative]
 
     @property

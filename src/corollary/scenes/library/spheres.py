@@ -30,7 +30,7 @@ NAMES = ("velocities", "duration", "largest_overlap", "peak_force", "impulse", "
 
 
 def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run:
-    """`velocities` is (A x, A y, B x, B y) once the spheres are apart, `impulse` the one on B, `deflection` the angle B turned.
+    """`velocities` is (A x, A y, B x, B y) once the spheres are apart, `impulse` the one on B.
 
     Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step. `in_steps` follows
     the contact whatever else could be done.
