@@ -2,31 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Force, Scene, State
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State
 
 
 @dataclass(frozen=True, slots=True)
-class Thrust(Force):
+class Thrust(ForceOnOne):
     """Exhaust leaves one body with velocity `relative` to it, at the rate of `burn` kg/s (> 0).
 
     Its force is v_rel dm/dt, and dm/dt is negative.
     """
 
-    body: int
     relative: tuple[float, ...]
     burn: float
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         yield self.body, [-self.burn * v for v in self.relative]
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)
 
     @property
     def mass_rates(self) -> tuple[tuple[int, float], ...]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, Force, Scene, place
+from corollary.scenes.scene import Conserves, Force, Pushes, Scene, place
 
 Shift = Callable[[float], tuple[float, float, float]]
 
@@ -49,9 +49,7 @@ class HardWall(Force):
         """Offset (m), velocity and acceleration along the normal at a time."""
         return self.moves(time) if self.moves else (self.offset + self.velocity * time, self.velocity, 0.0)
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds bodies back."""
         return ()
 

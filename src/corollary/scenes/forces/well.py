@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Event, Force, Scene, State, bounced, place, velocity
+from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,9 +28,7 @@ class Well(Force):
     def wall(self) -> float:
         return self.b - self.d
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """On the bodies that a step begins with inside the edge.
 
         They feel it to the end of the step: the stages of a step that ends at the edge reach over it, and a force that jumps within
