@@ -149,7 +149,7 @@ class Follower:
                 solver.dense_output(),
                 last,
             )
-            if overlooked(self.scene, stretch, self.tolerance * self.sizes.fast):
+            if overlooked(self.scene, stretch, self.sizes.fast, self.tolerance):
                 self.steps.at_most = 0.5 * stretch.lasts
                 return mode
             met = self.steps.first_event(guards, stretch)
