@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from corollary.scenes.constraint import State
-from corollary.scenes.motion.isolation import DERIVATIVE, POINTS, Array, coefficients
+from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.scene import Force, Scene
 
@@ -42,7 +42,7 @@ def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float) ->
     looks = math.ceil(LOOKS * stretch.lasts / (scene.until or math.inf)) if forces else 0
     if looks < 2:
         return False
-    if _bent(scene, stretch) > BENT * fast:
+    if stretch.bent(scene.axes * len(scene.bodies)) > BENT * fast:
         return True
     parts = (np.arange(looks) + 0.5) / looks
     known, there = _felt(scene, forces, stretch, POINTS), _felt(scene, forces, stretch, parts)
@@ -50,15 +50,6 @@ def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float) ->
     unseen = float(np.abs(there - between).mean(axis=0).max(initial=0.0))
     rounding = 1e-14 * float(np.abs(there).max(initial=0.0))
     return unseen > UNSEEN * tolerance * fast / stretch.lasts + rounding
-
-
-def _bent(scene: Scene, stretch: Stretch) -> float:
-    """How far (m/s) velocities are from the slopes of places on a step's polynomial, but for rounding."""
-    states, count = np.array(stretch.sampled()).T, scene.axes * len(scene.bodies)
-    series = coefficients(states[:count]) @ DERIVATIVE.T
-    slopes = 2.0 / stretch.lasts * np.polynomial.chebyshev.chebval(2.0 * POINTS - 1.0, series.T)
-    rounding = 1e-13 * float(np.abs(states[:count]).max()) / stretch.lasts
-    return float(np.abs(slopes - states[count : 2 * count]).max()) - rounding
 
 
 def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> Array:
