@@ -65,7 +65,12 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
     # Every opening or closing hands its rounding on to what follows, and a light body is thrown to and fro: each time, too.
     thrown = math.sqrt(max(1.0, caught_between(line.masses)))
     sure = ROUNDING * len(line.masses) * max(result.openings, 1) * thrown
-    errors = {"velocities": sure, "overlaps": sure, "forces": sure, "duration": 30.0 * sure}
+    errors = {
+        "velocities": sure,
+        "overlaps": sure,
+        "forces": sure,
+        "duration": (30.0 + 3.0 * result.strain) * sure,
+    }
     # A rounding of momentum is much of the speed of a light body.
     errors["velocities"] *= thrown**2
     errors["velocities"] = max(errors["velocities"], _energy_lost(line, result))

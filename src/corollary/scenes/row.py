@@ -31,7 +31,8 @@ class RowResult:
     """What a collision on a line led to.
 
     `overlaps` and `forces` are the largest of each contact. `duration` runs from the first touch to the last opening; it is
-    infinite for bodies that stick.
+    infinite for bodies that stick. `strain` says how many times larger (in natural units) an error of a speed or an overlap comes out in
+    the moment of a slow touch or opening, where a model looked.
     """
 
     velocities: tuple[float, ...]
@@ -41,6 +42,7 @@ class RowResult:
     outcome: Outcome
     evaluations: int
     openings: int = 0
+    strain: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +128,7 @@ def in_si(result: RowResult, units: Units) -> RowResult:
         outcome=result.outcome,
         evaluations=result.evaluations,
         openings=result.openings,
+        strain=result.strain,
     )
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,7 +114,8 @@ def _follow(line: RowOfBodies) -> RowResult:
     rates = np.array(line.velocities[:-1]) - np.array(line.velocities[1:])
     touching = overlaps >= 0.0
     largest = np.maximum(overlaps, 0.0)
-    time, began, ended, openings = 0.0, math.inf, 0.0, 0
+    time, began, ended, openings, strain = 0.0, math.inf, 0.0, 0, 0.0
+    opens = 0.0
     for _ in range(MOST_PHASES):
         awake = touching & ((overlaps > NOISE) | (rates > NOISE))
         if not awake.any():
@@ -123,8 +124,10 @@ def _follow(line: RowOfBodies) -> RowResult:
             )
             j = int(np.argmin(closing))
             if math.isinf(closing[j]):
-                return _arrived(line, overlaps, rates, largest, ended - began, openings)
+                arrived = _arrived(line, overlaps, rates, largest, ended - began, openings)
+                return replace(arrived, strain=max(strain, opens))
             time += float(closing[j])
+            strain = max(strain, (1.0 + float(closing[j])) / float(rates[j]))
             overlaps, touching = overlaps + rates * closing[j], np.arange(len(rates)) == j
             overlaps[j] = 0.0
         began = min(began, time)
@@ -135,7 +138,8 @@ def _follow(line: RowOfBodies) -> RowResult:
         time += lasted
         overlaps[j] = 0.0
         openings += int(touching[j])
-        ended = time if touching[j] else ended
+        if touching[j]:
+            ended, opens = time, 1.0 / max(abs(float(rates[j])), NOISE)
         touching = touching ^ (np.arange(len(rates)) == j)
     raise GuardFailed(
         f"The springs opened and closed {MOST_PHASES} times without an end. Make the masses less unequal."
