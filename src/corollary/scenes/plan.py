@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from corollary.scenes.asked import refuse_question, within_doubles, within_range
 from corollary.scenes.closed_forms import in_a_plane, in_a_well, round_a_centre
 from corollary.scenes.collision import ROUNDING
 from corollary.scenes.conserved import conserved, parts_undamped
@@ -46,22 +47,23 @@ def plan(
 ) -> Plan:
     """Choose for everything asked for the least model that gives it; `times` (s) are those of a trajectory.
 
-    One observable that needs more does not make the others dearer. Raises BadSetting when no model gives one.
+    One observable that needs more does not make the others dearer. Raises BadSetting for a question that is none, a tolerance that
+    cannot be held, and when no model gives one of the observables; a value that no double holds is left out, and a warning says so.
     """
-    if not observe:
-        names = ", ".join(o.value for o in Observable)
-        raise BadSetting(f"{scene.name}: nothing is to be observed; name at least one of {names}.")
+    refuse_question(scene, observe, tolerance, times)
     times = _times(scene, observe, times)
     wanted = [o for o in Observable if o in observe]  # a set's order is another in every process
-    cheap = _cheap(scene, wanted, tolerance)
+    with within_range(scene):
+        cheap = _cheap(scene, wanted, tolerance)
     left = [o for o in wanted if o.value not in {name for run in cheap for name in run.measured}]
     why = "no integral of the motion gives what is asked: Newton's second law, step by step"
     models: dict[str, Model] = {name: each.model for run in cheap for name, each in run.measured.items()}
     models |= {o.value: "integration" for o in left}
 
     def follow() -> Run:
-        runs = [*cheap, _followed(scene, left, tolerance, why, times)] if left else cheap
-        return _together(runs, [o.value for o in wanted])
+        with within_range(scene):
+            runs = [*cheap, _followed(scene, left, tolerance, why, times)] if left else cheap
+        return within_doubles(scene, _together(runs, [o.value for o in wanted]))
 
     if left:
         return Plan("integration", why, follow, models)
@@ -71,7 +73,7 @@ def plan(
 
 def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list[Run]:
     """What is conserved, and what closed forms and collisions on a line or of a pair give: all at once where they can, else one by one."""
-    known = conserved(scene, wanted)
+    known = _conserved(scene, wanted)
     if scene.until is None and not parts_undamped(scene):
         known = {}
     if len(known) == len(wanted):
@@ -91,6 +93,17 @@ def _cheap(scene: Scene, wanted: Sequence[Observable], tolerance: float) -> list
             runs.append(found)
             left = [o for o in left if o not in singly]
     return runs
+
+
+def _conserved(scene: Scene, wanted: Sequence[Observable]) -> dict[Observable, Observed]:
+    """What the start says; infinite where a computer cannot tell it."""
+    known: dict[Observable, Observed] = {}
+    for what in wanted:
+        try:
+            known |= conserved(scene, [what])
+        except (OverflowError, ZeroDivisionError):
+            known[what] = math.inf
+    return known
 
 
 def _together(runs: Sequence[Run], names: Sequence[str]) -> Run:

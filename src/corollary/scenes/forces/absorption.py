@@ -6,15 +6,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Force, Scene, State, velocity
+from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
 class Absorption(Force):
-    """One body takes up mass that moves with `velocity`, at `rate` kg/s (> 0); its force is (u - v) dm/dt."""
+    """One body takes up mass that moves with `velocity`, at `rate` kg/s (not negative); its force is (u - v) dm/dt."""
 
     body: int
     velocity: tuple[float, ...]
     rate: float
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, least={"rate": 0.0})
+        refuse_components(scene.name, scene.axes, self, "velocity")
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State

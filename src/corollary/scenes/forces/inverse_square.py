@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, State, opposite, seen_from
 
 
@@ -15,6 +16,14 @@ class InverseSquare(Force):
 
     ends: tuple[int, int]
     strength: float
+
+    def fits(self, scene: Scene) -> None:
+        a, b = (scene.bodies[i].place for i in self.ends)
+        if a == b:
+            raise BadSetting(
+                f"{scene.name}: bodies {self.ends[0]} and {self.ends[1]} start in the same place, where an inverse square has no limit; "
+                "move them apart."
+            )
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State

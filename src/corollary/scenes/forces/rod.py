@@ -11,6 +11,7 @@ from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, seen_from
+from corollary.scenes.sound import refuse_below
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +20,9 @@ class Link(Force, ABC):
 
     ends: tuple[int, int]
     length: float | None = None
+
+    def fits(self, scene: Scene) -> None:
+        _length(scene, self.ends, self.length)
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State
@@ -38,6 +42,15 @@ class Rod(Link):
     `length` (m) is the distance at the start if it is not given.
     """
 
+    def fits(self, scene: Scene) -> None:
+        _length(scene, self.ends, self.length)
+        a, b = (scene.bodies[i] for i in self.ends)
+        if math.isinf(a.mass) and math.isinf(b.mass) and a.velocity != b.velocity:
+            raise BadSetting(
+                f"{scene.name}: a rod cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves and whose velocities differ; "
+                "give them one."
+            )
+
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
         length = _length(scene, self.ends, self.length)
@@ -53,10 +66,28 @@ class Rod(Link):
 class String(Link):
     """A string that cannot be stretched: slack, or taut and pulling. It jerks taut with `restitution` (0: it stays taut).
 
-    `length` (m) is the distance at the start if it is not given.
+    `restitution` lies between 0 and 1. `length` (m) is the distance at the start if it is not given.
     """
 
     restitution: float = 0.0
+
+    def fits(self, scene: Scene) -> None:
+        length = _length(scene, self.ends, self.length)
+        refuse_below(scene.name, self, least={"restitution": 0.0})
+        if self.restitution > 1.0:
+            raise BadSetting(
+                f"{scene.name}: String with restitution = {self.restitution:g}: it must be at most 1."
+            )
+        a, b = (scene.bodies[i] for i in self.ends)
+        if math.isinf(a.mass) and math.isinf(b.mass) and scene.until is not None:
+            far = math.dist(
+                *([x + v * scene.until for x, v in zip(e.place, e.velocity, strict=True)] for e in (a, b))
+            )
+            if far > length * (1.0 + 1e-9):
+                raise BadSetting(
+                    f"{scene.name}: a string of {length:g} m cannot hold bodies {self.ends[0]} and {self.ends[1]}, which nothing moves "
+                    f"and which are {far:g} m apart at the end; watch for a shorter time."
+                )
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The slack: not negative. Raises BadSetting for bodies that start in the same place without a length given."""

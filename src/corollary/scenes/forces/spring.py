@@ -7,16 +7,24 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Conserves, Event, Force, Scene, State, opposite, seen_from
+from corollary.scenes.sound import refuse_below
 
 
 @dataclass(frozen=True, slots=True)
 class Spring(Force):
-    """k in N/m, `length` the one at rest (m); `ends` are two places in the list of bodies; `damping` in kg/s acts along it."""
+    """k in N/m, `length` the one at rest (m); `ends` are two places in the list of bodies; `damping` in kg/s acts along it.
+
+    Length and damping are not negative: such a dashpot would drive. A negative k is one that pushes away from its length, as a pendulum
+    on its head does: unstable, and as good a law as any.
+    """
 
     ends: tuple[int, int]
     k: float
     length: float = 0.0
     damping: float = 0.0
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, least={"length": 0.0, "damping": 0.0})
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.scene import Force, Scene, State
+from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +19,10 @@ class Thrust(Force):
     body: int
     relative: tuple[float, ...]
     burn: float
+
+    def fits(self, scene: Scene) -> None:
+        refuse_below(scene.name, self, above={"burn": 0.0})
+        refuse_components(scene.name, scene.axes, self, "relative")
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, Rub, State
+from corollary.scenes.moves import Shift, refuse_moves
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, place
-
-Shift = Callable[[float], tuple[float, float, float]]
+from corollary.scenes.sound import refuse_components, refuse_unsound
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,8 @@ class HardWall(Force):
 
     `mu` is its kinetic, `static` its static friction (mu if not given), in a plane: a body with a radius is made to spin by it.
     `velocity` (m/s) moves it along its normal; `moves` gives offset, velocity and acceleration at a time instead. `only` names the
-    bodies it is there for, all if none. Raises BadSetting when the normal is no unit vector, or a coefficient is out of range.
+    bodies it is there for, all if none. Raises BadSetting when the normal is no unit vector, or a coefficient is out of range; the scene
+    refuses `moves` that do not give three numbers, or a velocity that is not what the offset changes by.
     """
 
     normal: tuple[float, ...]
@@ -33,12 +34,18 @@ class HardWall(Force):
     only: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
+        refuse_unsound("a scene", self)
         if abs(math.hypot(*self.normal) - 1.0) > 1e-9:
             raise BadSetting(f"HardWall: normal = {self.normal} must have the length one.")
         if not (0.0 <= self.restitution <= 1.0 and self.mu >= 0.0 and self.held_by >= self.mu):
             raise BadSetting(
                 "HardWall: restitution lies between 0 and 1, mu is zero or more, static not less than mu."
             )
+
+    def fits(self, scene: Scene) -> None:
+        refuse_components(scene.name, scene.axes, self, "normal")
+        if self.moves is not None:
+            refuse_moves(scene.name, self.moves, scene.until or 0.0)
 
     @property
     def held_by(self) -> float:
