@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Generator, Iterable, Sequence
+from collections.abc import Collection, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from numbers import Real
@@ -32,7 +32,7 @@ def refuse_question(
 
 
 def _are(given: object, kind: type) -> bool:
-    return isinstance(given, Iterable) and all(isinstance(each, kind) for each in given)  # pyright: ignore[reportUnknownVariableType]
+    return isinstance(given, Collection) and all(isinstance(each, kind) for each in given)  # pyright: ignore[reportUnknownVariableType]
 
 
 @contextmanager
@@ -72,5 +72,5 @@ def within_doubles(scene: Scene, run: Run) -> Run:
             f"{scene.name}: {', '.join(lost)}: with these numbers the range of a computer is left; choose milder ones."
         )
     warnings = tuple(f"{name} is beyond the numbers of a computer." for name in lost)
-    kept = {name: each for name, each in run.measured.items() if name not in lost}
-    return replace(run, measured=kept, warnings=(*run.warnings, *warnings))
+    finite = {name: each for name, each in run.measured.items() if name not in lost}
+    return replace(run, measured=finite, warnings=(*run.warnings, *warnings))

@@ -143,7 +143,7 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
     if Observable.TRAJECTORY not in observe:
         return ()
     end = math.inf if scene.until is None else scene.until
-    if not times:
+    if not len(times):  # an array has no truth
         if math.isinf(end):
             raise BadSetting(
                 f"{scene.name}: say at which times the trajectory is asked for, times=…, or until when to watch, until=…."
@@ -153,7 +153,7 @@ def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]
         raise BadSetting(
             f"{scene.name}: times of a trajectory lie between 0 and {end:g} s; choose others, or a later until=…."
         )
-    return tuple(times)
+    return tuple(map(float, times))
 
 
 def _at_the_start(scene: Scene, known: dict[Observable, Observed]) -> Run:

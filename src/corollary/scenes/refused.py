@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 from corollary.scenes.body import Body
 from corollary.scenes.run import BadSetting, GuardFailed
-from corollary.scenes.sound import HOUSE, Fields, finite, pairs, refuse_unsound, size_of, whole
+from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, size_of, whole
 
 OWN_FAILS = (ArithmeticError, AttributeError, LookupError, NameError, TypeError, ValueError)
 """What a Python function of somebody's own may raise where it is wrong."""
@@ -64,7 +64,7 @@ def refuse_misfits(scene: Parts, start: Sequence[float]) -> None:
                 f"{name}: {force} names a body that is not there; they are counted from 0, in whole numbers."
             )
         force.fits(scene)
-        if _own(type(force)):
+        if _is_own(force):
             refuse_own(scene, force, start)
     if any(not 0 <= i < count for pair in scene.passes for i in pair):
         raise BadSetting(f"{name}: passes = {scene.passes} names a body that is not there.")
@@ -76,10 +76,15 @@ def _own(kind: type) -> bool:
     return not kind.__module__.startswith(HOUSE)
 
 
-def _refuse_values(scene: str, force: Any) -> None:
+def _is_own(force: object) -> bool:
+    return _own(type(force))
+
+
+def _refuse_values(scene: str, force: object) -> None:
     refuse_unsound(scene, force)
-    if _own(type(force)) and is_dataclass(force):
-        _refuse_nan(scene, force)
+    if _is_own(force) and is_dataclass(force):
+        for each in fields(force):
+            _refuse_nan(scene, force, each.name)
     try:
         hash(force)
     except TypeError:
@@ -88,14 +93,11 @@ def _refuse_values(scene: str, force: Any) -> None:
         ) from None
 
 
-def _refuse_nan(scene: str, force: Fields) -> None:
-    for each in fields(force):
-        value = getattr(force, each.name)
-        numbers: Iterable[object] = value if isinstance(value, tuple) else (value,)
-        if any(isinstance(x, float) and math.isnan(x) for x in numbers):
-            raise BadSetting(
-                f"{scene}: {type(force).__name__} with {each.name} = {value!r}: that is no number."
-            )
+def _refuse_nan(scene: str, force: object, name: str) -> None:
+    value: object = getattr(force, name)
+    numbers = cast("tuple[object, ...]", value) if isinstance(value, tuple) else (value,)
+    if any(isinstance(x, float) and math.isnan(x) for x in numbers):
+        raise BadSetting(f"{scene}: {type(force).__name__} with {name} = {value!r}: that is no number.")
 
 
 def refuse_own(scene: Parts, force: Any, start: Sequence[float]) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import Field, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 from functools import lru_cache
 from numbers import Integral, Real
-from typing import Any, ClassVar, Protocol
+from typing import Any
 
 from corollary.scenes.run import BadSetting, GuardFailed
 
@@ -15,12 +15,6 @@ HOUSE = __name__.rpartition(".")[0] + "."
 """Modules of this package: what is defined elsewhere is somebody's own."""
 Rule = Callable[[Any], str]
 """What is wrong with a value, in words that follow the name and the value; nothing where it is right."""
-
-
-class Fields(Protocol):
-    """A body or a force: a class whose fields are known."""
-
-    __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
 
 
 def finite(number: object) -> bool:
@@ -101,12 +95,12 @@ RULES: dict[str, Rule] = {
 """By the type that a field is said to have."""
 
 
-def _rules(kind: type[Fields]) -> tuple[tuple[str, bool, Rule], ...]:
+def _rules(kind: type[Any]) -> tuple[tuple[str, bool, Rule], ...]:
     """The fields of a class of this package, whether they may be left out, and what each must be."""
     found: list[tuple[str, bool, Rule]] = []
     for each in fields(kind):
-        said, _, left_out = str(each.type).partition(" | ")
-        rule = _weighs if each.name in ("mass", "inertia") else RULES.get(said)
+        annotation, _, left_out = str(each.type).partition(" | ")
+        rule = _weighs if each.name in ("mass", "inertia") else RULES.get(annotation)
         if rule is not None:
             found.append((each.name, left_out == "None", rule))
     return tuple(found)
@@ -156,11 +150,11 @@ def refuse_components(scene: str, axes: int, thing: object, name: str) -> None:
 def size_of(newtons: Any, axes: int, whose: str, time: float) -> float:
     """The size of a force (N) given by its components. Raises GuardFailed where these are not so many real numbers."""
     try:
-        size = math.hypot(*newtons)
-        if len(newtons) == axes:
-            return size
+        size = math.hypot(*newtons) if len(newtons) == axes else None
     except (TypeError, OverflowError):
-        pass
+        size = None
+    if size is not None:
+        return size
     raise GuardFailed(
         f"{whose} gives {newtons!r} at {time:.6g} s; it must give a tuple of {axes} real number{'s' * (axes > 1)}."
     )

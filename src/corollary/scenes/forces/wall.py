@@ -11,7 +11,7 @@ from corollary.scenes.moves import Shift, refuse_moves
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
 from corollary.scenes.scene import Conserves, Force, Scene, place
-from corollary.scenes.sound import refuse_components, refuse_unsound
+from corollary.scenes.sound import refuse_components, refuse_unsound, size_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +53,12 @@ class HardWall(Force):
         return self.mu if self.static is None else self.static
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Offset (m), velocity and acceleration along the normal at a time."""
-        return self.moves(time) if self.moves else (self.offset + self.velocity * time, self.velocity, 0.0)
+        """Offset (m), velocity and acceleration along the normal at a time. Raises GuardFailed where `moves` does not give them."""
+        if self.moves is None:
+            return self.offset + self.velocity * time, self.velocity, 0.0
+        moved = self.moves(time)
+        size_of(moved, 3, "HardWall(moves=…)", time)
+        return moved
 
     def act(
         self, scene: Scene, state: State, masses: Sequence[float], since: State
