@@ -10,10 +10,10 @@ from typing import Any
 
 from corollary.cli.ending import HOLDS, answer, refuse, say
 from corollary.cli.progress import steps
-from corollary.scenes.integrate.fixed_step import METHODS
 
 from .case import Case
 from .measures import WANTED, lies_beyond, orders, reaching
+from .methods import METHODS
 from .race import Timing, WorkPrecision, cases, race
 from .record import label, record
 

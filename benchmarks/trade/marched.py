@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from corollary.scenes.integrate.fixed_step import METHODS, Method, march
+from corollary.scenes.integrate.fixed_step import Method, march
 
 from .case import Answer, Case, Route
+from .methods import METHODS
 
 RATIO = math.sqrt(2.0)
 

@@ -26,7 +26,7 @@ def bounces():
     ("played", "least"),
     [
         (bounces, 10),
-        (lambda: run("cradle", {"N": 3, "q": 1.5001}), 4),
+        (lambda: run("cradle", {"N": 3, "q": 1.5001}), 3),
         (lambda: with_conditions(run("cradle", {"N": 3, "q": 1.5002}), 1e-9), 10),
     ],
 )

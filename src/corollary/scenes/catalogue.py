@@ -99,6 +99,8 @@ def _finite(scene: str, found: Run) -> Run:
         for name, each in found.measured.items()
         if all(map(math.isfinite, (*components(each.value), *components(each.error))))
     }
+    if len(finite) == len(found.measured) > 0:
+        return found
     lost = [name for name in found.measured if name not in finite]
     if not finite:
         raise BadSetting(

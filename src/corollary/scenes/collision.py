@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from corollary.scenes.integrate import both_ways, regularised
-from corollary.scenes.progress import part
+from corollary.scenes.progress import tell
 from corollary.scenes.row import (
     RowOfBodies,
     RowResult,
     caught_between,
-    energy,
+    conserved,
     in_si,
     in_units,
     natural_units,
@@ -80,8 +80,8 @@ def _by_normal_modes(line: RowOfBodies) -> Collided:
 
 def _energy_lost(line: RowOfBodies, result: RowResult) -> float:
     """What rounding made of the energy, as a velocity: the lightest body's, were it all in there and the energy shared out."""
-    before = energy(line, [-gap for gap in line.gaps], line.velocities)
-    after = energy(line, [0.0] * len(line.gaps), result.velocities)
+    before, _, _ = conserved(line, [-gap for gap in line.gaps], line.velocities)
+    after, _, _ = conserved(line, [0.0] * len(line.gaps), result.velocities)
     masses = [m for m in line.masses if not math.isinf(m)]
     return abs(after - before) / before * math.sqrt(max(masses) / min(masses)) if before else 0.0
 
@@ -91,11 +91,12 @@ def _integrated(line: RowOfBodies, tolerance: float) -> Collided:
     compiled, units = both_ways.wanted(), natural_units(line)
     if units is None:
         return Collided(regularised.collide(line), {}, "conservation", "nothing moves toward anything", 0)
-    scaled = in_units(line, units)
-    with part(0.0, 0.6):  # first the one that may need too many steps
-        fine = regularised.follow(scaled, max(tolerance / 30.0, 1e-15), compiled)
-    with part(0.6, 1.0):
-        coarse = regularised.follow(scaled, max(tolerance, 1e-14), compiled)
+    laid = regularised.laid_out(in_units(line, units), compiled)
+    tell(0.0)
+    fine = regularised.follow(laid, max(tolerance / 30.0, 1e-15))  # first, for it may need too many steps
+    tell(0.6)
+    coarse = regularised.follow(laid, max(tolerance, 1e-14))
+    tell(1.0)
     if coarse.outcome != fine.outcome:
         raise GuardFailed(
             f"One run ends {coarse.outcome!r}, a finer one {fine.outcome!r}. Move the settings off that edge."

@@ -74,18 +74,16 @@ def _number(scene: str, setting: Setting, value: object) -> float:
         raise BadSetting(f"{scene}: {setting.name} = {number} is not finite.")
     if setting.whole and number != round(number):
         raise BadSetting(f"{scene}: {setting.name} = {number:g} must be a whole number.")
-    for broken, rule in (
-        (number <= setting.above, f"more than {setting.above:g}"),
-        (number < setting.least, f"at least {setting.least:g}"),
-        (number >= setting.below, f"less than {setting.below:g}"),
-        (number > setting.most, f"at most {setting.most:g}"),
-    ):
-        if broken:
-            unit = "" if setting.unit == "1" else f" {setting.unit}"
-            raise BadSetting(
-                f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}."
-            )
-    return number
+    if setting.above < number < setting.below and setting.least <= number <= setting.most:
+        return number
+    broken = {
+        f"more than {setting.above:g}": number <= setting.above,
+        f"at least {setting.least:g}": number < setting.least,
+        f"less than {setting.below:g}": number >= setting.below,
+        f"at most {setting.most:g}": number > setting.most,
+    }
+    rule, unit = max(broken, key=broken.__getitem__), "" if setting.unit == "1" else f" {setting.unit}"
+    raise BadSetting(f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}.")
 
 
 def one(settings: Mapping[str, Observed], name: str) -> float:

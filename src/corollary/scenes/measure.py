@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Sequence
 from functools import lru_cache
 
-from corollary.scenes.motion.energy import kinetic
+from corollary.scenes.motion.energy import energy, keeps_energy, kinetic
 from corollary.scenes.motion.follow import follow
 from corollary.scenes.motion.lookup import contact_span, flat
 from corollary.scenes.motion.observe import look, outcome, state_at
@@ -99,6 +99,7 @@ def measured(
     step_off = fine * max(
         2.0 * math.sqrt(len(right.state)) if right.fades else 0.2, BY_TOUCH * math.sqrt(touches)
     )
+    lost = _energy_lost(scene, right, sizes[Observable.ENERGY])
     same = [h.what for h in rough.happenings] == [h.what for h in right.happenings]
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
@@ -130,7 +131,7 @@ def measured(
         extra = _extra(scene, right, what) + max((max(each, default=0.0) for each in beside), default=0.0)
         # Places keep what velocities forget: that of several steps.
         several = 3.0 if right.fades and what is Observable.TRAJECTORY else 1.0
-        least = several * step_off * size + rounding + extra
+        least = several * step_off * size + rounding + extra + (lost * size if what in BY_BODY else 0.0)
         errors = tuple(
             SAFETY * each
             + least
@@ -157,6 +158,16 @@ def measured(
         )
     spent = rough.evaluations + right.evaluations + (other.evaluations if other else 0)
     return Run(found, spent, outcome(scene, right), tuple(warnings))
+
+
+def _energy_lost(scene: Scene, path: Trajectory, hot: float) -> float:
+    """What a run has lost or gained of an energy (J) that is kept, as a share of velocities: so much of them is wrong, at least.
+
+    Two runs may be off alike where a force is steep for a moment; what is kept does not depend on another run.
+    """
+    if not hot or not keeps_energy(scene):
+        return 0.0
+    return abs(energy(scene, path.time, path.state) - energy(scene, 0.0, start_of(scene))) / (2.0 * hot)
 
 
 def _natural(scene: Scene, path: Trajectory) -> dict[Observable, float]:

@@ -80,7 +80,7 @@ class Measurement:
     condition: float | None = None
 
     def __post_init__(self) -> None:
-        if any(math.isnan(x) for x in (*components(self.value), *components(self.error))):
+        if any(map(math.isnan, (*components(self.value), *components(self.error)))):
             raise GuardFailed("What came out is not a number: these settings are beyond what doubles hold.")
 
     @property
@@ -166,10 +166,11 @@ def measurement(
     error_is: ErrorKind = "estimate",
 ) -> Measurement:
     """A value of which a relative error is known: in units of its largest component, or of `scale` (SI) where that is larger."""
-    size = max((abs(x) for x in components(value) if math.isfinite(x)), default=0.0)
-    size = max(size, scale)
-    error: Observed = (relative * size,) * len(value) if isinstance(value, tuple) else relative * size
-    return Measurement(value, error, error_is, model, why, size)
+    if not isinstance(value, tuple):
+        size = max(scale, abs(value)) if math.isfinite(value) else scale
+        return Measurement(value, relative * size, error_is, model, why, size)
+    size = max((scale, *map(abs, filter(math.isfinite, value))))
+    return Measurement(value, (relative * size,) * len(value), error_is, model, why, size)
 
 
 def by_relative_errors(

@@ -10,6 +10,10 @@ from corollary.scenes.row import RowOfBodies, caught_between, in_units, natural_
 from corollary.scenes.run import GuardFailed
 
 
+def followed(line, tolerance):
+    return regularised.follow(regularised.laid_out(line, compiled=False), tolerance)
+
+
 def row_of(masses, gaps=None, q=1.5):
     count = len(masses)
     line = RowOfBodies(
@@ -27,8 +31,8 @@ def test_rough_steps_are_a_tenth_to_a_half_of_those_that_are_followed(seed, q):
     masses = [10.0 ** rng.uniform(-3.0, 0.0) for _ in range(5)]
     masses[2] = 1e-5
     line = row_of(masses, q=q)
-    followed = regularised.follow(line, 1e-13, compiled=False).evaluations / 11
-    assert 0.1 * followed < rough_steps(line, 40_000) < 0.5 * followed
+    steps = followed(line, 1e-13).evaluations / 11
+    assert 0.1 * steps < rough_steps(line, 40_000) < 0.5 * steps
 
 
 def test_a_ball_thrown_between_a_wall_and_a_heavy_one_meets_them_as_often_as_hard_ones():
@@ -50,17 +54,17 @@ def test_a_row_that_would_take_too_long_is_refused_after_few_steps_and_one_that_
 ):
     asked = []
 
-    def follow(line, tolerance, most, compiled):
+    def follow(laid, tolerance, most):
         asked.append(most)
-        return steps(line, tolerance, most, compiled)
+        return steps(laid, tolerance, most)
 
     steps = regularised._steps
     monkeypatch.setattr(regularised, "_steps", follow)
     with pytest.raises(GuardFailed, match="does not end"):
-        regularised.follow(row_of((1.0, 1e-12) * 8), 1e-13, compiled=False)
+        followed(row_of((1.0, 1e-12) * 8), 1e-13)
     assert max(asked) <= regularised.FIRST_STEPS
     asked.clear()
-    assert regularised.follow(row_of((1.0, 1e-4, 1.0)), 1e-13, compiled=False).outcome == "released"
+    assert followed(row_of((1.0, 1e-4, 1.0)), 1e-13).outcome == "released"
     assert asked == [regularised.FIRST_STEPS, regularised.MOST_STEPS]
 
 
@@ -68,6 +72,6 @@ def test_rows_whose_balls_are_alike_damped_or_weighed_are_never_asked(monkeypatc
     monkeypatch.setattr(outlook, "rough_steps", None)
     alike = row_of((1.0,) * 30)
     assert caught_between(alike.masses) == 1.0
-    assert regularised.follow(alike, 1e-10, compiled=False).outcome == "released"
+    assert followed(alike, 1e-10).outcome == "released"
     damped = RowOfBodies((1.0, 1e-6, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0), (Contact(1.0, 1.5, 5.0),) * 2)
     assert not regularised._may_throw(damped)

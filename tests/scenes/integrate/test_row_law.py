@@ -12,7 +12,7 @@ from corollary.scenes.forces import contact as force
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.regularised import state_of
-from corollary.scenes.integrate.row_law import TIME, energy, push, slope, stored
+from corollary.scenes.integrate.row_law import TIME, conserved, push, slope, stored
 from corollary.scenes.integrate.runge_kutta import step, weighted
 from corollary.scenes.integrate.stages import STAGES, finish, stage
 from corollary.scenes.row import RowOfBodies
@@ -100,9 +100,9 @@ def test_a_part_of_a_row_obeys_the_law_of_the_whole(line):
 
 @given(lines)
 @settings(max_examples=20, deadline=None)
-def test_the_energy_is_that_of_the_row(line):
+def test_what_is_kept_is_that_of_the_row(line):
     y, _, terms = state_of(line)
-    assert energy(y, terms) == pytest.approx(row.energy(line, y[1::2], y[::2]), rel=1e-13, abs=1e-13)
+    assert conserved(y, terms) == pytest.approx(row.conserved(line, y[1::2], y[::2]), rel=1e-13, abs=1e-13)
 
 
 @given(

@@ -15,7 +15,7 @@ from corollary.scenes.sound import refuse_components, refuse_unsound
 
 @dataclass(frozen=True, slots=True)
 class Friction(Force):
-    """mu m g against the velocity of one body (by its place in the scene) relative to a `belt` (m/s).
+    """mu m g against the velocity of one body (by its place in the scene) relative to a `belt` (m/s); m is its mass at the time.
 
     At rest on it the body is held by up to `static` m g; `static` is mu where it is not given. Raises BadSetting for a static
     coefficient below the kinetic one, or either, or g, below zero.
@@ -59,7 +59,7 @@ class Friction(Force):
             return
         rows = [velocity_row(scene, self.body, axis) for axis in range(scene.axes)]
         belt = tuple(self.belt) or (0.0,) * scene.axes
-        weight = body.mass * self.g
+        gained = sum(rate for force in scene.forces for i, rate in force.mass_rates if i == self.body)
         name = f"{body.name or f'body {self.body}'} on the table"
         yield Rub(
             name,
@@ -69,7 +69,7 @@ class Friction(Force):
             self.mu,
             self.held_by,
             belt,
-            lambda t, y: weight,
+            lambda t, y: (body.mass + gained * t) * self.g,
         )
 
     @property

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 from corollary.scenes.forces.contact import smoothing_power
 from corollary.scenes.integrate import both_ways, row_motion
 from corollary.scenes.row import (
+    Conserved,
     RowOfBodies,
     RowResult,
     caught_between,
-    energy,
     guard,
     in_si,
     in_units,
@@ -41,16 +42,49 @@ def collide(line: RowOfBodies, tolerance: float = 1e-13, *, compiled: bool = Fal
     if units is None:
         still = (0.0,) * len(line.gaps)
         return RowResult(line.velocities, 0.0, still, still, "missed", 0)
-    return in_si(follow(in_units(line, units), tolerance, compiled), units)
+    return in_si(follow(laid_out(in_units(line, units), compiled), tolerance), units)
 
 
-def follow(line: RowOfBodies, tolerance: float, compiled: bool) -> RowResult:
-    """The same for a line in its natural units, in which the result is, too."""
-    most = MOST_COMPILED if compiled else MOST_STEPS
+Seen = tuple[int, float, float, int, int]
+"""What `row_motion.follow` gives."""
+
+
+class LaidOut(NamedTuple):
+    """A line in its natural units as a kernel takes it, once for all runs; what has no value yet is room to work in.
+
+    A run takes `most` steps at most; if it is not over after the `first`, its end must be foreseen.
+    """
+
+    line: RowOfBodies
+    kernel: Callable[..., tuple[Seen, Conserved, Conserved]]
+    first: int
+    most: int
+    start: Any
+    touching: Any
+    row: tuple[Any, ...]
+    deepest: Any
+    hardest: Any
+    room: Any
+
+
+def laid_out(line: RowOfBodies, compiled: bool) -> LaidOut:
+    """A line in its natural units, for plain or compiled steps. Raises BadSetting when these need numba and it is missing."""
+    start, touching, row = state_of(line)
+    deepest, room = [0.0] * len(line.gaps), both_ways.room(row_motion.ROOM, len(start), compiled)
+    kernel, most = row_motion.collide, MOST_STEPS
+    if compiled:
+        kernel, most = both_ways.compiled("row_motion").collide, MOST_COMPILED
+        start, touching, deepest, *row = both_ways.arrays(start, touching, deepest, *row)
     first = min(FIRST_STEPS, OF_ALL // len(line.masses)) if _may_throw(line) else most
-    state, deepest, hardest, seen = _steps(line, tolerance, first, compiled)
+    return LaidOut(line, kernel, first, most, start, touching, tuple(row), deepest, deepest.copy(), room)
+
+
+def follow(laid: LaidOut, tolerance: float) -> RowResult:
+    """The same as `collide` for what is laid out; the result is in natural units, too."""
+    line, first, most = laid.line, laid.first, laid.most
+    state, seen, before, after = _steps(laid, tolerance, first)
     if seen[0] == row_motion.TOO_LONG and first < most and _ends(line):
-        state, deepest, hardest, seen = _steps(line, tolerance, most, compiled)
+        state, seen, before, after = _steps(laid, tolerance, most)
     end, began, ended, openings, evaluations = seen
     if end == row_motion.TOO_LONG:
         raise GuardFailed(
@@ -60,15 +94,13 @@ def follow(line: RowOfBodies, tolerance: float, compiled: bool) -> RowResult:
         raise GuardFailed("No step is small enough to follow the collision. Make the settings less extreme.")
     if not all(map(math.isfinite, state)):
         raise OverflowError("a number of the collision is too large or too small")
-    velocities = tuple(state[::2])
     if end != row_motion.STICKS:
-        lost = 1e3 * tolerance + 1e-15 * evaluations
-        guard(line, energy(line, state[1::2], velocities), velocities, lost)
+        guard(line, before, after, 1e3 * tolerance + 1e-15 * evaluations)
     return RowResult(
-        velocities=velocities,
+        velocities=tuple(state[::2]),
         duration=ended - began if began < math.inf else 0.0,
-        overlaps=tuple(deepest),
-        forces=tuple(hardest),
+        overlaps=tuple(map(float, laid.deepest)),
+        forces=tuple(map(float, laid.hardest)),
         outcome=OUTCOMES[end],
         evaluations=evaluations,
         openings=openings,
@@ -77,8 +109,8 @@ def follow(line: RowOfBodies, tolerance: float, compiled: bool) -> RowResult:
 
 def _may_throw(line: RowOfBodies) -> bool:
     """Whether a ball may be thrown to and fro for long; what is damped or weighed is not foreseen."""
-    free = line.weight == 0.0 and all(c.eta == 0.0 for c in line.contacts)
-    return free and caught_between(line.masses) > THROWN
+    unequal = max(line.masses) > THROWN * min(line.masses) and caught_between(line.masses) > THROWN
+    return unequal and line.weight == 0.0 and all(c.eta == 0.0 for c in line.contacts)
 
 
 def _ends(line: RowOfBodies) -> bool:
@@ -87,36 +119,26 @@ def _ends(line: RowOfBodies) -> bool:
     return rough_steps(line, MOST_ROUGH) < MOST_ROUGH
 
 
-Followed = tuple[list[float], list[float], list[float], tuple[int, float, float, int, int]]
-"""The state, the largest overlaps and forces, and what the kernel gives."""
-
-
-def _steps(line: RowOfBodies, tolerance: float, most: int, compiled: bool) -> Followed:
-    count, (y, touching, row) = len(line.gaps), state_of(line)
-    deepest, hardest = [0.0] * count, [0.0] * count
-    room = [[0.0] * len(y) for _ in range(row_motion.ROOM)]
-    if not compiled:
-        given = row_motion.follow(y, touching, row, deepest, hardest, tolerance, most, room)
-        return y, deepest, hardest, given
-    array = both_ways.array
-    state, overlaps, forces = map(array, (y, deepest, hardest))
-    given = both_ways.compiled("row_motion").follow(
-        state, array(touching), tuple(map(array, row)), overlaps, forces, tolerance, most, array(room)
-    )
-    return state.tolist(), overlaps.tolist(), forces.tolist(), given
+def _steps(laid: LaidOut, tolerance: float, most: int) -> tuple[list[float], Seen, Conserved, Conserved]:
+    """The state at the end, and what the kernel gives; the largest overlaps and forces are left where they are laid out."""
+    y = laid.start.copy()
+    given = laid.kernel(y, laid.touching, laid.row, laid.deepest, laid.hardest, tolerance, most, laid.room)
+    return list(map(float, y)), *given
 
 
 def state_of(line: RowOfBodies) -> tuple[list[float], list[bool], tuple[Sequence[float], ...]]:
     """A line in natural units as the kernel wants it: its state, what touches, and what does not change (`row_law`)."""
     y = [x for v, gap in zip(line.velocities, (*line.gaps, 0.0), strict=True) for x in (v, -gap)][:-1]
-    contacts = line.contacts
-    known = {contact: smoothing_power(contact) for contact in set(contacts)}
+    known: dict[float, int] = {}
+    for c in line.contacts:
+        if c.q not in known:
+            known[c.q] = smoothing_power(c)
     row = (
         [1.0 / m for m in line.masses],
-        [0.0 if math.isinf(m) else line.weight for m in line.masses],
-        [c.k for c in contacts],
-        [c.q for c in contacts],
-        [c.eta for c in contacts],
-        [known[c] for c in contacts],
+        [0.0 if m == math.inf else line.weight for m in line.masses],
+        [c.k for c in line.contacts],
+        [c.q for c in line.contacts],
+        [c.eta for c in line.contacts],
+        [known[c.q] for c in line.contacts],
     )
     return y, [gap <= 0.0 for gap in line.gaps], row

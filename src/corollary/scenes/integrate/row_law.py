@@ -100,14 +100,17 @@ def stride_for(variable, power, y, base, lasting):
 
 
 @kernel
-def energy(y, row):
-    """Kinetic, stored and (beside a wall on the left) potential energy."""
+def conserved(y, row):
+    """Energy, momentum, and momentum whatever its direction, as `row.conserved` has them."""
     inverse, falls, k, q, _, _ = row
-    total = height = 0.0
+    energy = momentum = size = height = 0.0
     for i in range(len(inverse)):
         if i > 0:
-            total += stored(k[i - 1], q[i - 1], y[2 * i - 1])
+            energy += stored(k[i - 1], q[i - 1], y[2 * i - 1])
             height -= y[2 * i - 1]
         if inverse[i] > 0.0:
-            total += (0.5 * y[2 * i] * y[2 * i] + falls[i] * height) / inverse[i]
-    return total
+            carried = y[2 * i] / inverse[i]
+            energy += 0.5 * carried * y[2 * i] + falls[i] * height / inverse[i]
+            momentum += carried
+            size += abs(carried)
+    return energy, momentum, size

@@ -16,6 +16,7 @@ first_touch, fly, suited, due = events.first_touch, events.fly, events.suited, e
 nears_zero, crossing, at_rest = events.nears_zero, events.crossing, events.at_rest
 lasts_at_least = events.lasts_at_least
 push, slope, step, value_in, stride_for = law.push, law.slope, law.step, law.value_in, law.stride_for
+conserved = law.conserved
 damped_force, largest_force, largest_overlap = peaks.damped_force, peaks.largest_force, peaks.largest_overlap
 factor, whole, error_size = stages.factor, stages.whole, stages.error_size
 STAGES, EVALUATIONS, TIME = stages.STAGES, stages.EVALUATIONS, law.TIME
@@ -249,3 +250,11 @@ def follow(y, touching, row, deepest, hardest, tolerance, most, room):
         if lands:
             variable, power, stride = TIME, 1, 0.0
     return TOO_LONG, began, ended, openings, spent
+
+
+@kernel
+def collide(y, touching, row, deepest, hardest, tolerance, most, room):
+    """The same, and what it should have kept, before and after (`row_law.conserved`)."""
+    before = conserved(y, row)
+    seen = follow(y, touching, row, deepest, hardest, tolerance, most, room)
+    return seen, before, conserved(y, row)

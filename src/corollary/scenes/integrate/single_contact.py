@@ -53,15 +53,11 @@ def follow(pair: Pair, met: Touching, tolerance: float) -> Parting:
     Raises GuardFailed when the end is not reached, BadSetting when the centres all but meet.
     """
     groups, depth, speed = groups_of(pair, met)
-    y, room = start_of(groups, met, depth, speed), [[0.0] * SIZE for _ in range(ROOM)]
-    follow, what = contact_motion.follow, groups
-    if both_ways.wanted():
-        follow, y, room = (
-            both_ways.compiled("contact_motion").follow,
-            both_ways.array(y),
-            both_ways.array(room),
-        )
-    end, overlap, force, spent = follow(y, what, tolerance, MOST_STEPS, room)
+    y, follow, fast = start_of(groups, met, depth, speed), contact_motion.follow, both_ways.wanted()
+    if fast:
+        (y,), follow = both_ways.arrays(y), both_ways.compiled("contact_motion").follow
+    room = both_ways.room(ROOM, SIZE, fast)
+    end, overlap, force, spent = follow(y, groups, tolerance, MOST_STEPS, room)
     if end == contact_motion.TOO_SOFT:
         refuse_too_soft(1.0, 1.0)
     if end == contact_motion.TOO_LONG:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from corollary.scenes.row import RowOfBodies, RowResult, energy, guard, in_si, in_units, natural_units
+from corollary.scenes.row import RowOfBodies, RowResult, conserved, guard, in_si, in_units, natural_units
 from corollary.scenes.run import GuardFailed, Outcome
 
 Array = NDArray[np.floating]
@@ -238,7 +238,8 @@ def _arrived(
     # Rounding counts as the square root of the mass ratio: so unequal are the modes.
     unequal = max(1.0, 0.1 * math.sqrt(max(masses) / min(masses)))
     allowed = max(LEAST_ALLOWED, ALLOWED_EACH * len(velocities) * openings) * unequal
-    guard(line, energy(line, [0.0] * len(rates), velocities), velocities, allowed)
+    before = conserved(line, [-gap for gap in line.gaps], line.velocities)
+    guard(line, before, conserved(line, [0.0] * len(rates), velocities), allowed)
     outcome: Outcome = "released" if openings else "missed"
     forces = tuple(c.k * float(d) for c, d in zip(line.contacts, largest, strict=True))
     return RowResult(velocities, max(duration, 0.0), tuple(map(float, largest)), forces, outcome, 0, openings)

@@ -24,8 +24,8 @@ Status = Literal["off", "on", "stick"] | tuple[float, ...]
 # A multiplier or an acceleration so small against the others is zero.
 NOISE = 1e-10
 MOST_COMBINATIONS = 3000
-# What friction takes beside something rigid that can hold the same: the square of this.
-LAST = 1e-4
+# The determinant of equations, each scaled to its size, and the singular value, of which only rounding is left.
+DEPENDENT, RANK = 1e-11, 1e-12
 
 
 @dataclass(slots=True)
@@ -87,17 +87,57 @@ def answer(items: Sequence[Item], statuses: Sequence[Status], inverse: Array) ->
             return _shared_out(items, owners, solved, extra + along[0] * solved[0], inverse)
         matrix = (across * inverse) @ along.T
         wanted = -(np.array(biases) + (across * inverse) @ extra)
-        try:
-            solved = np.linalg.solve(matrix, wanted)
-            size = np.abs(wanted)
-            if not (np.abs(matrix @ solved - wanted) <= 1e-6 * size + 1e-9 * size.max()).all():
-                raise np.linalg.LinAlgError
-        except np.linalg.LinAlgError:
-            # Where several could hold the same, what is rigid does, and friction only what is left.
-            shares = np.where([items[owner].rub for owner in owners], LAST, 1.0)
-            solved = shares * np.linalg.lstsq(matrix * shares, wanted, rcond=1e-12)[0]
+        rubs = np.array([items[owner].rub for owner in owners])
+        solved = _solved(matrix, wanted) if not rubs.any() or _independent(matrix) else None
+        if solved is None:
+            solved = _shared(items, owners, rubs, matrix, wanted)
         total = extra + along.T @ solved
     return _shared_out(items, owners, np.asarray(solved, dtype=np.float64), total, inverse)
+
+
+def _independent(matrix: Array) -> bool:
+    """Whether no two of what holds could hold the same."""
+    size = np.sqrt(np.abs(matrix.diagonal()))
+    return bool(size.all()) and abs(float(np.linalg.det(matrix / size / size[:, None]))) > DEPENDENT
+
+
+def _solved(matrix: Array, wanted: Array) -> Array | None:
+    """The one solution of the equations; none where there is not just one."""
+    try:
+        solved = np.linalg.solve(matrix, wanted)
+    except np.linalg.LinAlgError:
+        return None
+    size = np.abs(wanted)
+    right = np.abs(matrix @ solved - wanted) <= 1e-6 * size + 1e-9 * size.max()
+    return np.asarray(solved, dtype=np.float64) if right.all() else None
+
+
+def _shared(
+    items: Sequence[Item], owners: Sequence[int], rubs: NDArray[np.bool_], matrix: Array, wanted: Array
+) -> Array:
+    """The multipliers where several could hold the same: what is rigid does, and friction only what is left.
+
+    Surfaces take of that in proportion to what each can hold. So whatever they can hold together they do, as far as they hold the same
+    motion: blocks in a row on a string, a body on two tables, one on a table and at a wall.
+    """
+    rigid, rubbed = matrix[:, ~rubs], matrix[:, rubs]
+    ways, sizes, _ = np.linalg.svd(rigid, full_matrices=False)
+    ways = ways[:, sizes > RANK * sizes.max(initial=0.0)]
+    left_over = lambda x: x - ways @ (ways.T @ x)  # noqa: E731
+    holders = [owner for owner, rub in zip(owners, rubs, strict=True) if rub]
+    most = {i: items[i].static * (items[i].given if items[i].pressed < 0 else 1.0) for i in holders}
+    solved = np.zeros(len(owners))
+    for _ in range(2):
+        strongest = max(most.values(), default=0.0) or 1.0
+        shares = np.sqrt([max(most[i], 0.0) / strongest for i in holders])
+        solved[rubs] = shares * np.linalg.lstsq(left_over(rubbed * shares), left_over(wanted), rcond=RANK)[0]
+        solved[~rubs] = np.linalg.lstsq(rigid, wanted - rubbed @ solved[rubs], rcond=RANK)[0]
+        pressed = {i: items[i].pressed for i in holders if items[i].pressed >= 0}
+        if not pressed:
+            break
+        presses = {owner: float(z) for owner, z in zip(owners, solved, strict=True)}
+        most |= {i: items[i].static * presses.get(by, 0.0) for i, by in pressed.items()}
+    return solved
 
 
 def _shared_out(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from corollary.scenes.constraint import State
@@ -37,10 +38,13 @@ def kinetic(scene: Scene, time: float, state: State) -> float:
 
 def energy(scene: Scene, time: float, state: State) -> float:
     """Kinetic energy and the potential energy (J) of all forces that have one."""
-    stored = 0.0
-    for force in scene.forces:
-        stored += force.potential(scene, state)
-    return kinetic(scene, time, state) + stored
+    moving = kinetic(scene, time, state)
+    if any(force.mass_rates for force in scene.forces):
+        masses = masses_at(scene, time)
+        scene = replace(
+            scene, bodies=tuple(replace(b, mass=m) for b, m in zip(scene.bodies, masses, strict=True))
+        )
+    return moving + sum(force.potential(scene, state) for force in scene.forces)
 
 
 def keeps_energy(scene: Scene, mode: Mode | None = None) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 
 from corollary.scenes.constraint import farther_off
 from corollary.scenes.motion.brief import overlooked
+from corollary.scenes.motion.ends import hit_in_doubt, refuse_bad_start
 from corollary.scenes.motion.energy import energy, keeps_energy, kinetic, never_meets, used_up
 from corollary.scenes.motion.guards import Guards
 from corollary.scenes.motion.modes import Moment
@@ -21,8 +22,6 @@ from corollary.scenes.progress import tell
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.scene import Scene, overlap, start_of
 
-# An overlap has to be so many roundings of a place deep.
-FINEST_OVERLAP = 1e4
 # A touch that errors of so many steps decide grazes.
 GRAZING = 100.0
 # What moves by errors of so many steps is at rest.
@@ -52,22 +51,8 @@ class Follower:
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
         self.steps = Stepper(self.system, self.sizes, tolerance)
-        self._refuse_bad_start()
+        refuse_bad_start(self.system, self.path.state, self.sizes)
         self.energy: float | None = None
-
-    def _refuse_bad_start(self) -> None:
-        y, sizes = self.path.state, self.sizes
-        if self.system.contacts and sizes.deep < FINEST_OVERLAP * math.ulp(sizes.long):
-            raise BadSetting(
-                f"{self.scene.name}: bodies squeeze each other by about {sizes.deep:.1g} m, which places of {sizes.long:.1g} m do not show. "
-                "Make contacts softer, or bodies less unequal, or move them nearer to the origin."
-            )
-        for constraint in self.system.constraints:
-            gap = constraint.gap(0.0, y)
-            if gap < -self.sizes.gap or (constraint.two_sided and gap > 1e-9 * self.sizes.long):
-                raise BadSetting(
-                    f"{self.scene.name}: {constraint.name} starts {abs(gap):.3g} m where it cannot be; move it."
-                )
 
     def run(self) -> Trajectory:
         """The whole path. Raises GuardFailed when it cannot be followed, or something impossible happens on the way."""
@@ -82,6 +67,8 @@ class Follower:
                     f"{scene.name}: at {path.time:.6g} s things happen without end and no time passes."
                 )
         path.mode, path.evaluations, path.fades = mode, self.system.evaluations, self.steps.fades
+        if hit_in_doubt(self.system, path, mode, self.sizes.speed):
+            path.grazes.append(path.time)
         return path
 
     def _begin(self) -> Mode:
@@ -204,6 +191,11 @@ class Follower:
             (self.tolerance * self.sizes.place + 4.0 * math.ulp(self.sizes.long)) / speed if speed else 0.0
         )
         self.steps.begin_anew()
+        if guard.kind == "hit":  # a wall's speed is known as well as the time is
+            driven, now = self.system.constraints[guard.number].driven, self.path.time
+            self.path.dropped = max(
+                self.path.dropped, 2.0 * abs(driven(now + 4.0 * math.ulp(now)) - driven(now))
+            )
         self.path.happenings.append(
             Happening(f"{guard.kind} {guard.number}", self.path.time, len(self.path.stretches), slack)
         )
@@ -235,10 +227,7 @@ class Follower:
             case "release":
                 moment.barred_constraints = frozenset({guard.number})
             case "break":
-                _, forces, _ = self.system.held(path.time, path.state, guards.since, mode)
-                z = forces.multipliers[dict(guards.sticks)[guard.number]]
-                size = float(np.linalg.norm(z)) or 1.0
-                moment.barred_rubs = {guard.number: tuple((-z / size).tolist())}
+                moment.barred_rubs = guards.broken(guard.number, path.time, path.state)
             case "hit" | "stop":
                 pass
         return self._decide(moment, tuple(touching), tuple(sides))

@@ -10,6 +10,8 @@ from typing import Literal
 import numpy as np
 
 from corollary.scenes.constraint import State
+from corollary.scenes.motion.clusters import clusters
+from corollary.scenes.motion.complementarity import normal_force
 from corollary.scenes.motion.isolation import minima
 from corollary.scenes.motion.sizes import Sizes
 from corollary.scenes.motion.system import Array, Mode, System
@@ -19,6 +21,8 @@ Value = Callable[[float, State], float]
 Kind = Literal["touch", "overlap", "soft", "hit", "event", "release", "break", "stop"]
 # Centres nearer than this share of the reach: no contact law means anything there.
 NEAREST = 1e-3
+# What friction holds to within this share of all it can is at its limit.
+EXHAUSTED = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +119,20 @@ class Guards:
         one = self.one(index)
         return (lambda t, y: one(t, y) - self.late) if self.names[index].kind == "hit" else one
 
+    def broken(self, number: int, time: float, y: State) -> dict[int, tuple[float, ...]]:
+        """What slips from now on when a rub breaks loose, and which way: it, what held the same to its limit, and what slips already."""
+        items, forces, _ = self.system.held(time, y, self.since, self.mode)
+        held, rubbed = [i for i, s in enumerate(self.mode.held) if s == "on"], self.mode.rubbed
+        active = [k for k, s in enumerate(rubbed) if s != "off"]
+        together = next(own for _, own in clusters(self.system, time, y, held, active) if number in own)
+        found = {k: way for k in together if isinstance(way := rubbed[k], tuple)}
+        for k, at in self.sticks:
+            z, most = forces.multipliers[at], items[at].static * normal_force(items, forces, at)
+            size = float(np.linalg.norm(z))
+            if k == number or (k in together and size >= (1.0 - EXHAUSTED) * most and size > self.strong):
+                found[k] = tuple((-z / (size or 1.0)).tolist())
+        return found
+
     def _pair(self, kind: Kind, number: int, a: int, b: int, sign: float, reach: float) -> None:
         def value(time: float, y: State) -> float:
             square = sum(x * x for x in seen_from(self.system.scene, y, a, b)[0])
@@ -154,9 +172,7 @@ class Guards:
         items, forces, _ = self.system.held(time, y, self.since, self.mode)
         found = [float(forces.multipliers[at][0]) + self.strong for _, at in self.presses]
         for _, at in self.sticks:
-            item = items[at]
-            press = item.given if item.pressed < 0 else float(forces.multipliers[item.pressed][0])
-            most = item.static * press
+            most = items[at].static * normal_force(items, forces, at)
             # Squares are as smooth as the forces; the sign of the normal force is not to be lost in one.
             margin = math.copysign(most * most, most) - float(forces.multipliers[at] @ forces.multipliers[at])
             found.append(margin + self.strong**2)

@@ -231,10 +231,9 @@ class Moment:
                 way = found.left[j]
                 size = float(np.linalg.norm(way))
                 # Where friction all but balances the pull, what is left points nowhere.
-                if (
-                    size > 1e-6 * float(np.linalg.norm(item.bias))
-                    and float(np.abs(way / size - np.array(status)).max()) > 1e-9
-                ):
+                brakes = item.kinetic * item.given * float(np.abs(item.rows * inverse).max())
+                pulls = size > 1e-6 * max(float(np.linalg.norm(item.bias)), brakes)
+                if pulls and float(np.abs(way / size - np.array(status)).max()) > 1e-9:
                     may: tuple[Status, ...] = ("stick", tuple((way / size).tolist()))
                     turned[j], changed = replace(item, may=may), True
         return turned if changed else None

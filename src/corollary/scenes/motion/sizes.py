@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from corollary.scenes.forces.contact import Contact
+from corollary.scenes.motion.brief import pushed
 from corollary.scenes.motion.system import System
 from corollary.scenes.scene import ContactForce, Scene, start_of
 
@@ -37,6 +38,7 @@ def sizes_of(system: System, tolerance: float, shift: float = 0.0) -> Sizes:
     fast = max([abs(v) for v in y[count : 2 * count]] + [abs(b.spin) * b.radius for b in scene.bodies])
     fast = max([fast, *(math.hypot(*rub.driven) for rub in system.rubs)])
     gained = max((abs(a) for a in system.gains(0.0, y, y)[:count]), default=0.0)
+    gained = max(gained, pushed(scene, y))
     reach = gained * scene.until if scene.until else math.inf
     fast = max(fast, min(math.sqrt(long * gained), reach)) or 1.0
     deep = min([long, *(_depth(scene, fast, force, a, b) for force, a, b in system.contacts)])

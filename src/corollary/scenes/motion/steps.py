@@ -97,6 +97,8 @@ class Stepper:
             part = min(1.0, (self.tolerance / 1e-8) ** 0.4)
             return 0.02 * part * self.sizes.deep / self.sizes.fast
         gained = max((abs(a) for a in self.system.gains(time, y, y, mode.touching)), default=0.0)
+        if not math.isfinite(gained):
+            raise GuardFailed(f"{self.scene.name}: at {time:.6g} s a force is not a finite number.")
         calm = self.sizes.fast / gained if gained else math.inf
         # Where nothing has happened, another method goes on from where the last one had got to.
         known = min(10.0 * self.lately[-1] if self.lately else math.inf, self.at_most)

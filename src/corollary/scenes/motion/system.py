@@ -255,17 +255,19 @@ class System:
         def rates(time: float, state: Array) -> list[float]:
             self.evaluations += 1
             y: list[float] = state.tolist()
-            moving = y[self.count : 2 * self.count]
-            if free:
-                return [*moving, *self.gains(begun + time, y, since, mode.touching)]
-            gained = self.gains(begun + time, y, since, mode.touching)
-            if self._rubbed_only(begun + time, y, mode, gained) or (
-                single is not None and self._held_by_one(begun + time, y, single, gained)
-            ):
-                return [*moving, *gained]
-            items = self.items(begun + time, y, gained, mode)
-            found = answer(items, [item.may[0] for item in items], self.inverse(begun + time))
-            acceleration = np.asarray(gained) + self.inverse(begun + time) * found.total
-            return [*moving, *acceleration.tolist()]
+            try:
+                return [*y[self.count : 2 * self.count], *accelerations(begun + time, y)]
+            except (OverflowError, ZeroDivisionError):  # a stage thrown out too far: its step is not taken
+                return [math.nan] * len(y)
+
+        def accelerations(time: float, y: list[float]) -> list[float]:
+            gained = self.gains(time, y, since, mode.touching)
+            if free or self._rubbed_only(time, y, mode, gained):
+                return gained
+            if single is not None and self._held_by_one(time, y, single, gained):
+                return gained
+            items = self.items(time, y, gained, mode)
+            found = answer(items, [item.may[0] for item in items], self.inverse(time))
+            return (np.asarray(gained) + self.inverse(time) * found.total).tolist()
 
         return rates

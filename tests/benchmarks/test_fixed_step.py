@@ -4,8 +4,9 @@ import math
 from itertools import pairwise
 
 import pytest
+from trade.methods import METHODS
 
-from corollary.scenes.integrate.fixed_step import METHODS, march
+from corollary.scenes.integrate.fixed_step import march
 
 
 def pendulum(x, v):

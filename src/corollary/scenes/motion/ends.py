@@ -1,0 +1,39 @@
+"""What a start may not be, and what an end leaves open."""
+
+from __future__ import annotations
+
+import math
+
+from corollary.scenes.constraint import State
+from corollary.scenes.motion.path import Trajectory
+from corollary.scenes.motion.sizes import Sizes
+from corollary.scenes.motion.system import Mode, System
+from corollary.scenes.run import BadSetting
+
+# An overlap has to be so many roundings of a place deep.
+FINEST_OVERLAP = 1e4
+
+
+def refuse_bad_start(system: System, start: State, sizes: Sizes) -> None:
+    """Raises BadSetting where places cannot show what happens, or something is where it cannot be."""
+    name = system.scene.name
+    if system.contacts and sizes.deep < FINEST_OVERLAP * math.ulp(sizes.long):
+        raise BadSetting(
+            f"{name}: bodies squeeze each other by about {sizes.deep:.1g} m, which places of {sizes.long:.1g} m do not show. "
+            "Make contacts softer, or bodies less unequal, or move them nearer to the origin."
+        )
+    for constraint in system.constraints:
+        gap = constraint.gap(0.0, start)
+        if gap < -sizes.gap or (constraint.two_sided and gap > 1e-9 * sizes.long):
+            raise BadSetting(
+                f"{name}: {constraint.name} starts {abs(gap):.3g} m where it cannot be; move it."
+            )
+
+
+def hit_in_doubt(system: System, path: Trajectory, mode: Mode, slow: float) -> bool:
+    """Whether a hit is so near before or after the end that errors decide if velocities are those of before or after it."""
+    time, y = path.time, path.state
+    return any(
+        status == "off" and abs(c.gap(time, y)) < path.near and abs(system.rate(time, y, c)) > slow
+        for c, status in zip(system.constraints, mode.held, strict=True)
+    )
