@@ -217,7 +217,7 @@ SOUND = [
     Scene(TWO, (Spring((0, 1), -1.0, 0.5),), until=0.5),
     Scene((*NAILS, Body(1.0, (9.0,), (0.0,))), (String((0, 1), 2.5),), until=1.0),
     moved(lambda t: (-1.0, 0.0, 0.0)),
-    moved(lambda t: (1e-9 * math.sin(9.0 * t), 9e-9 * math.cos(9.0 * t), -81e-9 * math.sin(9.0 * t))),
+    moved(lambda t: (1e-3 * math.sin(9.0 * t), 9e-3 * math.cos(9.0 * t), -81e-3 * math.sin(9.0 * t))),
     moved(lambda t: (-math.sin(1e5 * t), -1e5 * math.cos(1e5 * t), 1e10 * math.sin(1e5 * t)), until=1e-3),
     push(lambda t, x, v: np.array([-x[0]])),
     push(lambda t, x, v: (0,)),
@@ -280,7 +280,7 @@ LATE = [
             (ForceFunction(0, lambda t, x, v: (0.0 if v[0] < 0.0 else nan,)), HardWall((1.0,))),
             until=1.0,
         ),
-        "a force is no number",
+        "a force is not a finite number",
     ),
 ]
 

@@ -12,7 +12,9 @@ from corollary.scenes.body import Body
 from corollary.scenes.run import BadSetting, GuardFailed
 from corollary.scenes.sound import HOUSE, finite, pairs, refuse_unsound, size_of, whole
 
-OWN_FAILS = (ArithmeticError, AttributeError, LookupError, NameError, TypeError, ValueError)
+WRITTEN_WRONG = (AttributeError, LookupError, NameError, TypeError)
+"""What a Python function raises that was written wrong, wherever it is asked."""
+OWN_FAILS = (*WRITTEN_WRONG, ArithmeticError, ValueError)
 """What a Python function of somebody's own may raise where it is wrong."""
 
 

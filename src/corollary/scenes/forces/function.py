@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.refused import OWN_FAILS, refuse_own
+from corollary.scenes.refused import WRITTEN_WRONG, refuse_own
 from corollary.scenes.run import GuardFailed
 from corollary.scenes.scene import Conserves, Force, Scene, place, start_of, velocity
 from corollary.scenes.sound import size_of
@@ -44,7 +44,7 @@ class ForceFunction(Force):
         x, v = place(scene, state, self.body), velocity(scene, state, self.body)
         try:
             newtons = self.function(time, x, v)
-        except OWN_FAILS as error:
+        except WRITTEN_WRONG as error:  # a stage thrown out of range is a step not taken
             raise GuardFailed(
                 f"{scene.name}: the function of ForceFunction fails at {time:.6g} s ({type(error).__name__}: {error}); mend it, "
                 "or watch for a shorter time."

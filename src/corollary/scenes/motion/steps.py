@@ -73,10 +73,6 @@ class Stepper:
         allowed = [near] * count + [self.tolerance * self.sizes.fast] * count
         allowed += [self.tolerance * self.sizes.fast / radius] * spins
         kind = Radau if self.stiff else DOP853
-        if not first > 0.0:  # scipy would shorten it without end
-            raise GuardFailed(
-                f"{self.scene.name}: a force is no number, or far too large, where a step is to begin."
-            )
         return kind(
             slope,
             0.0,
