@@ -104,8 +104,8 @@ def measured(
     for what in [o for o in Observable if o in observe]:  # a set's order is another in every process
         value = look(scene, right, what, times)
         if not all(map(math.isfinite, components(value))):  # no double holds it
-            lost: Observed = (math.inf,) * len(value) if isinstance(value, tuple) else math.inf
-            found[what.value] = Measurement(value, lost, "estimate", "integration", why, math.inf)
+            unknown: Observed = (math.inf,) * len(value) if isinstance(value, tuple) else math.inf
+            found[what.value] = Measurement(value, unknown, "estimate", "integration", why, math.inf)
             continue
         size = max(
             [abs(x) for x in components(value) if math.isfinite(x)] + [sizes.get(what, 0.0)], default=0.0
