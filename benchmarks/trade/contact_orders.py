@@ -44,7 +44,7 @@ SAMPLINGS = {
 
 def chapters(aside: float, eta: float) -> Pair:
     """The chapter's two spheres, with another impact parameter and damping."""
-    return Pair(0.1, 0.1, (0.08, 0.04 * aside), (-1.0, 0.0), 0.04, Contact(2e4, 1.5, eta))
+    return Pair(0.1, 0.1, (0.08, 0.04 * aside), ((0.0, 0.0), (-1.0, 0.0)), 0.04, Contact(2e4, 1.5, eta))
 
 
 def least_order(

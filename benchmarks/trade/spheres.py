@@ -5,13 +5,23 @@ from __future__ import annotations
 import math
 from functools import partial
 
+from flint import arb
+
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.dop853 import DOP853
 from corollary.scenes.integrate.fixed_step import RK4
 from corollary.scenes.integrate.runge_kutta import Tableau
 from corollary.scenes.integrate.single_contact import follow
 from corollary.scenes.models.bounce import contact_time
-from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, meet, oblique
+from corollary.scenes.models.certain import double_of
+from corollary.scenes.models.pair import (
+    Pair,
+    Parting,
+    Touching,
+    after_parting,
+    meet,
+    turned_and_lasted,
+)
 
 from .case import ONCE, TOLERANCES, Answer, Case, Program, Reference, Route, State
 from .phases import through
@@ -22,7 +32,16 @@ START = (0.08, 0.018)
 
 
 def pair(eta: float) -> Pair:
-    return Pair(MASS, MASS, START, (-1.0, 0.0), REACH, Contact(STIFFNESS, 1.5, eta))
+    return Pair(MASS, MASS, START, ((0.0, 0.0), (-1.0, 0.0)), REACH, Contact(STIFFNESS, 1.5, eta))
+
+
+def oblique(pair: Pair, met: Touching) -> Parting:
+    """An undamped contact by its two integrals, as doubles."""
+    overlap, turned, duration = (
+        double_of(lambda i=i: turned_and_lasted(pair, arb(met.inward), arb(met.spin))[i]) for i in range(3)
+    )
+    force = pair.contact.k * overlap**pair.contact.q
+    return Parting(turned, met.inward, met.spin, duration, overlap, force, False, 0)
 
 
 def program(eta: float, until: float) -> Program:

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from corollary.scenes.catalogue import run
-from corollary.scenes.run import components
+from corollary.scenes.run import BadSetting, components
 
 CASES = [
     ("absorbed_drop", {"F": 3.0, "dt": 1e-3}, {"velocities", "momentum_change"}),
@@ -47,6 +47,13 @@ def test_both_ways_agree_within_what_they_state(scene, settings, names):
         for a, b, e, f in zip(*map(components, rows), strict=True):
             assert abs(a - b) <= e + 3.0 * f, name
     assert max(second.relative_error(name) for name in names) < (0.02 if scene == "rocket" else 1e-8)
+
+
+@pytest.mark.parametrize("way", [False, True])
+@pytest.mark.parametrize("v0", [0.0, -2.0])
+def test_a_ball_that_starts_in_the_floor_is_refused_either_way(way, v0):
+    with pytest.raises(BadSetting, match="inside the floor"):
+        run("ball_on_floor", {"y0": 0.01, "v0": v0}, second_way=way)
 
 
 def test_ions_that_meet_head_on_turn_even_at_the_start_of_a_step():

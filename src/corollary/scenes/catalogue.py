@@ -12,7 +12,7 @@ from pkgutil import iter_modules
 from corollary.messages import did_you_mean
 from corollary.scenes import library
 from corollary.scenes.definition import SceneDefinition, settle
-from corollary.scenes.independent import independent
+from corollary.scenes.independent import SECOND_WAYS
 from corollary.scenes.run import NEVER_PART, BadSetting, Observed, Run, components
 from corollary.scenes.sound import refuse_tolerance
 
@@ -67,9 +67,8 @@ def run(
     settled = settle(name, scene.settings, settings)
     begin = time.perf_counter()
     try:
-        found = independent(name, settled, tolerance) if second_way else None
-        if found is None:
-            found = scene.play(settled, tolerance)
+        found = SECOND_WAYS[name](settled, tolerance) if second_way and name in SECOND_WAYS else None
+        found = found or scene.play(settled, tolerance)
         if proven and found.error_is != "bound":
             found = _enclosed(name, scene, settled, found)
     except (OverflowError, ZeroDivisionError):

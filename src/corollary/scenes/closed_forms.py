@@ -14,19 +14,11 @@ from corollary.scenes.library import atom
 from corollary.scenes.library.spheres import collided
 from corollary.scenes.models.central import orbit
 from corollary.scenes.models.certain import Balls, Evaluated, found, sign
-from corollary.scenes.run import BadSetting, Observable, Observed, Run
+from corollary.scenes.models.pair import Pair
+from corollary.scenes.on_a_line import ALONE_ON_A_LINE
+from corollary.scenes.run import BadSetting, Observable, Run
 from corollary.scenes.scene import Scene
 
-OF_A_PAIR = {
-    Observable.VELOCITIES,
-    Observable.DURATION,
-    Observable.LARGEST_OVERLAP,
-    Observable.PEAK_FORCE,
-    Observable.ENERGY_RATIO,
-    Observable.IMPULSE,
-    Observable.MOMENTUM,
-    Observable.ENERGY,
-}
 OF_AN_ORBIT = {Observable.PERIOD, Observable.TURNING_POINTS}
 # A period is seen when the distance has come back to its least value twice; until then "turning points" are those met so far.
 SEEN = 2.0
@@ -34,7 +26,12 @@ SEEN = 2.0
 
 def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
     """Two spheres that nothing else acts on: quadrature without damping, else the contact followed in its own time."""
-    if scene.axes != 2 or scene.until is not None or len(scene.bodies) != 2 or not set(observe) <= OF_A_PAIR:
+    if (
+        scene.axes != 2
+        or scene.until is not None
+        or len(scene.bodies) != 2
+        or not set(observe) <= ALONE_ON_A_LINE
+    ):
         return None
     a, b = scene.bodies
     reach = a.radius + b.radius
@@ -51,29 +48,16 @@ def in_a_plane(scene: Scene, observe: Collection[Observable], tolerance: float) 
             pass
         case _:
             return None
-    (ax, ay), (bx, by) = a.place, b.place
+    (ax, ay), (bx, by), (ua, va), (ub, vb) = a.place, b.place, a.velocity, b.velocity
+    pair = Pair(a.mass, b.mass, (bx - ax, by - ay), ((ua, va), (ub, vb)), reach, contact)
     try:
-        run = collided(
-            a.mass,
-            b.mass,
-            reach,
-            contact,
-            (bx - ax, by - ay),
-            _plane(a.velocity),
-            _plane(b.velocity),
-            tolerance,
-        )
+        run = collided(pair, tolerance)
     except OverflowError:
         raise BadSetting(
             f"{scene.name}: with these numbers the range of a computer is left; choose milder ones."
         ) from None
-    return replace(run, measured=run.measured | {"impulse": run.measured["impulses"]}).only(
-        o.value for o in observe
-    )
-
-
-def _plane(vector: tuple[float, ...]) -> tuple[float, float]:
-    return vector[0], vector[1]
+    of_each = replace(run, measured=run.measured | {"impulse": run.measured["impulses"]})
+    return of_each.only(o.value for o in observe)
 
 
 def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -> Run | None:
@@ -88,16 +72,8 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
             pass
         case _:
             return None
-    settings: dict[str, Observed] = {
-        "m": body.mass,
-        "k": well.k,
-        "b": well.b,
-        "d": well.d,
-        "dimension": float(scene.axes),
-        "r0": (*body.place, 0.0)[:2],
-        "v0": (*body.velocity, 0.0)[:2],
-    }
-    played = atom.play(settings, tolerance)
+    (x, y), (u, v) = (*body.place, 0.0)[:2], (*body.velocity, 0.0)[:2]
+    played = found(lambda: atom.motion(well, body.mass, (x, y), (u, v), scene.axes == 2))
     until = math.inf if scene.until is None else scene.until
     match played.outcome:
         case "bound":
@@ -106,11 +82,8 @@ def in_a_well(scene: Scene, observe: Collection[Observable], tolerance: float) -
         case "escaped":
             gone = played.observed["duration"]
             # One that starts across the radius turns at once, which these integrals do not count.
-            observable = (
-                {Observable.VELOCITIES, Observable.TURNING_POINTS}
-                if played.observed["turning_points"]
-                else {Observable.VELOCITIES}
-            )
+            turned = {Observable.TURNING_POINTS} if played.observed["turning_points"] else set[Observable]()
+            observable = {Observable.VELOCITIES} | turned
             fits = set(observe) <= observable and isinstance(gone, float) and until >= gone
         case _:
             fits = set(observe) <= {Observable.VELOCITIES}

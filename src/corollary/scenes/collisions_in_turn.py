@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from corollary.scenes.definition import one
+from corollary.scenes.definition import Settings, numbers
 from corollary.scenes.run import Model, Observed, Run, by_relative_errors
 
-Settings = Mapping[str, Observed]
 STEPS = "Newton's second law, step by step"
 ONE_BY_ONE = "momentum at every collision, one after the other"
 
@@ -25,8 +24,8 @@ def second_run(
 
 
 def chain(settings: Settings, tolerance: float) -> Run:
-    m, length, v0, g, y = (one(settings, name) for name in ("m", "L", "v0", "g", "y"))
-    count = round(one(settings, "N"))
+    m, length, v0, g, y, links = numbers(settings, "m", "L", "v0", "g", "y", "N")
+    count = round(links)
     link, beat = m / count, length / count / v0
     impulse, lost, hanging = 0.0, 0.0, 0.0
     for _ in range(count):
@@ -47,8 +46,8 @@ def chain(settings: Settings, tolerance: float) -> Run:
 
 
 def rocket(settings: Settings, tolerance: float) -> Run:
-    m0, m1, v_rel, v0 = (one(settings, name) for name in ("m0", "m1", "v_rel", "v0"))
-    count = round(one(settings, "N"))
+    m0, m1, v_rel, v0, puffs = numbers(settings, "m0", "m1", "v_rel", "v0", "N")
+    count = round(puffs)
     puff, least, most = (m0 - m1) / count, v0, v0
     for i in range(count):
         before = m0 - puff * i

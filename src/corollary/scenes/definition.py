@@ -10,6 +10,9 @@ from typing import Any
 from corollary.messages import did_you_mean
 from corollary.scenes.run import BadSetting, Observed, Run
 
+Settings = Mapping[str, Observed]
+"""By name, in SI."""
+
 
 @dataclass(frozen=True, slots=True)
 class Setting:
@@ -39,8 +42,8 @@ class SceneDefinition:
 
     meaning: str
     settings: tuple[Setting, ...]
-    play: Callable[[Mapping[str, Observed], float], Run]
-    proven: Callable[[Mapping[str, Observed]], Run] | None = None
+    play: Callable[[Settings, float], Run]
+    proven: Callable[[Settings], Run] | None = None
 
 
 def settle(scene: str, known: Iterable[Setting], given: Mapping[str, object]) -> dict[str, Observed]:
@@ -86,7 +89,7 @@ def _number(scene: str, setting: Setting, value: object) -> float:
     raise BadSetting(f"{scene}: {setting.name} = {number:g}, but the {setting.meaning} must be {rule}{unit}.")
 
 
-def one(settings: Mapping[str, Observed], name: str) -> float:
+def one(settings: Settings, name: str) -> float:
     """A setting that is a single number."""
     value = settings[name]
     if isinstance(value, tuple):
@@ -94,7 +97,12 @@ def one(settings: Mapping[str, Observed], name: str) -> float:
     return value
 
 
-def row(settings: Mapping[str, Observed], name: str, count: int, what: str) -> tuple[float, ...]:
+def numbers(settings: Settings, *names: str) -> list[float]:
+    """Settings that are single numbers, in this order."""
+    return [one(settings, name) for name in names]
+
+
+def row(settings: Settings, name: str, count: int, what: str) -> tuple[float, ...]:
     """A setting for each of `count` things; a single number serves them all."""
     value = settings[name]
     if not isinstance(value, tuple):
@@ -102,3 +110,9 @@ def row(settings: Mapping[str, Observed], name: str, count: int, what: str) -> t
     if len(value) != count:
         raise BadSetting(f"{name} has {len(value)} numbers, but there are {count} {what}.")
     return value
+
+
+def vector(settings: Settings, name: str) -> tuple[float, float]:
+    """A setting (x, y)."""
+    x, y = row(settings, name, 2, "components")
+    return x, y

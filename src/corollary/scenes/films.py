@@ -6,21 +6,18 @@ import math
 from collections.abc import Callable, Mapping
 
 from corollary.scenes.catalogue import SCENES
-from corollary.scenes.definition import one, row, settle
+from corollary.scenes.definition import Settings, numbers, one, row, settle, vector
 from corollary.scenes.film import BLOCK, NAIL, Act, Film, film
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
 from corollary.scenes.forces.rod import Rod
-from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.spring import catching
 from corollary.scenes.forces.wall import HardWall
 from corollary.scenes.forces.weight import Weight
-from corollary.scenes.independent import FADING
-from corollary.scenes.run import Observed
 from corollary.scenes.scene import Body, Scene
 
-Settings = Mapping[str, Observed]
 QUARTER = 1.8540746773013719  # a swing from the horizontal to the bottom, in sqrt(L/g): the complete elliptic integral K(1/2)
 AGAIN = 1.1  # how much longer the time after a hit is watched than the time before
 
@@ -41,23 +38,20 @@ def film_of(scene: str | Scene, settings: Mapping[str, object]) -> Film | None:
 
 
 def spheres(settings: Settings) -> Film | None:
-    reach = one(settings, "R")
-    va, vb = row(settings, "vA", 2, "components"), row(settings, "vB", 2, "components")
-    apart = one(settings, "dx"), one(settings, "dy")
+    ma, mb, reach, k, q, eta, dx, dy = numbers(settings, "mA", "mB", "R", "k", "q", "eta", "dx", "dy")
+    va, vb, apart = vector(settings, "vA"), vector(settings, "vB"), (dx, dy)
     relative = vb[0] - va[0], vb[1] - va[1]
     speed = math.hypot(*relative)
     nearest = -(apart[0] * relative[0] + apart[1] * relative[1]) / speed**2 if speed else 0.0
     if nearest <= 0.0:
         return None
-    a = Body(one(settings, "mA"), (0.0, 0.0), (va[0], va[1]), reach, "A")
-    b = Body(one(settings, "mB"), apart, (vb[0], vb[1]), reach, "B")
-    contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
-    return film((a, b), [((contact,), (1.0 + AGAIN) * nearest)])
+    a, b = Body(ma, (0.0, 0.0), va, reach, "A"), Body(mb, apart, vb, reach, "B")
+    return film((a, b), [((Contact(k, q, eta),), (1.0 + AGAIN) * nearest)])
 
 
 def cradle(settings: Settings) -> Film:
     count, coming = round(one(settings, "N")), round(one(settings, "balls_in"))
-    q, k, v0 = (one(settings, name) for name in ("q", "k", "v0"))
+    q, k, v0 = numbers(settings, "q", "k", "v0")
     masses = row(settings, "masses", count, "balls") if settings["masses"] else (one(settings, "m"),) * count
     gaps = row(settings, "gaps", count - 1, "gaps")
     soft = (max(masses) * v0 / k * v0) ** (1.0 / (q + 1.0))
@@ -72,8 +66,8 @@ def cradle(settings: Settings) -> Film:
 
 
 def kick(settings: Settings) -> Film:
-    m, v0, force, dt = (one(settings, name) for name in ("m", "v0", "F", "dt"))
-    power = round(one(settings, "pulse"))
+    m, v0, force, dt, pulse = numbers(settings, "m", "v0", "F", "dt", "pulse")
+    power = round(pulse)
     peak = force * math.sqrt(math.pi) * math.gamma(power / 2 + 1) / math.gamma((power + 1) / 2)
     push = ForceFunction(0, lambda t, x, v: (peak * math.sin(math.pi * min(t / dt, 1.0)) ** power,))
     fastest = max(abs(v0), abs(v0 + force * dt / m))
@@ -83,7 +77,7 @@ def kick(settings: Settings) -> Film:
 
 
 def wall(settings: Settings) -> Film:
-    m, v0, theta, dt = (one(settings, name) for name in ("m", "v0", "theta", "dt"))
+    m, v0, theta, dt = numbers(settings, "m", "v0", "theta", "dt")
     k, free, radius = m * (math.pi / dt) ** 2, 4.0 * dt, 0.3 * v0 * dt
     along, into = v0 * math.cos(theta), v0 * math.sin(theta)
     spring = ForceFunction(0, lambda t, x, v: (0.0, -k * x[1]))
@@ -94,36 +88,29 @@ def wall(settings: Settings) -> Film:
 
 
 def bullet_block(settings: Settings) -> Film:
-    m, block, v, mu, g, dt = (one(settings, name) for name in ("m", "M", "v", "mu", "g", "dt"))
+    m, block, v, mu, g, dt = numbers(settings, "m", "M", "v", "mu", "g", "dt")
     common = m * v / (m + block)
     slides = common / (mu * g) if mu else 1.0
     way = common * slides
-    bodies = (
-        Body(m, (-way,), (v,), name="A"),
-        Body(block, (0.0,), (0.0,), name=BLOCK),
-    )
+    bodies = Body(m, (-way,), (v,), name="A"), Body(block, (0.0,), (0.0,), name=BLOCK)
     stops: Act = ((Friction(0, mu, g), Friction(1, mu, g)) if mu else (), 1.05 * slides)
-    return film(bodies, [((), way / v), _caught(m, block, dt), stops], radii=(0.04 * way, 0.16 * way))
+    acts: list[Act] = [((), way / v), ((catching(m, block, dt),), dt), stops]
+    return film(bodies, acts, radii=(0.04 * way, 0.16 * way))
 
 
 def absorbed_drop(settings: Settings) -> Film | None:
-    m, drop, v, u = (one(settings, name) for name in ("m", "dm", "v", "u"))
+    m, drop, v, u = numbers(settings, "m", "dm", "v", "u")
     if v <= u:
         return None
     dt = 0.01
     bodies = Body(m, (0.0,), (v,), name="A"), Body(drop, (v - u,), (u,), name="B")
     radii = (0.12 * (v - u), 0.07 * (v - u))
     touch = 1.0 - (radii[0] + radii[1]) / (v - u)
-    return film(bodies, [((), touch), _caught(m, drop, dt), ((), AGAIN)], radii=radii)
-
-
-def _caught(a: float, b: float, dt: float) -> Act:
-    """The first two bodies fade their relative velocity by e^-40 in dt."""
-    return (Spring((0, 1), 0.0, damping=FADING * a / (a + b) * b / dt),), dt
+    return film(bodies, [((), touch), ((catching(m, drop, dt),), dt), ((), AGAIN)], radii=radii)
 
 
 def snowball(settings: Settings) -> Film:
-    you, son, ball, v, theta, dt = (one(settings, name) for name in ("M", "Ms", "m", "v", "theta", "dt"))
+    you, son, ball, v, theta, dt = numbers(settings, "M", "Ms", "m", "v", "theta", "dt")
     level = v * math.cos(theta)
     push = ball * level / dt
     way = 10.0 * level * dt
@@ -134,13 +121,13 @@ def snowball(settings: Settings) -> Film:
     )
     thrown = ForceFunction(0, lambda t, x, w: (push,)), ForceFunction(2, lambda t, x, w: (-push,))
     flight = 0.92 * way / level
-    acts: list[Act] = [((), dt), (thrown, dt), ((), flight), _caught(ball, son, dt), ((), flight)]
+    catch = (catching(ball, son, dt),)
+    acts: list[Act] = [((), dt), (thrown, dt), ((), flight), (catch, dt), ((), flight)]
     return film(bodies, acts, radii=(0.02 * way, 0.05 * way, 0.06 * way))
 
 
 def ball_on_floor(settings: Settings) -> Film | None:
-    names = ("m", "k", "q", "R", "y0", "v0", "g", "eta")
-    m, k, q, radius, y0, v0, g, eta = (one(settings, name) for name in names)
+    m, k, q, radius, y0, v0, g, eta = numbers(settings, "m", "k", "q", "R", "y0", "v0", "g", "eta")
     meets = math.sqrt(max(v0 * v0 + 2.0 * g * (y0 - radius), 0.0))
     if v0 > 0.0 or meets == 0.0:
         return None
@@ -157,7 +144,7 @@ def ball_on_floor(settings: Settings) -> Film | None:
 
 
 def bouncing_ball(settings: Settings) -> Film:
-    h0, r, g = (one(settings, name) for name in ("h0", "r", "g"))
+    h0, r, g = numbers(settings, "h0", "r", "g")
     fall = math.sqrt(2.0 * h0 / g)
     until = fall * (1.0 + 2.0 * math.fsum(r**i for i in range(1, round(one(settings, "n")) + 1)))
     forces = Weight(g), HardWall((1.0,), restitution=r)
@@ -167,7 +154,7 @@ def bouncing_ball(settings: Settings) -> Film:
 
 
 def pendulum_block(settings: Settings) -> Film:
-    m, block, length, g, k = (one(settings, name) for name in ("m", "M", "L", "g", "k"))
+    m, block, length, g, k = numbers(settings, "m", "M", "L", "g", "k")
     radius = 0.08 * length
     bodies = (
         Body(math.inf, (0.0, 0.0), (0.0, 0.0), name=NAIL),
@@ -183,8 +170,8 @@ def pendulum_block(settings: Settings) -> Film:
 
 
 def ballistic_pendulum(settings: Settings) -> Film:
-    bullet, block, v, length, g = (one(settings, name) for name in ("mA", "mB", "v", "L", "g"))
-    dt, start = one(settings, "dt"), 0.6 * length
+    bullet, block, v, length, g, dt = numbers(settings, "mA", "mB", "v", "L", "g", "dt")
+    start = 0.6 * length
     bodies = (
         Body(bullet, (-start, 0.0), (v, 0.0), name="A"),
         Body(block, (0.0, 0.0), (0.0, 0.0), name=BLOCK),
@@ -194,14 +181,14 @@ def ballistic_pendulum(settings: Settings) -> Film:
     swing = math.pi * math.sqrt(length / g)
     acts: list[Act] = [
         ((), entry / v),
-        _caught(bullet, block, dt),
+        ((catching(bullet, block, dt),), dt),
         ((Rod((2, 0)), Rod((2, 1)), Weight(g)), swing),
     ]
     return film(bodies, acts, radii=(0.02 * length, 0.1 * length, 0.0), ropes=((2, 1),))
 
 
 def super_ball(settings: Settings) -> Film:
-    a, b, h0, g, k, q = (one(settings, name) for name in ("mA", "mB", "h0", "g", "k", "q"))
+    a, b, h0, g, k, q = numbers(settings, "mA", "mB", "h0", "g", "k", "q")
     big, small, apart = 0.06 * h0, 0.03 * h0, 1e-3 * h0
     bodies = (
         Body(a, (big + h0,), (0.0,), big, "A"),
@@ -211,16 +198,13 @@ def super_ball(settings: Settings) -> Film:
     forces = Contact(k, q, chosen=((0, 2), (0, 1))), Weight(g)
     fall = math.sqrt(2.0 * h0 / g)
     rise = (3.0 * a - b) / (a + b)
-    return film(
-        bodies,
-        [(forces, fall * (1.0 + max(1.0, 0.8 * rise)))],
-        upright=True,
-        lines=(((-2.0 * h0, 0.0), (2.0 * h0, 0.0)),),
-    )
+    ground = ((-2.0 * h0, 0.0), (2.0 * h0, 0.0))
+    until = fall * (1.0 + max(1.0, 0.8 * rise))
+    return film(bodies, [(forces, until)], upright=True, lines=(ground,))
 
 
 def ions(settings: Settings) -> Film:
-    strength, ma, mb, v, r0, s = (one(settings, name) for name in ("C", "mA", "mB", "v", "r0", "s"))
+    strength, ma, mb, v, r0, s = numbers(settings, "C", "mA", "mB", "v", "r0", "s")
     away, total = math.sqrt((r0 - s) * (r0 + s)), ma + mb
     a = Body(ma, (-mb / total * away, -mb / total * s), (mb / total * v, 0.0), name="A")
     b = Body(mb, (ma / total * away, ma / total * s), (-ma / total * v, 0.0), name="B")

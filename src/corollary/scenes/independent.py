@@ -8,40 +8,37 @@ from dataclasses import replace
 
 from corollary.scenes.asked import within_range
 from corollary.scenes.collision import collide
-from corollary.scenes.collisions_in_turn import STEPS, Settings, chain, rocket, second_run
-from corollary.scenes.definition import one, row
+from corollary.scenes.collisions_in_turn import STEPS, chain, rocket, second_run
+from corollary.scenes.definition import Settings, numbers, one, row
+from corollary.scenes.forces.absorption import Absorption
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.friction import Friction
 from corollary.scenes.forces.function import ForceFunction
 from corollary.scenes.forces.inverse_square import InverseSquare
-from corollary.scenes.forces.spring import Spring
+from corollary.scenes.forces.spring import FADING, Spring, catching
+from corollary.scenes.forces.weight import Weight
 from corollary.scenes.forces.well import Well
 from corollary.scenes.row import RowOfBodies
-from corollary.scenes.run import BadSetting, Observable, Observed, Run, components
+from corollary.scenes.run import BadSetting, Observable, Observed, Run, by_relative_errors, components
 from corollary.scenes.scene import Body, Force, Scene
 
-FADING = 40.0  # in powers of e, over the time that something gets stuck
+
+def _followed(
+    scene: Scene, observe: Collection[Observable], tolerance: float, times: Sequence[float] = ()
+) -> Run:
+    from corollary.scenes.measure import measured  # here, since it brings scipy
+
+    return measured(scene, observe, tolerance, STEPS, times)
 
 
 def _after(
     bodies: Sequence[Body], forces: Sequence[Force], until: float, tolerance: float
 ) -> tuple[tuple[float, ...], tuple[float, ...], float]:
     """Velocities and places at a time, and the relative error of the worse."""
-    from corollary.scenes.measure import measured  # here, since it brings scipy
-
     seen = {Observable.VELOCITIES, Observable.TRAJECTORY}
-    run = measured(Scene(tuple(bodies), tuple(forces), until=until), seen, tolerance, STEPS, times=(until,))
+    run = _followed(Scene(tuple(bodies), tuple(forces), until=until), seen, tolerance, (until,))
     velocities, places = (components(run.observed[name]) for name in ("velocities", "trajectory"))
     return velocities, places, max(run.relative_error("velocities"), run.relative_error("trajectory"))
-
-
-def _braked(
-    a: Body, b: Body, dt: float, force: float, until: float, tolerance: float
-) -> tuple[tuple[float, ...], tuple[float, ...], float]:
-    """Two bodies with a dashpot between them that fades their relative velocity by e^-40 in dt, and a force on the first."""
-    grip = FADING * a.mass / (a.mass + b.mass) * b.mass / dt
-    push = (ForceFunction(0, lambda t, x, v: (force,)),) if force else ()
-    return _after((a, b), (Spring((0, 1), 0.0, damping=grip), *push), until, tolerance)
 
 
 def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
@@ -49,8 +46,6 @@ def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
 
     Raises BadSetting for what cannot be observed, for a scene without an end of which that is asked, and as the integration does.
     """
-    from corollary.scenes.measure import measured  # here, since it brings scipy
-
     known = {each.value: each for each in Observable}
     if strange := sorted(set(observe) - known.keys()):
         raise BadSetting(
@@ -60,20 +55,21 @@ def composed(scene: Scene, observe: Collection[str], tolerance: float) -> Run:
         raise BadSetting("a trajectory is looked up where the scene ends: say until=…")
     times = (scene.until,) if scene.until is not None else ()
     with within_range(scene):
-        return measured(scene, {known[name] for name in observe}, tolerance, STEPS, times)
+        return _followed(scene, {known[name] for name in observe}, tolerance, times)
 
 
 def absorbed_drop(settings: Settings, tolerance: float) -> Run:
-    m, dm, v, u, force, t, dt = (one(settings, name) for name in ("m", "dm", "v", "u", "F", "t", "dt"))
+    m, dm, v, u, force, t, dt = numbers(settings, "m", "dm", "v", "u", "F", "t", "dt")
     # The dashpot's fading is followed only as long as it lasts; then they move as one.
     way = 10.0 * (abs(v) + abs(u) + abs(force) / m * t) * max(t, dt) + 1.0
     short = min(t, dt)
     a, b = Body(m, (0.0,), (v,)), Body(dm, (way,), (u,))
-    (body, drop), _, error = _braked(a, b, dt, force, short, tolerance)
+    push = ForceFunction(0, lambda at, x, w: (force,))
+    pushed = (push,) if force else ()
+    (body, drop), _, error = _after((a, b), (catching(m, dm, dt), *pushed), short, tolerance)
     if t > short:
         both = Body(m + dm, (0.0,), ((m * body + dm * drop) / (m + dm),))
-        push = (ForceFunction(0, lambda at, x, w: (force,)),)
-        (common,), _, more = _after((both,), push, t - short, tolerance)
+        (common,), _, more = _after((both,), (push,), t - short, tolerance)
         lag = body - drop
         body, drop, error = common + dm / (m + dm) * lag, common - m / (m + dm) * lag, max(error, more)
     change = m * (body - v) + dm * (drop - u)
@@ -83,9 +79,9 @@ def absorbed_drop(settings: Settings, tolerance: float) -> Run:
 
 
 def bullet_block(settings: Settings, tolerance: float) -> Run:
-    m, block, v, mu, g, dt = (one(settings, name) for name in ("m", "M", "v", "mu", "g", "dt"))
+    m, block, v, mu, g, dt = numbers(settings, "m", "M", "v", "mu", "g", "dt")
     a, b = Body(m, (0.0,), (v,)), Body(block, (10.0 * v * dt + 1.0,), (0.0,))
-    (bullet, stuck), _, error = _braked(a, b, dt, 0.0, dt, tolerance)
+    (bullet, stuck), _, error = _after((a, b), (catching(m, block, dt),), dt, tolerance)
     sliding = Body(m + block, (0.0,), (stuck,))
     _, (way,), more = _after((sliding,), (Friction(0, mu, g),), 2.0 * stuck / (mu * g), tolerance)
     lost = 0.5 * m * (bullet * bullet - v * v) + 0.5 * block * stuck * stuck
@@ -95,13 +91,13 @@ def bullet_block(settings: Settings, tolerance: float) -> Run:
 
 
 def snowball(settings: Settings, tolerance: float) -> Run:
-    you, son, ball, v, theta, dt = (one(settings, name) for name in ("M", "Ms", "m", "v", "theta", "dt"))
+    you, son, ball, v, theta, dt = numbers(settings, "M", "Ms", "m", "v", "theta", "dt")
     push = ball * v * math.cos(theta) / dt
     forces = ForceFunction(0, lambda t, x, w: (push,)), ForceFunction(1, lambda t, x, w: (-push,))
     thrower = Body(ball, (1.0,), (0.0,)), Body(you, (0.0,), (0.0,))
     (level, yours), _, error = _after(thrower, forces, dt, tolerance)
     a, b = Body(ball, (0.0,), (level,)), Body(son, (10.0 * v * dt + 1.0,), (0.0,))
-    (_, sons), _, more = _braked(a, b, dt, 0.0, dt, tolerance)
+    (_, sons), _, more = _after((a, b), (catching(ball, son, dt),), dt, tolerance)
     observed: dict[str, Observed] = {
         "momentum": (ball * level, ball * v * math.sin(theta)),
         "velocities_after_throw": (yours, 0.0),
@@ -113,9 +109,8 @@ def snowball(settings: Settings, tolerance: float) -> Run:
 
 
 def kick(settings: Settings, tolerance: float) -> Run:
-    m, v0, force, dt = (one(settings, name) for name in ("m", "v0", "F", "dt"))
-    power = round(one(settings, "pulse"))
-    nodes = 1000
+    m, v0, force, dt, pulse = numbers(settings, "m", "v0", "F", "dt", "pulse")
+    power, nodes = round(pulse), 1000
     # The mean of the pulse by the trapezoidal rule, exact for so smooth a period.
     mean = math.fsum(math.sin(math.pi * i / nodes) ** power for i in range(nodes)) / nodes
     if power % 2:
@@ -129,9 +124,7 @@ def kick(settings: Settings, tolerance: float) -> Run:
 
 
 def ions(settings: Settings, tolerance: float) -> Run:
-    from corollary.scenes.measure import measured
-
-    strength, ma, mb, v, r0, s = (one(settings, name) for name in ("C", "mA", "mB", "v", "r0", "s"))
+    strength, ma, mb, v, r0, s = numbers(settings, "C", "mA", "mB", "v", "r0", "s")
     mass = ma / (ma + mb) * mb
     relative = Body(mass, (math.sqrt((r0 - s) * (r0 + s)), s), (-v, 0.0))
     scene = Scene(
@@ -139,7 +132,7 @@ def ions(settings: Settings, tolerance: float) -> Run:
         (InverseSquare((0, 1), -strength),),
         until=4.0 * r0 / v,
     )
-    run = measured(scene, {Observable.TURNING_POINTS}, tolerance, STEPS)
+    run = _followed(scene, {Observable.TURNING_POINTS}, tolerance)
     nearest = components(run.observed["turning_points"])[:1]
     return second_run(
         {"turning_points": nearest, "peak_force": strength / nearest[0] ** 2},
@@ -148,7 +141,7 @@ def ions(settings: Settings, tolerance: float) -> Run:
 
 
 def wall(settings: Settings, tolerance: float) -> Run:
-    m, v0, theta, dt = (one(settings, name) for name in ("m", "v0", "theta", "dt"))
+    m, v0, theta, dt = numbers(settings, "m", "v0", "theta", "dt")
     along, into = v0 * math.cos(theta), v0 * math.sin(theta)
     line = RowOfBodies((math.inf, m), (0.0, -into), (0.0,), (Contact(m * (math.pi / dt) ** 2, 1.0),))
     found = collide(line, tolerance)
@@ -163,12 +156,13 @@ def wall(settings: Settings, tolerance: float) -> Run:
     return second_run(observed, max(found.errors.values()), found.why, found.model)
 
 
-def pair(settings: Settings, tolerance: float) -> Run:
-    """A cradle of two balls."""
+def cradle(settings: Settings, tolerance: float) -> Run | None:
+    """Of two balls."""
+    if one(settings, "N") != 2.0:
+        return None
     masses = row(settings, "masses", 2, "balls") if settings["masses"] else (one(settings, "m"),) * 2
-    contact = Contact(one(settings, "k"), one(settings, "q"))
-    v0 = one(settings, "v0")
-    found = collide(RowOfBodies(masses, (v0, 0.0), (0.0,), (contact,)), tolerance)
+    k, q, v0 = numbers(settings, "k", "q", "v0")
+    found = collide(RowOfBodies(masses, (v0, 0.0), (0.0,), (Contact(k, q),)), tolerance)
     result = found.result
     observed: dict[str, Observed] = {
         "velocities": result.velocities,
@@ -180,7 +174,7 @@ def pair(settings: Settings, tolerance: float) -> Run:
 
 
 def two_blocks(settings: Settings, tolerance: float) -> Run:
-    ma, mb, va, vb, r, k = (one(settings, name) for name in ("mA", "mB", "vA", "vB", "r", "k"))
+    ma, mb, va, vb, r, k = numbers(settings, "mA", "mB", "vA", "vB", "r", "k")
     log = -math.log(r) if r else math.inf
     share = log / math.hypot(math.pi, log) if r else 1.0 + 1e-9
     eta = 2.0 * share * math.sqrt(k * ma / (ma + mb) * mb)
@@ -191,25 +185,23 @@ def two_blocks(settings: Settings, tolerance: float) -> Run:
 
 
 def atom(settings: Settings, tolerance: float) -> Run:
-    from corollary.scenes.measure import measured
-
     r, v, plane = settings["r0"], settings["v0"], one(settings, "dimension") == 2.0
     place = (*components(r), 0.0)[:2]
     velocity = components(v) if isinstance(v, tuple) else ((0.0, v) if plane else (v, 0.0))
-    m, well = one(settings, "m"), Well(*(one(settings, name) for name in ("k", "b", "d")))
+    m, well = one(settings, "m"), Well(*numbers(settings, "k", "b", "d"))
     axes = 2 if plane else 1
     body = Body(m, tuple(place[:axes]), tuple((*velocity, 0.0)[:axes]))
     swing, speed = 2.0 * math.pi * math.sqrt(m / well.k), math.hypot(*velocity) or 1.0
     # A period is no longer than a swing on a line; it is seen when the distance has come back twice.
     long = Scene((body,), (well,), until=2.1 * swing)
-    run = measured(long, {Observable.VELOCITIES}, tolerance, STEPS)
+    run = _followed(long, {Observable.VELOCITIES}, tolerance)
     if run.outcome == "escaped":  # beyond the edge nothing changes its velocity any more
         return second_run(run.observed | {"escapes": 1.0}, run.relative_error("velocities"))
     try:
-        run = measured(long, {Observable.PERIOD, Observable.TURNING_POINTS}, tolerance, STEPS)
+        run = _followed(long, {Observable.PERIOD, Observable.TURNING_POINTS}, tolerance)
     except BadSetting:
         gone = Scene((body,), (well,), until=4.0 * swing + 4.0 * (math.hypot(*place) + well.edge) / speed)
-        run = measured(gone, {Observable.VELOCITIES, Observable.TURNING_POINTS}, tolerance, STEPS)
+        run = _followed(gone, {Observable.VELOCITIES, Observable.TURNING_POINTS}, tolerance)
         escapes = {"escapes": float(run.outcome == "escaped")}
         if run.outcome != "escaped":  # round a circle, where the distance never turns
             return replace(run, measured=run.measured | second_run(escapes, 0.0).measured)
@@ -218,24 +210,22 @@ def atom(settings: Settings, tolerance: float) -> Run:
     if plane:
         # After a period the distance is the same, and the direction has turned.
         times = 0.0, components(run.observed["period"])[0]
-        x, y, later_x, later_y = components(
-            measured(long, {Observable.TRAJECTORY}, tolerance, STEPS, times).observed["trajectory"]
-        )
+        seen = _followed(long, {Observable.TRAJECTORY}, tolerance, times).observed["trajectory"]
+        x, y, later_x, later_y = components(seen)
         more["angle"] = math.atan2(x * later_y - y * later_x, x * later_x + y * later_y) % (2.0 * math.pi)
     return replace(run, measured=run.measured | second_run(more, run.error).measured)
 
 
 def railway_car(settings: Settings, tolerance: float) -> Run:
-    v, rate, u, t = (one(settings, name) for name in ("v", "R", "ux", "t"))
+    v, rate, u, t = numbers(settings, "v", "R", "ux", "t")
     count = 1000
     shovel, dt = rate * t / count, t / count
     if shovel == 0.0:
         return second_run(dict.fromkeys(("mean_force", "impulse", "work", "energy_lost"), 0.0), 0.0)
     # One shovel that a dashpot brings to the speed of a car that nothing slows down.
     sand, car = Body(shovel, (0.0,), (u,)), Body(math.inf, (10.0 * (abs(u) + abs(v)) * dt + 1.0,), (v,))
-    (after, _), _, error = _after(
-        (sand, car), (Spring((0, 1), 0.0, damping=FADING * shovel / dt),), dt, tolerance
-    )
+    dashpot = Spring((0, 1), 0.0, damping=FADING * shovel / dt)
+    (after, _), _, error = _after((sand, car), (dashpot,), dt, tolerance)
     impulse = count * shovel * (after - u)
     lost = impulse * v - count * 0.5 * shovel * (after - u) * (after + u)
     observed: dict[str, Observed] = {
@@ -244,54 +234,60 @@ def railway_car(settings: Settings, tolerance: float) -> Run:
         "work": impulse * v,
         "energy_lost": lost,
     }
-    fast = max(abs(u), abs(v))
-    mass = count * shovel
-    scales = {
-        "impulse": mass * fast,
-        "mean_force": mass * fast / t,
-        "work": mass * fast**2,
-        "energy_lost": mass * fast**2,
-    }
+    fast, mass = max(abs(u), abs(v)), count * shovel
+    thrown, hot = mass * fast, mass * fast**2
+    scales = {"impulse": thrown, "mean_force": mass * fast / t, "work": hot, "energy_lost": hot}
     return second_run(observed, 4.0 * error, scales=scales)
 
 
-INDEPENDENT: dict[str, Callable[[Settings, float], Run]] = {
+def growing_drop(settings: Settings, tolerance: float) -> Run:
+    """Each moment the vapour, slower by v - u, pulls with R (v - u)."""
+    m, v, rate, u, g, t = numbers(settings, "m", "v", "R", "u", "g", "t")
+    forces = Weight(g), Absorption(0, (-u,), rate)
+    drop = Scene((Body(m, (0.0,), (-v,)),), forces, until=t, name="growing_drop")
+    run = _followed(drop, {Observable.VELOCITIES, Observable.TRAJECTORY}, tolerance, (t,))
+    fallen, gone = run.measured["velocities"], run.measured["trajectory"]
+    (fall,), (place,) = components(fallen.value), components(gone.value)
+    observed: dict[str, Observed] = {"velocities": (-fall,), "way": -place, "mass": m + rate * t}
+    errors = {"velocities": fallen.relative_error, "way": gone.relative_error, "mass": 2e-16}
+    # A drop that is blown up and falls again may end where it began: its errors are those of the way that it went.
+    scales = {"velocities": fallen.size, "way": gone.size}
+    why = "a force that depends on velocity and time, a mass that grows: Newton's second law, step by step"
+    return by_relative_errors(observed, errors, run.model, why, run.evaluations, "bound", scales)
+
+
+def ball_on_floor(settings: Settings, tolerance: float) -> Run | None:
+    from corollary.scenes.library.ball_on_floor import (
+        stepped,  # here, since a scene is loaded when it is asked for
+    )
+
+    return None if one(settings, "eta") else stepped(settings, tolerance)
+
+
+def spheres(settings: Settings, tolerance: float) -> Run | None:
+    from corollary.scenes.library.spheres import play
+
+    return None if one(settings, "eta") else play(settings, tolerance, in_steps=True)
+
+
+SECOND_WAYS: dict[str, Callable[[Settings, float], Run | None]] = {
     each.__name__: each
     for each in (
         absorbed_drop,
-        bullet_block,
-        snowball,
-        kick,
-        ions,
-        wall,
-        two_blocks,
         atom,
-        railway_car,
+        ball_on_floor,
+        bullet_block,
         chain,
+        cradle,
+        growing_drop,
+        ions,
+        kick,
+        railway_car,
         rocket,
+        snowball,
+        spheres,
+        two_blocks,
+        wall,
     )
 }
-"""By scene. Those that are not here are followed step by step in any case, or told apart below."""
-
-
-def independent(scene: str, settings: Settings, tolerance: float) -> Run | None:
-    """What a scene gives by its second way; none where its first is one already, or there is no second.
-
-    Raises BadSetting and GuardFailed as the first way does.
-    """
-    if scene == "cradle" and one(settings, "N") == 2.0:
-        return pair(settings, tolerance)
-    if scene == "ball_on_floor" and one(settings, "eta") == 0.0:
-        from corollary.scenes.library.ball_on_floor import stepped
-
-        return stepped(settings, tolerance)
-    if scene == "spheres" and one(settings, "eta") == 0.0:
-        from corollary.scenes.library.spheres import stepped as stepped_pair
-
-        return stepped_pair(settings, tolerance)
-    if scene == "growing_drop":
-        from corollary.scenes.library.growing_drop import stepped as stepped_drop
-
-        return stepped_drop(settings, tolerance)
-    second = INDEPENDENT.get(scene)
-    return second(settings, tolerance) if second else None
+"""By scene: none for what is followed step by step in any case. They raise BadSetting and GuardFailed as the first way does."""

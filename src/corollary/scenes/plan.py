@@ -61,8 +61,12 @@ def plan(
     models |= {o.value: "integration" for o in left}
 
     def follow() -> Run:
-        with within_range(scene):
-            runs = [*cheap, _followed(scene, left, tolerance, why, times)] if left else cheap
+        runs = cheap
+        if left:
+            from corollary.scenes.measure import measured  # here, since it brings scipy
+
+            with within_range(scene):
+                runs = [*cheap, measured(scene, left, tolerance, why, times)]
         return within_doubles(scene, _together(runs, [o.value for o in wanted]))
 
     if left:
@@ -126,16 +130,6 @@ def play(
     begin = time.perf_counter()
     found = plan(scene, observe, tolerance, times).play()
     return replace(found, scene=scene.name, seconds=time.perf_counter() - begin)
-
-
-def _followed(
-    scene: Scene, observe: Collection[Observable], tolerance: float, why: str, times: Sequence[float]
-) -> Run:
-    from corollary.scenes.measure import (
-        measured,
-    )  # here, since it brings scipy, which cheaper models never need
-
-    return measured(scene, observe, tolerance, why, times)
 
 
 def _times(scene: Scene, observe: Collection[Observable], times: Sequence[float]) -> tuple[float, ...]:

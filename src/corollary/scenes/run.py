@@ -157,22 +157,6 @@ def components(value: Observed) -> tuple[float, ...]:
     return value if isinstance(value, tuple) else (value,)
 
 
-def measurement(
-    value: Observed,
-    relative: float,
-    model: Model,
-    why: str,
-    scale: float = 0.0,
-    error_is: ErrorKind = "estimate",
-) -> Measurement:
-    """A value of which a relative error is known: in units of its largest component, or of `scale` (SI) where that is larger."""
-    if not isinstance(value, tuple):
-        size = max(scale, abs(value)) if math.isfinite(value) else scale
-        return Measurement(value, relative * size, error_is, model, why, size)
-    size = max((scale, *map(abs, filter(math.isfinite, value))))
-    return Measurement(value, (relative * size,) * len(value), error_is, model, why, size)
-
-
 def by_relative_errors(
     observed: Mapping[str, Observed],
     errors: Mapping[str, float],
@@ -182,10 +166,12 @@ def by_relative_errors(
     outcome: Outcome,
     scales: Mapping[str, float] | None = None,
 ) -> Run:
-    """A run of one model whose errors are known relative to the size of the values, or to the `scales` (SI) given for some."""
-    scales = scales or {}
-    measured = {
-        name: measurement(value, errors[name], model, why, scales.get(name, 0.0))
-        for name, value in observed.items()
-    }
+    """A run of one model whose errors are estimated relative to the largest component of a value, or to its scale (SI) if that is larger."""
+    scales, measured = scales or {}, dict[str, Measurement]()
+    for name, value in observed.items():
+        several = isinstance(value, tuple)
+        size = max((scales.get(name, 0.0), *map(abs, filter(math.isfinite, value if several else (value,)))))
+        error = errors[name] * size
+        off: Observed = (error,) * len(value) if several else error
+        measured[name] = Measurement(value, off, "estimate", model, why, size)
     return Run(measured, evaluations, outcome)

@@ -39,6 +39,10 @@ class Event:
     of_speed: bool = False
 
 
+Pushes = Iterable[tuple[int, Sequence[float]]]
+"""Forces (N, by components), each with the place in the scene of the body it acts on."""
+
+
 class Force(ABC):
     """What acts on the bodies of a scene: one file each, and nothing else has to know it. All numbers are SI.
 
@@ -47,9 +51,7 @@ class Force(ABC):
     """
 
     @abstractmethod
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterable[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """The force (N, by components) on each body it acts on; a body may be named several times.
 
         `since` is the state with which the present step began: a force that is switched by an event asks there whether it acts, and
@@ -70,7 +72,7 @@ class Force(ABC):
 
     def act_at(
         self, scene: Scene, time: float, state: State, masses: Sequence[float], since: State
-    ) -> Iterable[tuple[int, Sequence[float]]]:
+    ) -> Pushes:
         """The same for a force that depends on the time (s), too; this is what is asked for."""
         return self.act(scene, state, masses, since)
 
@@ -127,6 +129,28 @@ class Force(ABC):
         return math.inf
 
 
+@dataclass(frozen=True, slots=True)
+class ForceOnOne(Force, ABC):
+    """On one body, by its place in the scene."""
+
+    body: int
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return (self.body,)
+
+
+@dataclass(frozen=True, slots=True)
+class ForceBetween(Force, ABC):
+    """Between two bodies at the `ends`, by their places in the scene."""
+
+    ends: tuple[int, int]
+
+    @property
+    def bodies(self) -> tuple[int, ...]:
+        return self.ends
+
+
 class ContactForce(Force, ABC):
     """A force between two bodies that overlap; a scene with no other force ends when nothing touches and nothing will."""
 
@@ -147,9 +171,7 @@ class ContactForce(Force, ABC):
     def between(self, scene: Scene, state: State, a: int, b: int) -> list[float]:
         """The force (N) on b of its touch with a; a feels the opposite. Zero while they are apart."""
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         for a, b in self.serves(scene):
             yield from opposite(a, b, self.between(scene, state, a, b))
 
@@ -210,12 +232,9 @@ class Scene:
 
 def start_of(scene: Scene) -> list[float]:
     """The state at time zero."""
-    spins = [body.spin for body in scene.bodies] if scene.spins else []
-    return (
-        [x for body in scene.bodies for x in body.place]
-        + [v for body in scene.bodies for v in body.velocity]
-        + spins
-    )
+    places = [x for body in scene.bodies for x in body.place]
+    velocities = [v for body in scene.bodies for v in body.velocity]
+    return places + velocities + ([body.spin for body in scene.bodies] if scene.spins else [])
 
 
 def place(scene: Scene, state: State, i: int) -> State:
@@ -233,10 +252,8 @@ def seen_from(scene: Scene, state: State, a: int, b: int) -> tuple[list[float], 
     i, j = n * a, n * b
     if n == 2:  # written out: this is where most of the time of a composed scene goes
         u, v = count + i, count + j
-        return [state[j] - state[i], state[j + 1] - state[i + 1]], [
-            state[v] - state[u],
-            state[v + 1] - state[u + 1],
-        ]
+        apart = [state[j] - state[i], state[j + 1] - state[i + 1]]
+        return apart, [state[v] - state[u], state[v + 1] - state[u + 1]]
     return [state[j] - state[i]], [state[count + j] - state[count + i]]
 
 
@@ -252,9 +269,8 @@ def pairs(scene: Scene) -> Iterator[tuple[int, int]]:
     """Every two bodies that can touch."""
     for a, first in enumerate(scene.bodies):
         for b, second in enumerate(scene.bodies[a + 1 :], start=a + 1):
-            if first.radius + second.radius > 0.0 and not (
-                math.isinf(first.mass) and math.isinf(second.mass)
-            ):
+            walls = math.isinf(first.mass) and math.isinf(second.mass)
+            if first.radius + second.radius > 0.0 and not walls:
                 yield a, b
 
 

@@ -73,7 +73,9 @@ def test_the_same_to_the_last_few_places(compiled, name):
 @pytest.mark.parametrize("across", [0.0, 0.018, 0.039])
 @pytest.mark.parametrize("q", [1.0, 1.37, 1.5, 3.0])
 def test_one_contact_is_the_same_to_the_last_few_places(compiled, monkeypatch, eta, across, q):
-    pair = Pair(0.1, 0.1, (0.08, across), (-1.0, 0.0), 0.04, Contact(2e4 * 0.005 ** (1.5 - q), q, eta))
+    pair = Pair(
+        0.1, 0.1, (0.08, across), ((0.0, 0.0), (-1.0, 0.0)), 0.04, Contact(2e4 * 0.005 ** (1.5 - q), q, eta)
+    )
     met, found = meet(pair), []
     for way in ("0", "1"):
         monkeypatch.setenv(both_ways.ASKED_BY, way)

@@ -16,7 +16,6 @@ from corollary.scenes.models import certain
 from corollary.scenes.models.pair import Pair, touch, turned_and_lasted
 from corollary.scenes.models.proven import collisions, follow
 from corollary.scenes.models.proven.laws import PairLaw, RowLaw
-from corollary.scenes.models.proven.maximum import maximum
 from corollary.scenes.models.proven.step import State, disc, enclosed_step
 from corollary.scenes.models.two_bodies import damped, undamped
 from corollary.scenes.run import BadSetting, components
@@ -61,7 +60,7 @@ def test_two_bodies_are_what_beta_functions_say(q):
 @pytest.mark.whole
 @pytest.mark.parametrize("across", [0.0, 0.018, 0.0399])
 def test_two_spheres_are_what_two_integrals_say(across):
-    pair = Pair(0.1, 0.2, (0.08, across), (-1.0, 0.0), 0.04, Contact(2e4, 1.5))
+    pair = Pair(0.1, 0.2, (0.08, across), ((0.0, 0.0), (-1.0, 0.0)), 0.04, Contact(2e4, 1.5))
     with precision_of(144):
         met = touch(pair)
         assert met is not None
@@ -185,10 +184,10 @@ def test_a_force_that_is_not_told_is_in_the_bound():
 
 def test_a_largest_value_is_found_between_and_at_the_ends():
     with precision_of(80):
-        agree(maximum(lambda t: (t.sin(), t.cos()), arb(3), arb(0)), arb(1))
-        agree(maximum(lambda t: (t.exp(), t.exp()), arb(1), arb(0)), arb(1).exp())
-        agree(maximum(lambda t: (t.sin(), t.cos()), arb(1), arb(2)), arb(2))
-        two = maximum(lambda t: (t * (1 - t) ** 2, (1 - t) * (1 - 3 * t)), arb(1.3), arb(0))
+        agree(follow.maximum(lambda t: (t.sin(), t.cos()), arb(3), arb(0)), arb(1))
+        agree(follow.maximum(lambda t: (t.exp(), t.exp()), arb(1), arb(0)), arb(1).exp())
+        agree(follow.maximum(lambda t: (t.sin(), t.cos()), arb(1), arb(2)), arb(2))
+        two = follow.maximum(lambda t: (t * (1 - t) ** 2, (1 - t) * (1 - 3 * t)), arb(1.3), arb(0))
         agree(two, arb(4) / 27)
         assert math.isfinite(float(two))
 

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Force, Scene, State, velocity
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State, velocity
 from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
-class Absorption(Force):
+class Absorption(ForceOnOne):
     """One body takes up mass that moves with `velocity`, at `rate` kg/s (not negative); its force is (u - v) dm/dt."""
 
-    body: int
     velocity: tuple[float, ...]
     rate: float
 
@@ -21,15 +20,9 @@ class Absorption(Force):
         refuse_below(scene.name, self, least={"rate": 0.0})
         refuse_components(scene.name, scene.axes, self, "velocity")
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         own = velocity(scene, state, self.body)
         yield self.body, [self.rate * (u - v) for u, v in zip(self.velocity, own, strict=True)]
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)
 
     @property
     def mass_rates(self) -> tuple[tuple[int, float], ...]:

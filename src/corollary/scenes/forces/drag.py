@@ -7,18 +7,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
-from corollary.scenes.scene import Event, Force, Scene, velocity
+from corollary.scenes.scene import Event, ForceOnOne, Pushes, Scene, velocity
 from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
-class Drag(Force):
+class Drag(ForceOnOne):
     """-(linear + quadratic |v|) v on one body, in kg/s and kg/m, neither negative; v is relative to the `wind` (m/s).
 
     |v| v is not smooth where the body turns: a step that ran over it would lose its order and not know its error, so one ends there.
     """
 
-    body: int
     linear: float = 0.0
     quadratic: float = 0.0
     wind: tuple[float, ...] = ()
@@ -29,9 +28,7 @@ class Drag(Force):
         if self.wind:
             refuse_components(scene.name, scene.axes, self, "wind")
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         relative = self._relative(scene, state)
         speed = math.hypot(*relative)
         if scene.axes == 1 and (before := self._relative(scene, since)[0]):
@@ -47,7 +44,3 @@ class Drag(Force):
     def _relative(self, scene: Scene, state: State) -> list[float]:
         wind = self.wind or (0.0,) * scene.axes
         return [v - w for v, w in zip(velocity(scene, state, self.body), wind, strict=True)]
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)

@@ -9,19 +9,18 @@ from dataclasses import dataclass
 from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.rows import velocity_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Force, Scene
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene
 from corollary.scenes.sound import refuse_components, refuse_unsound
 
 
 @dataclass(frozen=True, slots=True)
-class Friction(Force):
+class Friction(ForceOnOne):
     """mu m g against the velocity of one body (by its place in the scene) relative to a `belt` (m/s); m is its mass at the time.
 
     At rest on it the body is held by up to `static` m g; `static` is mu where it is not given. Raises BadSetting for a static
     coefficient below the kinetic one, or either, or g, below zero.
     """
 
-    body: int
     mu: float
     g: float = 9.8
     static: float | None = None
@@ -47,9 +46,7 @@ class Friction(Force):
         """The static coefficient."""
         return self.mu if self.static is None else self.static
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: what it does follows from whether the body sticks."""
         return ()
 
@@ -75,7 +72,3 @@ class Friction(Force):
     @property
     def does_no_work_at_rest(self) -> bool:
         return not any(self.belt)
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import State
 from corollary.scenes.refused import WRITTEN_WRONG, refuse_own
 from corollary.scenes.run import GuardFailed
-from corollary.scenes.scene import Conserves, Force, Scene, place, start_of, velocity
+from corollary.scenes.scene import Conserves, ForceOnOne, Pushes, Scene, place, start_of, velocity
 from corollary.scenes.sound import size_of
 
 Field = Callable[[float, Sequence[float], Sequence[float]], Sequence[float]]
@@ -16,7 +16,7 @@ Potential = Callable[[Sequence[float]], float]
 
 
 @dataclass(frozen=True, slots=True)
-class ForceFunction(Force):
+class ForceFunction(ForceOnOne):
     """`function(t, place, velocity)` is the force (N, by components) on one body; SI throughout.
 
     With `energy`, the potential energy (J) at a place, the force conserves energy, and every run is watched for it: a potential that
@@ -25,22 +25,19 @@ class ForceFunction(Force):
     (BadSetting), and GuardFailed is raised where it is not on the way.
     """
 
-    body: int
     function: Field
     energy: Potential | None = None
 
     def fits(self, scene: Scene) -> None:
         refuse_own(scene, self, start_of(scene))
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """At time zero; `act_at` knows the time."""
         return self.act_at(scene, 0.0, state, masses, since)
 
     def act_at(
         self, scene: Scene, time: float, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, Sequence[float]]]:
+    ) -> Pushes:
         x, v = place(scene, state, self.body), velocity(scene, state, self.body)
         try:
             newtons = self.function(time, x, v)
@@ -63,7 +60,3 @@ class ForceFunction(Force):
     @property
     def conserves(self) -> Conserves:
         return Conserves.ENERGY if self.energy else Conserves.NOTHING
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)

@@ -7,14 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, Force, Scene, State, opposite, seen_from
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, State, opposite, seen_from
 
 
 @dataclass(frozen=True, slots=True)
-class InverseSquare(Force):
+class InverseSquare(ForceBetween):
     """Two bodies (places in the scene) attract each other with strength/r^2, in N m^2; they repel when it is negative."""
 
-    ends: tuple[int, int]
     strength: float
 
     def fits(self, scene: Scene) -> None:
@@ -25,9 +24,7 @@ class InverseSquare(Force):
                 "move them apart."
             )
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Sequence[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         apart, _ = seen_from(scene, state, *self.ends)
         r = math.hypot(*apart)
         return opposite(self.ends[1], self.ends[0], [self.strength * x / r**3 for x in apart])
@@ -40,7 +37,3 @@ class InverseSquare(Force):
     @property
     def conserves(self) -> Conserves:
         return Conserves.MOMENTUM | Conserves.ENERGY
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return self.ends

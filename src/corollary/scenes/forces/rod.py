@@ -4,35 +4,62 @@ from __future__ import annotations
 
 import math
 from abc import ABC
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from corollary.scenes.constraint import Constraint, State
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, Force, Scene, seen_from
+from corollary.scenes.scene import Conserves, ForceBetween, Pushes, Scene, seen_from
 from corollary.scenes.sound import refuse_below
 
 
 @dataclass(frozen=True, slots=True)
-class Link(Force, ABC):
-    """What holds two bodies (places in the scene) to a distance: `length` (m), the one at the start if it is not given."""
+class Link(ForceBetween, ABC):
+    """What holds two bodies to a distance: `length` (m), the one at the start if it is not given."""
 
-    ends: tuple[int, int]
     length: float | None = None
 
     def fits(self, scene: Scene) -> None:
-        _length(scene, self.ends, self.length)
+        self.span(scene)
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
+    def span(self, scene: Scene) -> float:
+        """The length (m). Raises BadSetting when there is none."""
+        length = self.length
+        if length is None:
+            length = math.dist(*(scene.bodies[i].place for i in self.ends))
+        if not length > 0.0:
+            raise BadSetting(f"{scene.name}: a rod or string between {self.ends} needs a length above zero.")
+        return length
+
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds."""
         return ()
 
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return self.ends
+    def held(self, scene: Scene, what: str, sign: float, two_sided: bool, restitution: float) -> Constraint:
+        """The distance beyond the length (sign 1) or the slack (sign -1), as a gap. Raises BadSetting when there is no length."""
+        (a, b), length = self.ends, self.span(scene)
+
+        def direction(y: State) -> tuple[list[float], float, list[float]]:
+            apart, relative = seen_from(scene, y, a, b)
+            r = math.hypot(*apart) or 1e-300
+            return [x / r for x in apart], r, relative
+
+        def gap(t: float, y: State) -> float:
+            return sign * direction(y)[1] - sign * length
+
+        def row(t: float, y: State) -> list[float]:
+            unit = direction(y)[0]
+            on_b = unit_row(scene, b, [sign * u for u in unit])
+            return [x + z for x, z in zip(on_b, unit_row(scene, a, [-sign * u for u in unit]), strict=True)]
+
+        def drift(t: float, y: State) -> float:
+            unit, r, relative = direction(y)
+            along = sum(u * v for u, v in zip(unit, relative, strict=True))
+            return sign * (sum(v * v for v in relative) - along * along) / r
+
+        name = f"the {what} between {a} and {b}"
+        return Constraint(name, self.ends, gap, row, drift, restitution=restitution, two_sided=two_sided)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +70,7 @@ class Rod(Link):
     """
 
     def fits(self, scene: Scene) -> None:
-        _length(scene, self.ends, self.length)
+        self.span(scene)
         a, b = (scene.bodies[i] for i in self.ends)
         if math.isinf(a.mass) and math.isinf(b.mass) and a.velocity != b.velocity:
             raise BadSetting(
@@ -53,9 +80,7 @@ class Rod(Link):
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The distance beyond the length: zero. Raises BadSetting for bodies that start in the same place."""
-        length = _length(scene, self.ends, self.length)
-        name = f"the rod between {self.ends[0]} and {self.ends[1]}"
-        yield _distance(scene, name, self.ends, 1.0, -length, two_sided=True, restitution=0.0)
+        yield self.held(scene, "rod", 1.0, two_sided=True, restitution=0.0)
 
     @property
     def conserves(self) -> Conserves:
@@ -72,7 +97,7 @@ class String(Link):
     restitution: float = 0.0
 
     def fits(self, scene: Scene) -> None:
-        length = _length(scene, self.ends, self.length)
+        length = self.span(scene)
         refuse_below(scene.name, self, least={"restitution": 0.0})
         if self.restitution > 1.0:
             raise BadSetting(
@@ -91,9 +116,7 @@ class String(Link):
 
     def constraints(self, scene: Scene) -> Iterator[Constraint]:
         """The slack: not negative. Raises BadSetting for bodies that start in the same place without a length given."""
-        length = _length(scene, self.ends, self.length)
-        name = f"the string between {self.ends[0]} and {self.ends[1]}"
-        yield _distance(scene, name, self.ends, -1.0, length, two_sided=False, restitution=self.restitution)
+        yield self.held(scene, "string", -1.0, two_sided=False, restitution=self.restitution)
 
     @property
     def conserves(self) -> Conserves:
@@ -103,42 +126,3 @@ class String(Link):
     @property
     def does_no_work_at_rest(self) -> bool:
         return True
-
-
-def _length(scene: Scene, ends: tuple[int, int], given: float | None) -> float:
-    a, b = (scene.bodies[i].place for i in ends)
-    length = math.dist(a, b) if given is None else given
-    if not length > 0.0:
-        raise BadSetting(f"{scene.name}: a rod or string between {ends} needs a length above zero.")
-    return length
-
-
-def _distance(
-    scene: Scene,
-    name: str,
-    ends: tuple[int, int],
-    sign: float,
-    beyond: float,
-    two_sided: bool,
-    restitution: float,
-) -> Constraint:
-    """sign * distance + beyond, as a gap."""
-    a, b = ends
-
-    def direction(y: State) -> tuple[list[float], float, list[float]]:
-        apart, relative = seen_from(scene, y, a, b)
-        r = math.hypot(*apart) or 1e-300
-        return [x / r for x in apart], r, relative
-
-    def row(t: float, y: State) -> list[float]:
-        unit = direction(y)[0]
-        on_b = unit_row(scene, b, [sign * u for u in unit])
-        return [x + z for x, z in zip(on_b, unit_row(scene, a, [-sign * u for u in unit]), strict=True)]
-
-    def drift(t: float, y: State) -> float:
-        unit, r, relative = direction(y)
-        along = sum(u * v for u, v in zip(unit, relative, strict=True))
-        return sign * (sum(v * v for v in relative) - along * along) / r
-
-    gap: Callable[[float, State], float] = lambda t, y: sign * direction(y)[1] + beyond  # noqa: E731
-    return Constraint(name, ends, gap, row, drift, restitution=restitution, two_sided=two_sided)

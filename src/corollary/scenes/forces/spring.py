@@ -6,19 +6,21 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Event, Force, Scene, State, opposite, seen_from
+from corollary.scenes.scene import Conserves, Event, ForceBetween, Pushes, Scene, State, opposite, seen_from
 from corollary.scenes.sound import refuse_below
+
+FADING = 40.0
+"""In powers of e, over the time that something takes to get stuck: less than a double tells is left of its relative velocity."""
 
 
 @dataclass(frozen=True, slots=True)
-class Spring(Force):
+class Spring(ForceBetween):
     """k in N/m, `length` the one at rest (m); `ends` are two places in the list of bodies; `damping` in kg/s acts along it.
 
     Length and damping are not negative: such a dashpot would drive. A negative k is one that pushes away from its length, as a pendulum
     on its head does: unstable, and as good a law as any.
     """
 
-    ends: tuple[int, int]
     k: float
     length: float = 0.0
     damping: float = 0.0
@@ -26,9 +28,7 @@ class Spring(Force):
     def fits(self, scene: Scene) -> None:
         refuse_below(scene.name, self, least={"length": 0.0, "damping": 0.0})
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Sequence[tuple[int, Sequence[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         apart, relative = seen_from(scene, state, *self.ends)
         long = math.hypot(*apart)
         if scene.axes == 1 and self.length:
@@ -55,6 +55,7 @@ class Spring(Force):
     def conserves(self) -> Conserves:
         return Conserves.MOMENTUM | (Conserves.NOTHING if self.damping else Conserves.ENERGY)
 
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return self.ends
+
+def catching(a: float, b: float, dt: float) -> Spring:
+    """A dashpot between the first two bodies of a scene, of masses a and b, that fades their relative velocity by e^-40 in dt."""
+    return Spring((0, 1), 0.0, damping=FADING * a / (a + b) * b / dt)

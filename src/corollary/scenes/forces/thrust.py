@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Force, Scene, State
+from corollary.scenes.scene import ForceOnOne, Pushes, Scene, State
 from corollary.scenes.sound import refuse_below, refuse_components
 
 
 @dataclass(frozen=True, slots=True)
-class Thrust(Force):
+class Thrust(ForceOnOne):
     """Exhaust leaves one body with velocity `relative` to it, at the rate of `burn` kg/s (> 0).
 
     Its force is v_rel dm/dt, and dm/dt is negative.
     """
 
-    body: int
     relative: tuple[float, ...]
     burn: float
 
@@ -24,14 +23,8 @@ class Thrust(Force):
         refuse_below(scene.name, self, above={"burn": 0.0})
         refuse_components(scene.name, scene.axes, self, "relative")
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         yield self.body, [-self.burn * v for v in self.relative]
-
-    @property
-    def bodies(self) -> tuple[int, ...]:
-        return (self.body,)
 
     @property
     def mass_rates(self) -> tuple[tuple[int, float], ...]:

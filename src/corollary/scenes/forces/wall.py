@@ -10,7 +10,7 @@ from corollary.scenes.constraint import Constraint, Rub, State
 from corollary.scenes.moves import Shift, refuse_moves
 from corollary.scenes.rows import unit_row
 from corollary.scenes.run import BadSetting
-from corollary.scenes.scene import Conserves, Force, Scene, place
+from corollary.scenes.scene import Conserves, Force, Pushes, Scene, place
 from corollary.scenes.sound import refuse_components, refuse_unsound, size_of
 
 
@@ -60,9 +60,7 @@ class HardWall(Force):
         size_of(moved, 3, "HardWall(moves=…)", time)
         return moved
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> tuple[tuple[int, Sequence[float]], ...]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """Nothing by itself: it holds bodies back."""
         return ()
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Force, Scene, State, place
+from corollary.scenes.scene import Conserves, Force, Pushes, Scene, State, place
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,9 +15,7 @@ class Weight(Force):
 
     g: float = 9.8
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         for i, mass in enumerate(masses):
             if not math.isinf(mass):
                 yield i, [0.0] * (scene.axes - 1) + [-mass * self.g]

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from corollary.scenes.scene import Conserves, Event, Force, Scene, State, bounced, place, velocity
+from corollary.scenes.scene import Conserves, Event, Force, Pushes, Scene, State, bounced, place, velocity
 from corollary.scenes.sound import refuse_below
 
 
@@ -32,9 +32,7 @@ class Well(Force):
     def fits(self, scene: Scene) -> None:
         refuse_below(scene.name, self, above={"k": 0.0, "b": 0.0, "d": 0.0})
 
-    def act(
-        self, scene: Scene, state: State, masses: Sequence[float], since: State
-    ) -> Iterator[tuple[int, list[float]]]:
+    def act(self, scene: Scene, state: State, masses: Sequence[float], since: State) -> Pushes:
         """On the bodies that a step begins with inside the edge.
 
         They feel it to the end of the step: the stages of a step that ends at the edge reach over it, and a force that jumps within

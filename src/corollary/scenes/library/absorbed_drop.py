@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from corollary.scenes.definition import SceneDefinition, Setting
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.models.dashpot import fading_by
-from corollary.scenes.run import Observed, Run
+from corollary.formula.ball import Ball
+from corollary.scenes.definition import Setting
+from corollary.scenes.forces.spring import FADING
+from corollary.scenes.models.certain import Evaluated, by_formulas
 
 SETTINGS = (
     Setting("m", "mass of the body", "kg", 2.0, above=0.0),
@@ -20,18 +18,13 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(m: Ball, dm: Ball, v: Ball, u: Ball, force: Ball, t: Ball, dt: Ball) -> Evaluated:
     """Velocities (body, drop) after the time t, the change of their total momentum, and the largest pull between them.
 
     The drop is dragged along by a dashpot. The relative velocity w obeys w' = F/m - (grip/mu) w, so it fades to F mu/(m grip): the
     force goes on to act on the body alone, and the drop lags behind by that much. The centre of mass gains F t/(m + dm).
     """
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    m, dm, v, u, force, t, dt = balls(settings, "m", "dm", "v", "u", "F", "t", "dt")
-    total, rate = m + dm, fading_by() / dt
+    total, rate = m + dm, FADING / dt
     lag = force / (m * rate)
     left = lag + (v - u - lag) * (-rate * t).exp()
     centre = (m * v + dm * u + force * t) / total
@@ -46,4 +39,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     return Evaluated("sticks", values, "piecewise exact", why)
 
 
-SCENE = SceneDefinition("a body takes up a small drop", SETTINGS, play)
+SCENE = by_formulas("a body takes up a small drop", SETTINGS, _evaluated)

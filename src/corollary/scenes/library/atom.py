@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.forces.well import Well
 from corollary.scenes.models.central import Radial, radial
 from corollary.scenes.models.certain import Balls, Evaluated, found, sign
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.run import BadSetting, Run
 
 SETTINGS = (
     Setting("m", "mass of the atom", "kg", 2.0, above=0.0),
@@ -31,12 +30,12 @@ SETTINGS = (
 GONE = "it starts at the edge on its way out: nothing acts beyond"
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """Bound: period of the distance, its turning points, the angle turned in one period. Else: the velocity far away.
 
     On a line `turning_points` are places and `velocities` has one component.
     """
-    m, well = one(settings, "m"), Well(*(one(settings, name) for name in ("k", "b", "d")))
+    m, well = one(settings, "m"), Well(*numbers(settings, "k", "b", "d"))
     if well.d >= well.b:
         raise BadSetting(f"atom: d = {well.d:g} m must be less than b = {well.b:g} m: the core has a size.")
     plane = one(settings, "dimension") == 2.0
@@ -45,10 +44,10 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
         raise BadSetting(
             f"atom: r0 = {math.hypot(*place):g} m is inside the core; start at b - d = {well.wall:g} m or beyond."
         )
-    return found(lambda: _motion(well, m, place, velocity, plane))
+    return found(lambda: motion(well, m, place, velocity, plane))
 
 
-def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, float], tuple[float, float]]:
+def _start(settings: Settings, plane: bool) -> tuple[tuple[float, float], tuple[float, float]]:
     r, v = settings["r0"], settings["v0"]
     place = r if isinstance(r, tuple) else (r, 0.0)
     velocity = v if isinstance(v, tuple) else ((0.0, v) if plane else (v, 0.0))
@@ -63,7 +62,7 @@ def _start(settings: Mapping[str, Observed], plane: bool) -> tuple[tuple[float, 
     return (place[0], place[1]), (velocity[0], velocity[1])
 
 
-def _motion(
+def motion(
     well: Well, mass: float, place: tuple[float, float], velocity: tuple[float, float], plane: bool
 ) -> Evaluated:
     m, (x, y), (u, v) = Ball(mass), map(Ball, place), map(Ball, velocity)

@@ -8,12 +8,12 @@ from dataclasses import replace
 
 from corollary.formula.ball import Ball
 from corollary.scenes.collision import ROUNDING, collide
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.bounce import bounce, depth_of
 from corollary.scenes.models.certain import Balls, Evaluated, balls, found
 from corollary.scenes.models.proven import collisions
-from corollary.scenes.models.two_bodies import BETA, CONSERVED, FADES, damped, swings, undamped
+from corollary.scenes.models.two_bodies import BETA, CONSERVED, FADES, Hit, damped, swings, undamped
 from corollary.scenes.row import RowOfBodies
 from corollary.scenes.run import NEVER_PART, BadSetting, Model, Observed, Run, by_relative_errors
 
@@ -34,21 +34,25 @@ SETTINGS = (
 OVERDAMPED = 1e5
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """Rebound speed and impulse of the floor when the ball leaves y = R; peak force of the floor; duration of the contact."""
-    m, k, q, r, y0, v0, g, eta = (
-        one(settings, name) for name in ("m", "k", "q", "R", "y0", "v0", "g", "eta")
-    )
+    m, contact, speed, g = _fallen(settings)
+    r, y0, v0 = numbers(settings, "R", "y0", "v0")
+    if v0 >= 0.0 and (g == 0.0 or (v0 == 0.0 and y0 == r)):
+        return found(lambda: _missed(Ball(v0)))
+    if contact.eta > 0.0 and not (g == 0.0 and contact.q == 1.0):
+        return _damped(m, contact, speed, g, tolerance)
+    return found(lambda: _evaluated(settings, contact))
+
+
+def _fallen(settings: Settings) -> tuple[float, Contact, float, float]:
+    """Mass, contact, the speed at the floor, weight. Raises BadSetting."""
+    m, k, q, r, y0, v0, g, eta = numbers(settings, "m", "k", "q", "R", "y0", "v0", "g", "eta")
     if y0 < r:
         raise BadSetting(
             f"ball_on_floor: y0 = {y0:g} m is inside the floor; the centre must start at R = {r:g} m or higher."
         )
-    if v0 >= 0.0 and (g == 0.0 or (v0 == 0.0 and y0 == r)):
-        return found(lambda: _missed(Ball(v0)))
-    contact = Contact(k, q, eta)
-    if eta > 0.0 and not (g == 0.0 and q == 1.0):
-        return _damped(m, contact, math.sqrt(v0 * v0 + 2.0 * g * (y0 - r)), g, tolerance)
-    return found(lambda: _evaluated(settings, contact))
+    return m, Contact(k, q, eta), math.sqrt(v0 * v0 + 2.0 * g * (y0 - r)), g
 
 
 def _missed(v0: Ball) -> Evaluated:
@@ -60,25 +64,32 @@ def _missed(v0: Ball) -> Evaluated:
     )
 
 
-def _evaluated(settings: Mapping[str, Observed], contact: Contact) -> Evaluated:
+def _evaluated(settings: Settings, contact: Contact) -> Evaluated:
     """Without damping; or a spring with a dashpot without weight."""
-    m, r, y0, v0, g = balls(settings, "m", "R", "y0", "v0", "g")
-    speed = (v0 * v0 + 2 * g * (y0 - r)).sqrt()
-    by: dict[str, tuple[Model, str]] = {}
+    m, g = balls(settings, "m", "g")
+    speed = _meets(settings)
+    model: Model = "quadrature" if contact.eta == 0.0 else "piecewise exact"
     if g > 0:
         hit = bounce(contact, m, speed, g)
         why = "one body, no damping: energy gives the deepest point, a rigorous integral over the energy the duration"
     elif contact.eta == 0.0:
         hit, why = undamped(m, Ball(contact.k), Ball(contact.q), speed), BETA
     else:
-        hit, why = (
-            damped(
-                m, Ball(contact.k), Ball(contact.eta), speed, swings((math.inf, one(settings, "m")), contact)
-            ),
-            FADES,
-        )
-    if contact.eta == 0.0:
-        by = dict.fromkeys(("velocities", "rebound_speed", "energy_ratio"), ("conservation", CONSERVED))
+        turns = swings((math.inf, one(settings, "m")), contact)
+        hit, why = damped(m, Ball(contact.k), Ball(contact.eta), speed, turns), FADES
+    conserved = ("velocities", "rebound_speed", "energy_ratio") if contact.eta == 0.0 else ()
+    return _observed(hit, m, speed, g, model, why, dict.fromkeys(conserved, ("conservation", CONSERVED)))
+
+
+def _meets(settings: Settings) -> Ball:
+    """The speed at the floor."""
+    r, y0, v0, g = balls(settings, "R", "y0", "v0", "g")
+    return (v0 * v0 + 2 * g * (y0 - r)).sqrt()
+
+
+def _observed(
+    hit: Hit, m: Ball, speed: Ball, g: Ball, model: Model, why: str, by: Mapping[str, tuple[Model, str]]
+) -> Evaluated:
     back = hit.restitution
     values: dict[str, Balls] = {
         "velocities": (back * speed,),
@@ -89,32 +100,27 @@ def _evaluated(settings: Mapping[str, Observed], contact: Contact) -> Evaluated:
         "energy_ratio": back * back,
     }
     if hit.duration is None:
-        return Evaluated("sticks", values, "piecewise exact", why, warnings=(NEVER_PART,))
-    model: Model = "quadrature" if contact.eta == 0.0 else "piecewise exact"
+        return Evaluated("sticks", values, model, why, warnings=(NEVER_PART,))
     return Evaluated("released", values | {"duration": hit.duration}, model, why, by)
 
 
-def stepped(settings: Mapping[str, Observed], tolerance: float) -> Run | None:
+def stepped(settings: Settings, tolerance: float) -> Run | None:
     """The same contact followed in steps, whatever else could be done; none where there is no contact."""
-    m, k, q, r, y0, v0, g, eta = (
-        one(settings, name) for name in ("m", "k", "q", "R", "y0", "v0", "g", "eta")
-    )
-    square = v0 * v0 + 2.0 * g * (y0 - r)
-    if square == 0.0 or (v0 >= 0.0 and g == 0.0):
+    m, contact, speed, g = _fallen(settings)
+    if speed == 0.0 or (one(settings, "v0") >= 0.0 and g == 0.0):
         return None
-    return _damped(m, Contact(k, q, eta), math.sqrt(square), g, tolerance)
+    return _damped(m, contact, speed, g, tolerance)
 
 
-def proven(settings: Mapping[str, Observed]) -> Run:
+def proven(settings: Settings) -> Run:
     """A damped contact enclosed in balls, every value with a bound."""
-    contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
-    mass, g = one(settings, "m"), one(settings, "g")
-    fall = one(settings, "y0") - one(settings, "R")
-    deep = depth_of(contact, mass, math.sqrt(one(settings, "v0") ** 2 + 2.0 * g * fall), g)
+    mass, contact, fast, weight = _fallen(settings)
+    deep = depth_of(contact, mass, fast, weight)
 
     def enclosed() -> Evaluated:
-        r, y0, v0 = balls(settings, "R", "y0", "v0")
-        return collisions.on_a_floor(mass, contact, y0 - r, v0, g, deep)
+        speed = _meets(settings)
+        hit = collisions.on_a_floor(mass, contact, speed, weight, deep)
+        return _observed(hit, Ball(mass), speed, Ball(weight), "integration", collisions.WHY, {})
 
     return found(enclosed, collisions.PRECISIONS)
 

@@ -5,13 +5,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from corollary.scenes.collision import ROUNDING
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
+from corollary.scenes.forces.spring import catching
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
 SETTINGS = (
@@ -26,13 +27,13 @@ SETTINGS = (
 LEAST_RELATIVE = 2.3e-14
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """Velocities (bullet, block) when the bullet is stuck, height and greatest angle of the swing, energy lost in the hit (J; negative).
 
     The block swings already while the bullet is braked; after dt it is held fast. From then on the rope does no work: energy gives
     the height, counted from where the block hung.
     """
-    bullet, block, v, length, g, dt = (one(settings, name) for name in ("mA", "mB", "v", "L", "g", "dt"))
+    bullet, block, v, length, g, dt = numbers(settings, "mA", "mB", "v", "L", "g", "dt")
     both = bullet + block
     common = bullet / both * v
     if common**2 / (2.0 * g) > length:
@@ -67,26 +68,16 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     return by_relative_errors(observed, errors, "integration", why, rough[2] + spent, "sticks", scales)
 
 
-def _held_fast(settings: Mapping[str, Observed], tolerance: float) -> tuple[float, float, int]:
+def _held_fast(settings: Settings, tolerance: float) -> tuple[float, float, int]:
     """Way and velocity of the block along its arc once the bullet is stuck, and the evaluations.
 
-    What little is left of the bullet's motion in the block it shares with it.
-    """
-    (way, _, speed, left), spent = _braked(settings, tolerance)
-    bullet, block, length = (one(settings, name) for name in ("mA", "mB", "L"))
-    return way, speed + bullet / (bullet + block) * math.cos(way / length) * left, spent
-
-
-def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[float], int]:
-    """The state after dt: way of the block along its arc, way of the bullet in it, and both velocities; and the evaluations.
-
     The block hangs on two ropes and does not turn; the bullet moves level in it, braked by a dashpot: Newton's second law along the
-    way of the bullet, and for both along the arc, where the ropes do not pull.
+    way of the bullet, and for both along the arc, where the ropes do not pull. What little is left of the bullet's motion in the block
+    after dt it shares with it.
     """
-    bullet, block, v, length, g, dt = (one(settings, name) for name in ("mA", "mB", "v", "L", "g", "dt"))
+    bullet, block, v, length, g, dt = numbers(settings, "mA", "mB", "v", "L", "g", "dt")
     both = bullet + block
-    # A dashpot that leaves e^-40 of the bullet's motion in the block.
-    grip = 40.0 * bullet / both * block / dt
+    grip = catching(bullet, block, dt).damping
 
     def slope(_: float, state: Sequence[float]) -> list[float]:
         way, _, speed, inside = state
@@ -105,7 +96,8 @@ def _braked(settings: Mapping[str, Observed], tolerance: float) -> tuple[list[fl
         raise GuardFailed(
             "ballistic_pendulum: the bullet was not followed to its stop. Choose milder settings."
         )
-    return solved.y[:, -1].tolist(), int(solved.nfev)
+    way, _, speed, left = solved.y[:, -1].tolist()
+    return way, speed + bullet / both * math.cos(way / length) * left, int(solved.nfev)
 
 
 SCENE = SceneDefinition("a bullet gets stuck in a hanging block", SETTINGS, play)

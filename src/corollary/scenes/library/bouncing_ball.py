@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.certain import Balls, Evaluated, balls, found
-from corollary.scenes.run import Observed, Run
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import Balls, Evaluated, by_formulas
 
 SETTINGS = (
     Setting("h0", "drop height", "m", 2.0, above=0.0),
@@ -17,19 +14,14 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(h0: Ball, r: Ball, n: Ball, g: Ball) -> Evaluated:
     """Heights after each bounce, the speed after the last, and the time until then: free fall and a hard floor in turn.
 
     A ball with r < 1 bounces infinitely often in the time sqrt(2 h0/g) (1 + r)/(1 - r), `rests_after`.
     """
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    h0, r, g = balls(settings, "h0", "r", "g")
     fall, rebound, up = (2 * h0 / g).sqrt(), Ball(1), Ball(0)
     heights: list[Ball] = []
-    for bounce in range(round(one(settings, "n"))):
+    for bounce in range(round(float(n))):
         up += 2 * rebound if bounce else 0
         rebound *= r
         heights.append(h0 * rebound * rebound)
@@ -47,4 +39,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     )
 
 
-SCENE = SceneDefinition("a ball bounces on a floor with a coefficient of restitution", SETTINGS, play)
+SCENE = by_formulas("a ball bounces on a floor with a coefficient of restitution", SETTINGS, _evaluated)

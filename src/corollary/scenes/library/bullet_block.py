@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from corollary.scenes.definition import SceneDefinition, Setting
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.models.dashpot import faded, fading_by
-from corollary.scenes.run import Observed, Run
+from corollary.formula.ball import Ball
+from corollary.scenes.definition import Setting
+from corollary.scenes.forces.spring import FADING
+from corollary.scenes.models.certain import Evaluated, by_formulas
 
 SETTINGS = (
     Setting("m", "mass of the bullet", "kg", 0.1, above=0.0),
@@ -19,16 +17,11 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(m: Ball, block: Ball, v: Ball, mu: Ball, g: Ball, dt: Ball) -> Evaluated:
     """`distance` is how far the block slides on the rough region, `energy_change` that of the collision (J).
 
     The bullet is braked by a dashpot for the time dt, and then held fast; only then does the rough region begin, as in the exercise.
     """
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    m, block, v, mu, g, dt = balls(settings, "m", "M", "v", "mu", "g", "dt")
     both = m + block
     common = m * v / both
     values = {
@@ -36,11 +29,11 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
         "energy_change": -v * v * m * block / (2 * both),
         "distance": common * common / (2 * mu * g),
         "duration": common / (mu * g),
-        "depth": v * (1 - faded()) * dt / fading_by(),
-        "peak_force": fading_by() * m * block / both * v / dt,
+        "depth": v * (1 - Ball(-FADING).exp()) * dt / FADING,
+        "peak_force": FADING * m * block / both * v / dt,
     }
     why = "a dashpot, then constant friction: each moves the bodies in closed form"
     return Evaluated("sticks", values, "piecewise exact", why)
 
 
-SCENE = SceneDefinition("a bullet gets stuck in a block that slides to rest", SETTINGS, play)
+SCENE = by_formulas("a bullet gets stuck in a block that slides to rest", SETTINGS, _evaluated)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.formula.ball import Ball
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import Evaluated, by_formulas
+from corollary.scenes.run import BadSetting
 
 SETTINGS = (
     Setting("N", "number of links", "1", 1000.0, least=1.0, most=1e6, whole=True),
@@ -18,20 +17,14 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(_: Ball, m: Ball, length: Ball, v0: Ball, g: Ball, y: Ball) -> Evaluated:
     """Impulse and work of the hand until the last link hangs, energy lost, and the mean force while one link is lifted about y.
 
     Every link jerks the hand with (m/N) v0, as momentum demands; between jerks the hand carries what hangs. Link i leaves the
     heap when the length (i + 1/2) L/N is lifted, so that on the mean half of the chain hangs.
     """
-    y, length = one(settings, "y"), one(settings, "L")
     if y > length:
-        raise BadSetting(f"chain: y = {y:g} m is more than the chain is long ({length:g} m).")
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    m, length, v0, g, y = balls(settings, "m", "L", "v0", "g", "y")
+        raise BadSetting(f"chain: y = {float(y):g} m is more than the chain is long ({float(length):g} m).")
     impulse = m * v0 + m * g * length / (2 * v0)
     # While one link is lifted about y there is one jerk, at j + 1/2; j links hang before it and one more after it: y/L N on the mean.
     values = {
@@ -44,4 +37,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     return Evaluated("released", values, "piecewise exact", why)
 
 
-SCENE = SceneDefinition("a chain lifted from a heap at constant speed", SETTINGS, play)
+SCENE = by_formulas("a chain lifted from a heap at constant speed", SETTINGS, _evaluated)

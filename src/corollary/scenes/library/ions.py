@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.run import BadSetting, Observed, Run
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import Evaluated, by_formulas
+from corollary.scenes.run import BadSetting
 
 SETTINGS = (
     Setting("C", "force constant", "N m^2", 0.0012, above=0.0),
@@ -19,19 +17,15 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(strength: Ball, ma: Ball, mb: Ball, v: Ball, r0: Ball, s: Ball) -> Evaluated:
     """The closest distance, the largest force, and the relative speed far away, from energy and angular momentum.
 
     mu v^2/2 + C/r0 = mu (s v)^2/(2 r^2) + C/r at the closest point, a quadratic in 1/r.
     """
-    r0, s = one(settings, "r0"), one(settings, "s")
     if s >= r0:
-        raise BadSetting(f"ions: s = {s:g} m must be less than r0 = {r0:g} m, for the ions come nearer.")
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    strength, ma, mb, v, r0, s = balls(settings, "C", "mA", "mB", "v", "r0", "s")
+        raise BadSetting(
+            f"ions: s = {float(s):g} m must be less than r0 = {float(r0):g} m, for the ions come nearer."
+        )
     mass = 1 / (1 / ma + 1 / mb)
     energy, spin = mass * v * v / 2 + strength / r0, mass * (s * v) ** 2 / 2
     nearest = (strength + (strength**2 + 4 * spin * energy).sqrt()) / (2 * energy)
@@ -45,4 +39,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     return Evaluated("escaped", values, "conservation", why)
 
 
-SCENE = SceneDefinition("two ions repel each other and turn round", SETTINGS, play)
+SCENE = by_formulas("two ions repel each other and turn round", SETTINGS, _evaluated)

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.certain import ComplexBall, Evaluated, balls, found, integral
-from corollary.scenes.run import Observed, Run
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import ComplexBall, Evaluated, by_formulas, integral
 
 SETTINGS = (
     Setting("m", "mass of the body", "kg", 0.43, above=0.0),
@@ -26,14 +23,9 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(m: Ball, v0: Ball, force: Ball, dt: Ball, power: Ball) -> Evaluated:
     """Velocity after the push, impulse, greatest force, and the way made meanwhile: Newton's second law, integrated."""
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    m, v0, force, dt, power = balls(settings, "m", "v0", "F", "dt", "pulse")
-    whole = round(one(settings, "pulse"))
+    whole = round(float(power))
     # The mean of sin^p over half a turn is Gamma((p + 1)/2) / (sqrt(pi) Gamma(p/2 + 1)).
     peak = force * Ball.pi().sqrt() * (power / 2 + 1).gamma() / ((power + 1) / 2).gamma()
 
@@ -52,4 +44,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     return Evaluated("released", values, "quadrature", why)
 
 
-SCENE = SceneDefinition("a body pushed for a short time by a force of given mean", SETTINGS, play)
+SCENE = by_formulas("a body pushed for a short time by a force of given mean", SETTINGS, _evaluated)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from corollary.scenes.definition import SceneDefinition, Setting
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.run import Observed, Run
+from corollary.formula.ball import Ball
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import Evaluated, by_formulas
 
 SETTINGS = (
     Setting("v", "speed of the car", "m/s", 4.0),
@@ -17,13 +15,8 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(v: Ball, rate: Ball, u: Ball, t: Ball, _: Ball) -> Evaluated:
     """Mean pull, impulse and work in the time t, and the energy lost as every shovel of sand is brought to the car's speed."""
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    v, rate, u, t = balls(settings, "v", "R", "ux", "t")
     sand = rate * t
     values = {
         "mean_force": rate * (v - u),
@@ -35,4 +28,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     return Evaluated("sticks", values, "conservation", why)
 
 
-SCENE = SceneDefinition("sand falls into a car that is pulled at constant speed", SETTINGS, play)
+SCENE = by_formulas("sand falls into a car that is pulled at constant speed", SETTINGS, _evaluated)

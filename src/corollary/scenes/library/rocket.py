@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.run import BadSetting, Observed, Run, components
+from corollary.scenes.run import BadSetting, Run, components
 
 SETTINGS = (
     Setting("m0", "mass at the start", "kg", 1000.0, above=0.0),
@@ -18,13 +17,13 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """`velocities` is the final velocity of a steady burn, somewhere between the two of `bracket`, which are its proven bounds.
 
     A puff that leaves with v_rel relative to the rocket after it gives dm v_rel / (mass before), relative to the rocket before it
     dm v_rel / (mass after). A steady burn lies between the two; their mean is off by a share of 1/N^2 only.
     """
-    m0, m1 = one(settings, "m0"), one(settings, "m1")
+    m0, m1 = numbers(settings, "m0", "m1")
     if m1 > m0:
         raise BadSetting(f"rocket: m1 = {m1:g} kg is more than m0 = {m0:g} kg; a rocket gets lighter.")
     run = found(lambda: _evaluated(settings))
@@ -38,7 +37,7 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     return replace(run, measured=run.measured | {"velocities": replace(middle, error=(widest,), size=size)})
 
 
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
+def _evaluated(settings: Settings) -> Evaluated:
     m0, m1, v_rel, v0, count = balls(settings, "m0", "m1", "v_rel", "v0", "N")
     puff = (m0 - m1) / count
     if puff.is_zero():

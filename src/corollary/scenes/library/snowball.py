@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.models.dashpot import fading_by
-from corollary.scenes.run import Observed, Run
+from corollary.scenes.definition import Setting
+from corollary.scenes.forces.spring import FADING
+from corollary.scenes.models.certain import Evaluated, by_formulas
 
 SETTINGS = (
     Setting("M", "your mass", "kg", 80.0, above=0.0),
@@ -28,27 +26,22 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(you: Ball, son: Ball, ball: Ball, v: Ball, theta: Ball, dt: Ball) -> Evaluated:
     """Velocities along the ice, toward the son. `velocities_after_throw` and `velocities` are (yours, your son's).
 
     Thrown by a constant force between hand and ball (each feels it, oppositely); caught by a dashpot between ball and son,
     and then held fast. The ice carries what the throw does vertically.
     """
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    you, son, ball, v, theta, dt = balls(settings, "M", "Ms", "m", "v", "theta", "dt")
     level, up = v * theta.cos(), v * theta.sin()
     yours, both = -ball * level / you, ball + son
     values = {
         "momentum": (ball * level, ball * up),
         "velocities_after_throw": (yours, Ball(0)),
         "velocities": (yours, ball * level / both),
-        "peak_force": (ball * level / dt).max(fading_by() * ball * son / both * level / dt),
+        "peak_force": (ball * level / dt).max(FADING * ball * son / both * level / dt),
     }
     why = "a constant force and a dashpot, one after the other: each moves the bodies in closed form"
     return Evaluated("sticks", values, "piecewise exact", why)
 
 
-SCENE = SceneDefinition("a snowball thrown and caught on ice", SETTINGS, play)
+SCENE = by_formulas("a snowball thrown and caught on ice", SETTINGS, _evaluated)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
-from corollary.scenes.definition import SceneDefinition, Setting, one, row
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, vector
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.integrate.single_contact import follow, groups_of
 from corollary.scenes.models.certain import found
-from corollary.scenes.models.pair import Pair, Parting, Touching, Vector, after_parting, meet
-from corollary.scenes.models.pair_outcome import collision
+from corollary.scenes.models.pair import Pair, Parting, Touching, after_parting, collision, meet
 from corollary.scenes.models.proven import collisions
 from corollary.scenes.run import BadSetting, GuardFailed, Observed, Run, by_relative_errors
 
@@ -31,62 +29,43 @@ SAFE, LUCK = 3.0, 3e-4  # by benchmarks/calibration.py
 NAMES = ("velocities", "duration", "largest_overlap", "peak_force", "impulse", "energy_ratio")
 
 
-def play(settings: Mapping[str, Observed], tolerance: float, *, in_steps: bool = False) -> Run:
-    """`velocities` is (A x, A y, B x, B y) once the spheres are apart, `impulse` the one on B, `deflection` the angle B turned.
+def play(settings: Settings, tolerance: float, *, in_steps: bool = False) -> Run:
+    """`velocities` is (A x, A y, B x, B y) once the spheres are apart, `impulse` the one on B.
 
-    Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step.
+    Between the start and the touch, and after it, nothing acts: that part is a root of a quadratic, never a step. `in_steps` follows
+    the contact whatever else could be done.
     """
-    return collided(*_bodies(settings), tolerance, in_steps=in_steps).only(NAMES)
+    return collided(pair_of(settings, "spheres"), tolerance, in_steps=in_steps).only(NAMES)
 
 
-def _bodies(settings: Mapping[str, Observed]) -> tuple[float, float, float, Contact, Vector, Vector, Vector]:
-    """Masses, reach, contact, B seen from A, velocities. Raises BadSetting."""
-    ma, mb, reach = one(settings, "mA"), one(settings, "mB"), 2.0 * one(settings, "R")
-    va, vb = row(settings, "vA", 2, "components"), row(settings, "vB", 2, "components")
-    contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
-    apart = one(settings, "dx"), one(settings, "dy")
-    if apart == (0.0, 0.0):
-        raise BadSetting("spheres: dx = dy = 0 puts one centre on the other; start them apart.")
-    return ma, mb, reach, contact, apart, (va[0], va[1]), (vb[0], vb[1])
+def pair_of(settings: Settings, name: str) -> Pair:
+    """The spheres of the scene of this name. Raises BadSetting."""
+    ma, mb, radius, k, q, eta, dx, dy = numbers(settings, "mA", "mB", "R", "k", "q", "eta", "dx", "dy")
+    va, vb = vector(settings, "vA"), vector(settings, "vB")
+    if dx == dy == 0.0:
+        raise BadSetting(f"{name}: dx = dy = 0 puts one centre on the other; start them apart.")
+    return Pair(ma, mb, (dx, dy), (va, vb), 2.0 * radius, Contact(k, q, eta))
 
 
-def proven(settings: Mapping[str, Observed]) -> Run:
+def proven(settings: Settings) -> Run:
     """The same enclosed in balls, every value with a bound."""
-    ma, mb, reach, contact, apart, va, vb = _bodies(settings)
-    pair = Pair(ma, mb, apart, (vb[0] - va[0], vb[1] - va[1]), reach, contact, (va, vb))
+    pair = pair_of(settings, "spheres")
     met = meet(pair)
     assert met is not None  # what never touches is known without steps
     _, depth, speed = groups_of(pair, met)
-    enclosed = found(lambda: collisions.spheres(pair, (va, vb), depth, speed), collisions.PRECISIONS)
+    enclosed = found(lambda: collisions.spheres(pair, depth, speed), collisions.PRECISIONS)
     return enclosed.only(NAMES)
 
 
-def stepped(settings: Mapping[str, Observed], tolerance: float) -> Run:
-    """The same contact followed in steps, whatever else could be done."""
-    return play(settings, tolerance, in_steps=True)
-
-
-def collided(
-    ma: float,
-    mb: float,
-    reach: float,
-    contact: Contact,
-    apart: Vector,
-    va: Vector,
-    vb: Vector,
-    tolerance: float,
-    *,
-    in_steps: bool = False,
-) -> Run:
+def collided(pair: Pair, tolerance: float, *, in_steps: bool = False) -> Run:
     """Everything that can be observed of two spheres, by quadrature or step by step. Raises BadSetting, GuardFailed."""
-    relative = vb[0] - va[0], vb[1] - va[1]
-    pair = Pair(ma, mb, apart, relative, reach, contact, (va, vb))
     met = meet(pair)
-    if met is None or (contact.eta == 0.0 and met.overlap == 0.0 and not in_steps):
-        return found(lambda: collision(pair, va, vb))
+    if met is None or (pair.contact.eta == 0.0 and met.overlap == 0.0 and not in_steps):
+        return found(lambda: collision(pair))
     parted, error, spent = _twice(pair, met, tolerance)
     why = "damping, or a start inside the contact: one contact followed in its own time"
     left = after_parting(pair, met, parted)
+    ma, mb, relative, (va, vb) = pair.mass_a, pair.mass_b, pair.relative, pair.velocities
     total = ma + mb
     change = (left[0] - relative[0], left[1] - relative[1])
     then_a = [v - mb / total * c for v, c in zip(va, change, strict=True)]

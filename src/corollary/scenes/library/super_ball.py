@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.scenes.collision import collide
-from corollary.scenes.definition import SceneDefinition, Setting, one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers, one
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.forces.weight import Weight
 from corollary.scenes.measure import measured
@@ -43,23 +42,21 @@ SETTINGS = (
 )
 # Longer than the collisions take without weight; it hastens or delays them by far less.
 AFTER_ALL = 1.05
-AS_FINE, NO_WEIGHT = (
-    1e-6,
-    1e-10,
-)  # a share of the speed: far below what weight does, and where it does nothing
+# A share of the speed: far below what weight does, and where it does nothing.
+AS_FINE, NO_WEIGHT = 1e-6, 1e-10
 # As a share of the overlap, and what it does to velocities and times as a share of them: ten times as much at most.
 NO_GAP, BY_NO_GAP = 1e-11, 1e-10
 MOST_FLIGHTS = 1000.0  # of the lower ball before the upper one comes: more take too long
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """Velocities (lower, upper; up positive) after the last opening, and the height to which the upper ball then rises.
 
     With a gap the lower ball leaves the floor before they meet, as the example supposes; without one all three touch at once and
     the answer is another. Weight during the contacts is left out, unless they are `weighed`; `heights` is counted from the balls'
     places when the lower one meets the floor.
     """
-    ma, mb, h0, g, k, q, gap = (one(settings, name) for name in ("mA", "mB", "h0", "g", "k", "q", "gap"))
+    ma, mb, h0, g, k, q, gap = numbers(settings, "mA", "mB", "h0", "g", "k", "q", "gap")
     speed = math.sqrt(2.0 * g * h0)
     line = RowOfBodies((math.inf, ma, mb), (0.0, -speed, -speed), (0.0, gap), (Contact(k, q), Contact(k, q)))
     found = collide(line, tolerance)
@@ -75,19 +72,10 @@ def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
     # Weight takes g times the time of contact from every speed.
     neglected = g * found.result.duration / speed
     errors = dict.fromkeys(observed, found.errors["velocities"] + neglected)
-    errors["duration"], errors["peak_force"] = (
-        found.errors["duration"] + neglected,
-        found.errors["forces"] + 2.0 * neglected,
-    )
-    run = by_relative_errors(
-        observed,
-        errors,
-        found.model,
-        found.why,
-        found.spent,
-        found.result.outcome,
-        {"velocities": speed, "heights": h0},
-    )
+    errors["duration"] = found.errors["duration"] + neglected
+    errors["peak_force"] = found.errors["forces"] + 2.0 * neglected
+    scales, outcome = {"velocities": speed, "heights": h0}, found.result.outcome
+    run = by_relative_errors(observed, errors, found.model, found.why, found.spent, outcome, scales)
     # A slow ball makes more of weight, but not of next to none.
     return run if neglected < NO_WEIGHT else _beside_weight(run, line, found.result, g, gap)
 
@@ -131,10 +119,8 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
     radius = 4.0 * (lift + gap)
     at_touch = 0.0, radius, 3.0 * radius + apart
     # They are let go where they can be seen to touch: a little above the floor, and that much slower.
-    early, begin = (
-        -math.sqrt(speed**2 - 2.0 * g * lift),
-        (at_touch[0], at_touch[1] + lift, at_touch[2] + lift),
-    )
+    early = -math.sqrt(speed**2 - 2.0 * g * lift)
+    begin = at_touch[0], at_touch[1] + lift, at_touch[2] + lift
     bodies = tuple(
         Body(m, (y,), (early if y else 0.0,), radius if y else 0.0)
         for m, y in zip(line.masses, begin, strict=True)
@@ -143,13 +129,8 @@ def _weighed(line: RowOfBodies, free: RowResult, g: float, gap: float, tolerance
     end = AFTER_ALL * free.duration + falls + lift / speed
     balls = Scene(bodies, (line.contacts[0], Weight(g)), until=end, name="super_ball")
     seen = {Observable.VELOCITIES, Observable.DURATION, Observable.TRAJECTORY}
-    run = measured(
-        balls,
-        seen,
-        tolerance,
-        "weight and both contacts at once: Newton's second law, step by step",
-        times=(end,),
-    )
+    why = "weight and both contacts at once: Newton's second law, step by step"
+    run = measured(balls, seen, tolerance, why, times=(end,))
     velocities, places = run.observed["velocities"], run.observed["trajectory"]
     assert isinstance(velocities, tuple)
     assert isinstance(places, tuple)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
-from corollary.scenes.definition import SceneDefinition, Setting, one, row
-from corollary.scenes.forces.contact import Contact
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.forces.weight import Weight
+from corollary.scenes.library.spheres import pair_of
 from corollary.scenes.measure import measured
 from corollary.scenes.models.pair import refuse_too_soft
-from corollary.scenes.run import BadSetting, Observable, Observed, Run, by_relative_errors
+from corollary.scenes.run import BadSetting, Observable, Run, by_relative_errors
 from corollary.scenes.scene import Body, Scene
 
 SETTINGS = (
@@ -31,25 +30,21 @@ SETTINGS = (
 MOST_FADING = 1e4
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def play(settings: Settings, tolerance: float) -> Run:
     """After the time t: `velocities` (A x, A y, B x, B y), the total `momentum` (x, y), and the kinetic energy over that at the start.
 
     `duration` is how long they touched while they were watched.
     `momentum_change` (x, y) is that of both together; `mean_force` (x, y) is that of B on A while they were watched, without the
     weight. Each is there only if its force is.
     """
-    ma, mb, reach, g, t = (one(settings, name) for name in ("mA", "mB", "R", "g", "t"))
-    reach *= 2.0
-    va, vb = row(settings, "vA", 2, "components"), row(settings, "vB", 2, "components")
-    contact = Contact(one(settings, "k"), one(settings, "q"), one(settings, "eta"))
-    apart = one(settings, "dx"), one(settings, "dy")
-    if apart == (0.0, 0.0):
-        raise BadSetting("touching_spheres: dx = dy = 0 puts one centre on the other; start them apart.")
+    pair = pair_of(settings, "touching_spheres")
+    ma, mb, reach, contact, (va, vb) = pair.mass_a, pair.mass_b, pair.reach, pair.contact, pair.velocities
+    g, t = numbers(settings, "g", "t")
     if contact.eta * t * (1.0 / ma + 1.0 / mb) > MOST_FADING:
         raise BadSetting(
             "touching_spheres: the drag has stopped the spheres long before the time t; lower eta, or t."
         )
-    bodies = Body(ma, (0.0, 0.0), va, 0.5 * reach, "A"), Body(mb, apart, vb, 0.5 * reach, "B")
+    bodies = Body(ma, (0.0, 0.0), va, 0.5 * reach, "A"), Body(mb, pair.apart, vb, 0.5 * reach, "B")
     forces = (contact, Weight(g)) if g else (contact,)
     seen = {Observable.VELOCITIES, Observable.DURATION, Observable.LARGEST_OVERLAP, Observable.ENERGY_RATIO}
     why = "contact and weight act at once: Newton's second law, step by step"

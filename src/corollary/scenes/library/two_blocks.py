@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting, one
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.models.two_bodies import FADES, Hit, after, fading, inverse, missed
-from corollary.scenes.run import Observed, Run
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import Evaluated, by_formulas
+from corollary.scenes.models.two_bodies import FADES, Hit, after, fading, missed
 
 SETTINGS = (
     Setting("mA", "mass of A, on the left", "kg", 2.0, above=0.0),
@@ -21,25 +19,15 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(a: Ball, b: Ball, u: Ball, v: Ball, r: Ball, k: Ball) -> Evaluated:
     """Velocities after the contact, the impulse on B, and what is left of the kinetic energy.
 
     A spring with a dashpot lets go with r = exp(-pi fade), where the swing fades by exp(-fade) while it turns by one radian,
     whatever the masses and speeds; for r = 0 the damping is critical and the bodies stay together.
     """
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    ma, mb, va, vb = (one(settings, name) for name in ("mA", "mB", "vA", "vB"))
-    r, k = balls(settings, "r", "k")
-    closing = Ball(va) - Ball(vb)
-    mass = 1 / (inverse(ma) + inverse(mb))
-    seen = (
-        after((ma, mb), (va, vb), _hit(r, k, mass, closing), FADES, FADES)
-        if closing > 0
-        else missed((ma, mb), (va, vb))
-    )
+    masses, velocities, closing = (float(a), float(b)), (float(u), float(v)), u - v
+    hit = _hit(r, k, 1 / (1 / a + 1 / b), closing) if closing > 0 else None
+    seen = after(masses, velocities, hit, FADES, FADES) if hit else missed(masses, velocities)
     names = ("velocities", "duration", "peak_force", "largest_overlap", "energy_ratio")
     values = {name: seen.values[name] for name in names if name in seen.values}
     impulses = seen.values["impulse"]
@@ -55,4 +43,4 @@ def _hit(r: Ball, k: Ball, mass: Ball, closing: Ball) -> Hit:
     return Hit(Ball(0), closing / w * Ball(-1).exp(), 2 * (k * mass).sqrt() * closing, None)
 
 
-SCENE = SceneDefinition("two bodies on a line with a coefficient of restitution", SETTINGS, play)
+SCENE = by_formulas("two bodies on a line with a coefficient of restitution", SETTINGS, _evaluated)

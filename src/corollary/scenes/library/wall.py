@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 from corollary.formula.ball import Ball
-from corollary.scenes.definition import SceneDefinition, Setting
-from corollary.scenes.models.certain import Evaluated, balls, found
-from corollary.scenes.run import Observed, Run
+from corollary.scenes.definition import Setting
+from corollary.scenes.models.certain import Evaluated, by_formulas
 
 SETTINGS = (
     Setting("m", "mass of the ball", "kg", 0.2, above=0.0),
@@ -25,16 +23,11 @@ SETTINGS = (
 )
 
 
-def play(settings: Mapping[str, Observed], tolerance: float) -> Run:
+def _evaluated(m: Ball, v0: Ball, theta: Ball, dt: Ball) -> Evaluated:
     """Vectors are (along the wall, away from the wall). The wall has no friction and gives like a spring.
 
     A spring's contact lasts half its period whatever the speed, so k = m (pi/dt)^2, and its motion is half a swing.
     """
-    return found(lambda: _evaluated(settings))
-
-
-def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
-    m, v0, theta, dt = balls(settings, "m", "v0", "theta", "dt")
     along, into = v0 * theta.cos(), v0 * theta.sin()
     change = 2 * m * into
     values = {
@@ -51,4 +44,4 @@ def _evaluated(settings: Mapping[str, Observed]) -> Evaluated:
     return Evaluated("released", values, "piecewise exact", why)
 
 
-SCENE = SceneDefinition("a ball reflected from a stiff smooth wall at an angle", SETTINGS, play)
+SCENE = by_formulas("a ball reflected from a stiff smooth wall at an angle", SETTINGS, _evaluated)

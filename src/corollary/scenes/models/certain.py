@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from flint import acb, arb, ctx
 
 from corollary.formula.ball import MOST_BITS, precision_of
-from corollary.scenes.definition import one
+from corollary.scenes.definition import SceneDefinition, Setting, Settings, numbers
 from corollary.scenes.run import GuardFailed, Measurement, Model, Observed, Outcome, Run
 
 Balls = arb | tuple[arb, ...]
 ComplexBall = acb
+T = TypeVar("T")
 
 FIRST_BITS = 128
 ENOUGH = 60  # bits: a double has 53
@@ -73,6 +76,21 @@ def found(compute: Callable[[], Evaluated], precisions: Iterable[int] | None = N
     return Run(measured, 0, last.outcome, tuple(warnings))
 
 
+def by_formulas(
+    meaning: str, settings: tuple[Setting, ...], evaluated: Callable[..., Evaluated]
+) -> SceneDefinition:
+    """A ready scene whose values are formulas: `evaluated` takes its settings (single numbers, exact balls) in their order.
+
+    It may raise BadSetting.
+    """
+
+    def play(given: Settings, tolerance: float) -> Run:
+        exact = balls(given, *(setting.name for setting in settings))
+        return found(lambda: evaluated(*exact))
+
+    return SceneDefinition(meaning, settings, play)
+
+
 def _doubled() -> Iterator[int]:
     bits = FIRST_BITS
     while bits <= MOST_BITS:
@@ -82,18 +100,25 @@ def _doubled() -> Iterator[int]:
 
 def double_of(compute: Callable[[], arb]) -> float:
     """One number as the double next to it. Raises GuardFailed when no precision tells it, OverflowError when no double holds it."""
+
+    def known() -> float:
+        ball = compute()
+        if not _known(ball, ctx.prec):
+            raise MoreDigits
+        return float(ball.mid())
+
+    value = decided(known, "No precision tells this number; move one of the settings by a little.")
+    if not math.isfinite(value):
+        raise OverflowError
+    return value
+
+
+def decided(compute: Callable[[], T], refusal: str) -> T:
+    """What `compute` gives at the first precision at which it does not raise MoreDigits. Raises GuardFailed when none is enough."""
     for bits in _doubled():
-        with precision_of(bits):
-            try:
-                ball = compute()
-            except MoreDigits:
-                continue
-            if _known(ball, bits):
-                value = float(ball.mid())
-                if not math.isfinite(value):
-                    raise OverflowError
-                return value
-    raise GuardFailed("No precision tells this number; move one of the settings by a little.")
+        with precision_of(bits), suppress(MoreDigits):
+            return compute()
+    raise GuardFailed(refusal)
 
 
 def bounded(balls: Balls, model: Model, why: str) -> Measurement | None:
@@ -135,9 +160,9 @@ def _decimal(balls: Balls) -> str:
     return ", ".join(each.str(6, radius=False) for each in numbers)
 
 
-def balls(settings: Mapping[str, Observed], *names: str) -> list[arb]:
+def balls(settings: Settings, *names: str) -> list[arb]:
     """Settings that are single numbers, exactly."""
-    return [arb(one(settings, name)) for name in names]
+    return list(map(arb, numbers(settings, *names)))
 
 
 def sign(ball: arb) -> int:

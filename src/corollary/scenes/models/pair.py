@@ -1,48 +1,53 @@
-"""Two spheres seen from one of them: where they meet, an undamped contact as two rigorous integrals, and what becomes of both."""
+"""Two spheres seen from one of them: where they meet, an undamped contact as two rigorous integrals, and what both are observed to do."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 from flint import acb, arb
 
-from corollary.formula.ball import MOST_BITS, precision_of
 from corollary.scenes.forces.contact import Contact, smoothing_power
 from corollary.scenes.integrate.contact_motion import NEAREST
 from corollary.scenes.models.certain import (
-    FIRST_BITS,
-    MoreDigits,
+    Balls,
+    Evaluated,
+    decided,
     double_of,
     geometric,
     integral,
     root,
     sign,
 )
-from corollary.scenes.run import BadSetting, GuardFailed
+from corollary.scenes.run import BadSetting, Model, Outcome
 
 Vector = tuple[float, float]
+PASS = "the spheres pass each other"
+NO_DAMPING = "no damping: energy and angular momentum of the pair leave two integrals"
+CONSERVATION: tuple[Model, str] = "conservation", "no damping: momentum and energy are as at the start"
 
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """B seen from A: `apart` (m) and `relative` velocity (m/s); they touch when closer than `reach` (the sum of the radii).
-
-    `exact_velocities` are those of A and B where their difference, rounded, is not enough.
-    """
+    """Spheres A and B: B seen from A is `apart` (m), `velocities` (m/s) are of both; they touch closer than `reach`, the sum of the radii."""
 
     mass_a: float
     mass_b: float
     apart: Vector
-    relative: Vector
+    velocities: tuple[Vector, Vector]
     reach: float
     contact: Contact
-    exact_velocities: tuple[Vector, Vector] | None = None
 
     @property
     def mass(self) -> float:
         """The reduced mass."""
         return self.mass_a / (self.mass_a + self.mass_b) * self.mass_b
+
+    @property
+    def relative(self) -> Vector:
+        """The velocity of B seen from A, rounded."""
+        (ua, va), (ub, vb) = self.velocities
+        return ub - ua, vb - va
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,29 +83,22 @@ def meet(pair: Pair) -> Touching | None:
 
     None, too, for two at rest with so little overlap that no double holds the speed it gives them.
     """
-    bits = FIRST_BITS
-    while bits <= MOST_BITS:
-        with precision_of(bits):
-            try:
-                met = touch(pair)
-            except MoreDigits:
-                bits *= 2
-                continue
-            numbers = (
-                None
-                if met is None
-                else [float(each) for each in (met.angle(), met.overlap, met.inward, met.spin, met.after)]
-            )
-            break
-    else:
-        raise GuardFailed(
-            "Two spheres that graze each other by less than any digits tell; move one of them a little."
-        )
-    if numbers is None:
+
+    def in_doubles() -> Touching | None:
+        met = touch(pair)
+        if met is None:
+            return None
+        angle = arb.atan2(met.direction[1], met.direction[0])
+        return Touching(*map(float, (angle, met.overlap, met.inward, met.spin, met.after)))
+
+    found = decided(
+        in_doubles,
+        "Two spheres that graze each other by less than any digits tell; move one of them a little.",
+    )
+    if found is None:
         return None
-    if not all(map(math.isfinite, numbers)):
+    if not all(map(math.isfinite, astuple(found))):
         raise OverflowError
-    found = Touching(*numbers)
     at_rest = found.overlap > 0.0 and found.inward == 0.0 and found.spin == 0.0
     return None if at_rest and loaded_speed(pair, found.overlap) == 0.0 else found
 
@@ -115,17 +113,11 @@ class Touch:
     spin: arb
     after: arb
 
-    def angle(self) -> arb:
-        return arb.atan2(self.direction[1], self.direction[0])
-
 
 def touch(pair: Pair) -> Touch | None:
     """The beginning of the contact in balls: what doubles are given is exact, and so is whether they meet. Raises MoreDigits."""
-    (x, y), (u, v) = ((arb(a), arb(b)) for a, b in (pair.apart, pair.relative))
-    if pair.exact_velocities is not None:
-        (ua, va), (ub, vb) = pair.exact_velocities
-        u, v = arb(ub) - arb(ua), arb(vb) - arb(va)
-    reach = arb(pair.reach)
+    (x, y), (ua, va), (ub, vb) = (map(arb, each) for each in (pair.apart, *pair.velocities))
+    u, v, reach = ub - ua, vb - va, arb(pair.reach)
     spin, radial, square, speed = x * v - y * u, x * u + y * v, x * x + y * y, u * u + v * v
     if sign(square - reach * reach) < 0:
         distance = square.sqrt()
@@ -192,16 +184,6 @@ def reduced_mass(pair: Pair) -> arb:
     return 1 / (1 / arb(pair.mass_a) + 1 / arb(pair.mass_b))
 
 
-def oblique(pair: Pair, met: Touching) -> Parting:
-    """An undamped contact from its beginning to its end, as doubles. Raises BadSetting when the centres all but meet."""
-    overlap, turned, duration = (
-        double_of(lambda i=i: turned_and_lasted(pair, arb(met.inward), arb(met.spin))[i]) for i in range(3)
-    )
-    refuse_too_soft(overlap, pair.reach)
-    force = pair.contact.k * overlap**pair.contact.q
-    return Parting(turned, met.inward, met.spin, duration, overlap, force, False, 0)
-
-
 def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb]:
     """The largest overlap, the angle turned by the line of centres, and the duration of an undamped contact.
 
@@ -230,3 +212,81 @@ def turned_and_lasted(pair: Pair, inward: arb, spin: arb) -> tuple[arb, arb, arb
     lasted = 4 * s * top * integral(lambda y, analytic: pace(y, analytic)[0], arb(0), arb(1))
     turned = 4 * s * top * spin * integral(turning_rate, arb(0), arb(1)) if sign(spin) else arb(0)
     return top, turned, lasted
+
+
+def collision(pair: Pair) -> Evaluated:
+    """Everything observed of two spheres that meet from outside without damping, or pass each other.
+
+    Raises BadSetting when the centres all but meet, MoreDigits for more digits.
+    """
+    met, no = touch(pair), arb(0)
+    if met is None:
+        return _observed(pair, "missed", (no, no), (no, no, no), PASS, "conservation", True)
+    top, turned, lasted = turned_and_lasted(pair, met.inward, met.spin)
+    force = arb(pair.contact.k) * top ** arb(pair.contact.q)
+    return after_contact(pair, met, (turned, met.inward, met.spin), (top, force, lasted), NO_DAMPING)
+
+
+def after_contact(
+    pair: Pair,
+    met: Touch,
+    parting: tuple[arb, arb, arb],
+    contact: tuple[arb, arb, arb],
+    why: str,
+) -> Evaluated:
+    """What is observed of two spheres that part: having turned by an angle, at a rate outward, with a spin.
+
+    `contact` is the largest overlap, the largest force and the duration.
+    """
+    turned, outward, spin = parting
+    c, s = turned.cos(), turned.sin()
+    x, y = met.direction
+    length = (x * x + y * y).sqrt()
+    nx, ny = (x * c - y * s) / length, (x * s + y * c) / length
+    across, (a, b) = spin / arb(pair.reach), _before(pair)
+    u, v = b[0] - a[0], b[1] - a[1]
+    change = outward * nx - across * ny - u, outward * ny + across * nx - v
+    # One that begins squeezed gives more than it took.
+    elastic = pair.contact.eta == 0.0 and met.overlap.is_zero()
+    model: Model = "quadrature" if elastic else "integration"
+    return _observed(pair, "released", change, contact, why, model, elastic)
+
+
+def _before(pair: Pair) -> list[tuple[arb, ...]]:
+    return [tuple(map(arb, each)) for each in pair.velocities]
+
+
+def _observed(
+    pair: Pair,
+    outcome: Outcome,
+    change: tuple[arb, arb],
+    contact: tuple[arb, arb, arb],
+    why: str,
+    model: Model,
+    elastic: bool,
+) -> Evaluated:
+    (ma, mb), mass, (a, b) = (arb(pair.mass_a), arb(pair.mass_b)), reduced_mass(pair), _before(pair)
+    impulse = tuple(mass * c for c in change)
+    then_a = tuple(v - j / ma for v, j in zip(a, impulse, strict=True))
+    then_b = tuple(v + j / mb for v, j in zip(b, impulse, strict=True))
+    had, has = (
+        (ma * (p[0] ** 2 + p[1] ** 2) + mb * (q[0] ** 2 + q[1] ** 2)) / 2
+        for p, q in ((a, b), (then_a, then_b))
+    )
+    # An elastic contact gives back what it took, whatever the quadratures say.
+    if elastic:
+        has = had
+    values: dict[str, Balls] = {
+        "velocities": (*then_a, *then_b),
+        "duration": contact[2],
+        "largest_overlap": contact[0],
+        "peak_force": contact[1],
+        "impulse": impulse,
+        "impulses": (-impulse[0], -impulse[1], *impulse),
+        "momentum": tuple(ma * p + mb * q for p, q in zip(a, b, strict=True)),
+        "energy": has,
+    }
+    if elastic or not had.is_zero():  # two at rest have no energy to compare with
+        values["energy_ratio"] = arb(1) if elastic else has / had
+    conserved = ("energy_ratio", "momentum", "energy") if elastic else ()
+    return Evaluated(outcome, values, model, why, dict.fromkeys(conserved, CONSERVATION))

@@ -123,14 +123,15 @@ def _shared(
     rigid, rubbed = matrix[:, ~rubs], matrix[:, rubs]
     ways, sizes, _ = np.linalg.svd(rigid, full_matrices=False)
     ways = ways[:, sizes > RANK * sizes.max(initial=0.0)]
-    left_over = lambda x: x - ways @ (ways.T @ x)  # noqa: E731
     holders = [owner for owner, rub in zip(owners, rubs, strict=True) if rub]
     most = {i: items[i].static * (items[i].given if items[i].pressed < 0 else 1.0) for i in holders}
     solved = np.zeros(len(owners))
     for _ in range(2):
         strongest = max(most.values(), default=0.0) or 1.0
         shares = np.sqrt([max(most[i], 0.0) / strongest for i in holders])
-        solved[rubs] = shares * np.linalg.lstsq(left_over(rubbed * shares), left_over(wanted), rcond=RANK)[0]
+        # What is left when the rigid have held all they can.
+        held, pull = (x - ways @ (ways.T @ x) for x in (rubbed * shares, wanted))
+        solved[rubs] = shares * np.linalg.lstsq(held, pull, rcond=RANK)[0]
         solved[~rubs] = np.linalg.lstsq(rigid, wanted - rubbed @ solved[rubs], rcond=RANK)[0]
         pressed = {i: items[i].pressed for i in holders if items[i].pressed >= 0}
         if not pressed:

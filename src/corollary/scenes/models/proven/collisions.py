@@ -8,11 +8,11 @@ from flint import arb
 
 from corollary.scenes.forces.contact import Contact
 from corollary.scenes.models.certain import Evaluated
-from corollary.scenes.models.pair import Pair, reduced_mass, touch
-from corollary.scenes.models.pair_outcome import after_contact
+from corollary.scenes.models.pair import Pair, after_contact, reduced_mass, touch
 from corollary.scenes.models.proven import follow
 from corollary.scenes.models.proven.laws import PairLaw, RowLaw
 from corollary.scenes.models.proven.step import State
+from corollary.scenes.models.two_bodies import Hit
 
 PRECISIONS = (144, 224)
 """Bits. A motion loses about as many on its way as it has to spare beyond a double; what the second ones do not tell is stated as it is."""
@@ -44,9 +44,7 @@ def row(
     return Evaluated("released", values | {"duration": duration}, "integration", WHY)
 
 
-def spheres(
-    pair: Pair, velocities: tuple[Sequence[float], Sequence[float]], depth: float, speed: float
-) -> Evaluated:
+def spheres(pair: Pair, depth: float, speed: float) -> Evaluated:
     """Two spheres in a plane that meet, with or without damping; `depth` and `speed` are units of about the right size."""
     met, contact = touch(pair), pair.contact
     assert met is not None
@@ -64,14 +62,12 @@ def spheres(
     assert seen.ended is not None
     force = seen.force_square.sqrt() * mass * v * v / d
     contact_values = seen.overlaps[0] * d, force, seen.ended * d / v
-    a, b = (tuple(map(arb, each)) for each in velocities)
-    return after_contact(pair, met, (a, b), (turned, -rate * v, spin * d * v), contact_values, WHY)
+    return after_contact(pair, met, (turned, -rate * v, spin * d * v), contact_values, WHY)
 
 
-def on_a_floor(mass: float, contact: Contact, height: arb, v0: arb, g: float, depth: float) -> Evaluated:
-    """A ball that falls from `height` above its touch with a floor whose contact is damped, until it leaves it again."""
+def on_a_floor(mass: float, contact: Contact, speed: arb, g: float, depth: float) -> Hit:
+    """A ball that meets a floor whose contact is damped, until it leaves it again; `depth` is a unit of about the right size."""
     m, d = arb(mass), arb(depth)
-    speed = (v0 * v0 + 2 * arb(g) * height).sqrt()
     law = PairLaw(
         inverse=arb(1),
         k=contact.k * d ** (arb(contact.q) + 1) / (m * speed * speed),
@@ -82,14 +78,5 @@ def on_a_floor(mass: float, contact: Contact, height: arb, v0: arb, g: float, de
     )
     seen = follow.pair(law, State((arb(1), arb(0)), (arb(0), arb(0))))
     assert seen.ended is not None
-    back, lasts = -seen.state.speeds[0], seen.ended * d / speed
-    values: dict[str, arb | tuple[arb, ...]] = {
-        "velocities": (back * speed,),
-        "duration": lasts,
-        "peak_force": seen.force_square.sqrt() * m * speed * speed / d,
-        "impulse": m * speed * (1 + back) + m * g * lasts,
-        "largest_overlap": seen.overlaps[0] * d,
-        "rebound_speed": back * speed,
-        "energy_ratio": back * back,
-    }
-    return Evaluated("released", values, "integration", WHY)
+    force = seen.force_square.sqrt() * m * speed * speed / d
+    return Hit(-seen.state.speeds[0], seen.overlaps[0] * d, force, seen.ended * d / speed)
