@@ -9,17 +9,16 @@ import math
 import numpy as np
 
 from corollary.scenes.constraint import State
-from corollary.scenes.motion.isolation import DERIVATIVE, POINTS, Array, coefficients
+from corollary.scenes.motion.isolation import POINTS, Array, coefficients
 from corollary.scenes.motion.path import Stretch
 from corollary.scenes.scene import Force, Scene
 
 LOOKS = 4000
 """So often each such force is looked at between a scene's start and end: what acts for longer than two looks are apart is seen."""
-UNSEEN, BENT = 100.0, 1000.0
-"""What a step has not seen is to change no speed by more than so many times what the step may be off by; and its polynomial's speeds are
-to be the slopes of its places to so many times that: one stage inside a kick bends it to where the kick is not."""
-
-
+UNSEEN = 100.0
+"""What a step has not seen is to change no speed by more than so many times what the step may be off by."""
+BENT = 1.0 / LOOKS
+"""A stage inside a kick bends a step's polynomial to where the kick is not: its slopes then differ from its speeds by more than such a part."""
 GLANCES = 400
 """So often they are looked at to know beforehand how strong they are."""
 
@@ -34,8 +33,8 @@ def pushed(scene: Scene, start: State) -> float:
     return max((math.fsum(each) / GLANCES for each in zip(*felt, strict=True)), default=0.0)
 
 
-def overlooked(scene: Scene, stretch: Stretch, allowed: float) -> bool:
-    """Whether such a force does on a step what the step does not know of; `allowed` is the speed (m/s) that a step may be off by.
+def overlooked(scene: Scene, stretch: Stretch, fast: float, tolerance: float) -> bool:
+    """Whether such a force does on a step what the step does not know of; speeds are about `fast` (m/s), `tolerance` is a step's.
 
     What it is at many moments is compared with the series through those at which events are looked for.
     """
@@ -43,23 +42,14 @@ def overlooked(scene: Scene, stretch: Stretch, allowed: float) -> bool:
     looks = math.ceil(LOOKS * stretch.lasts / (scene.until or math.inf)) if forces else 0
     if looks < 2:
         return False
-    if _bent(scene, stretch) > BENT * allowed:
+    if stretch.bent(scene.axes * len(scene.bodies)) > BENT * fast:
         return True
     parts = (np.arange(looks) + 0.5) / looks
     known, there = _felt(scene, forces, stretch, POINTS), _felt(scene, forces, stretch, parts)
     between = np.polynomial.chebyshev.chebval(2.0 * parts - 1.0, coefficients(known.T).T).T
     unseen = float(np.abs(there - between).mean(axis=0).max(initial=0.0))
     rounding = 1e-14 * float(np.abs(there).max(initial=0.0))
-    return unseen > UNSEEN * allowed / stretch.lasts + rounding
-
-
-def _bent(scene: Scene, stretch: Stretch) -> float:
-    """How far (m/s) velocities are from the slopes of places on a step's polynomial, but for rounding."""
-    states, count = np.array(stretch.sampled()).T, scene.axes * len(scene.bodies)
-    series = coefficients(states[:count]) @ DERIVATIVE.T
-    slopes = 2.0 / stretch.lasts * np.polynomial.chebyshev.chebval(2.0 * POINTS - 1.0, series.T)
-    rounding = 1e-13 * float(np.abs(states[:count]).max()) / stretch.lasts
-    return float(np.abs(slopes - states[count : 2 * count]).max()) - rounding
+    return unseen > UNSEEN * tolerance * fast / stretch.lasts + rounding
 
 
 def _felt(scene: Scene, forces: list[Force], stretch: Stretch, parts: Array) -> Array:

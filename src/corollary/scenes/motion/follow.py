@@ -44,10 +44,11 @@ class Follower:
             raise BadSetting(
                 f"{scene.name}: forces other than contacts never end; say until when to watch, until=…"
             )
-        self.path = Trajectory(state=start_of(scene))
+        self.path = Trajectory(self.system.count, state=start_of(scene))
         self.at_once = 0
         self.sizes = sizes_of(self.system, tolerance, shift)
-        self.path.near = GRAZING * tolerance * self.sizes.place
+        self.path.allowed = tolerance * self.sizes.place
+        self.path.near = GRAZING * self.path.allowed
         self.path.fast, self.path.long = self.sizes.fast, self.sizes.long
         self.path.deep = self.sizes.deep if self.system.contacts else math.inf
         self.steps = Stepper(self.system, self.sizes, tolerance)
@@ -136,20 +137,11 @@ class Follower:
         solver = self.steps.solver(
             slope, since, self._left(), self.steps.first_step(mode, begun, since), mode
         )
-        before, last = since, 0.0
+        before = since
         while True:
             self.steps.advance(solver, begun)
-            stretch = Stretch(
-                begun + last,
-                float(solver.t) - last,
-                before,
-                solver.y.tolist(),
-                mode,
-                since,
-                solver.dense_output(),
-                last,
-            )
-            if overlooked(self.scene, stretch, self.tolerance * self.sizes.fast):
+            stretch = Stretch.made(solver, begun, before, mode, since)
+            if overlooked(self.scene, stretch, self.sizes.fast, self.tolerance):
                 self.steps.at_most = 0.5 * stretch.lasts
                 return mode
             met = self.steps.first_event(guards, stretch)
@@ -158,7 +150,7 @@ class Follower:
             if met is not None:
                 return self._met(guards, stretch, slope, *met)
             self._add(stretch)
-            before, last = path.state, float(solver.t)
+            before = path.state
             if solver.status == "finished":
                 path.time = self.scene.until if self.scene.until is not None else path.time
                 return mode

@@ -36,7 +36,7 @@ def largest(path: Trajectory, value: Value, stretches: Sequence[Stretch]) -> flo
         method="bounded",
         options={"xatol": 1e-9},
     )
-    return max(best, value(stretch.at(float(found["x"]))))  # pyright: ignore[reportIndexIssue]
+    return value(stretch.again(float(found["x"])))  # pyright: ignore[reportIndexIssue]
 
 
 def turns(scene: Scene, path: Trajectory) -> list[Turn]:
@@ -92,7 +92,7 @@ def _inside(scene: Scene, stretch: Stretch, along: Value) -> list[Turn]:
         low, high = fall
         part = root_of(scaled, low, high) if scaled(low) > 0.0 >= scaled(high) else high
         at = left + part * span
-        y = stretch.at(at)
+        y = stretch.again(at)
         found.append(Turn(stretch.begin + at * stretch.lasts, math.hypot(*place(scene, y, 0)), sign < 0.0))
         left, sign = min(at + 1e-9, 1.0), -sign
         if left >= 1.0:

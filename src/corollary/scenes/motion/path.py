@@ -10,16 +10,20 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.integrate import DOP853, Radau
 
-from corollary.scenes.motion.isolation import POINTS
-from corollary.scenes.motion.system import Mode
+from corollary.scenes.motion.isolation import DERIVATIVE, POINTS, coefficients
+from corollary.scenes.motion.system import Mode, Slope
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """One step: from `begin` (s) for `lasts` (s), in one mode. `dense` gives the state at a time since `offset` before its begin."""
+    """One step: from `begin` (s) for `lasts` (s), in one mode; of order eight if it is `explicit`.
+
+    `dense` gives the state, and `slope` its rate of change, at a time since `offset` before its begin.
+    """
 
     begin: float
     lasts: float
@@ -28,7 +32,19 @@ class Stretch:
     mode: Mode
     since: list[float]
     dense: Callable[[float | Array], Array]
+    slope: Slope
     offset: float
+    explicit: bool = True
+
+    @classmethod
+    def made(
+        cls, solver: DOP853 | Radau, begun: float, before: list[float], mode: Mode, since: list[float]
+    ) -> Stretch:
+        """The last step of a solver whose time is counted from `begun` (s)."""
+        last, now = float(solver.t_old or 0.0), float(solver.t)
+        explicit, dense = isinstance(solver, DOP853), solver.dense_output()
+        after: list[float] = solver.y.tolist()
+        return cls(begun + last, now - last, before, after, mode, since, dense, solver.fun, last, explicit)
 
     def at(self, part: float) -> list[float]:
         """The state after a part (0 to 1) of it."""
@@ -38,6 +54,32 @@ class Stretch:
             return self.after
         state: list[float] = self.dense(self.offset + part * self.lasts).tolist()
         return state
+
+    def again(self, part: float) -> list[float]:
+        """The state after a part (0 to 1) of it by a step that ends there: the polynomial is of a lower order than the step."""
+        if part <= 0.0 or part >= 1.0 or not self.explicit:
+            return self.at(part)
+        lasts = part * self.lasts
+        step = DOP853(
+            lambda t, y: self.slope(self.offset + t, y),
+            0.0,
+            np.array(self.before),
+            lasts,
+            first_step=lasts,
+            rtol=1.0,
+            atol=math.inf,
+        )
+        step.step()
+        state: list[float] = step.y.tolist()
+        return state
+
+    def bent(self, count: int) -> float:
+        """How far (m/s) velocities are from the slopes of the `count` places on its polynomial, but for rounding."""
+        states = np.array(self.sampled()).T
+        series = coefficients(states[:count]) @ DERIVATIVE.T
+        slopes = 2.0 / self.lasts * np.polynomial.chebyshev.chebval(2.0 * POINTS - 1.0, series.T)
+        rounding = 1e-13 * float(np.abs(states[:count]).max()) / self.lasts
+        return float(np.abs(slopes - states[count : 2 * count]).max()) - rounding
 
     def states(self, parts: Array) -> list[list[float]]:
         """The states after several parts of it, worked out at once."""
@@ -76,10 +118,12 @@ class Trajectory:
     """`happenings` are in order; `rests` the times (s) at which bounces without end were over.
 
     `grazes` are the times (s) of touches that are missed, or met, by less than `near` (m); `dropped` is a speed (m/s) that was taken
-    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene. `fades`: what faded held steps down, and
+    for rest; `fast` (m/s), `long` and `deep` (m, of overlaps) are the sizes of the scene, `allowed` (m) is what a step may be off. `fades`: what faded held steps down, and
     errors with it. `turned` are the turns of the first body's distance, once they have been looked for.
     """
 
+    count: int
+    """How many places a state has."""
     stretches: list[Stretch] = field(default_factory=list[Stretch])
     time: float = 0.0
     state: list[float] = field(default_factory=list[float])
@@ -90,12 +134,15 @@ class Trajectory:
     dropped: float = 0.0
     grazes: list[float] = field(default_factory=list[float])
     near: float = 0.0
+    allowed: float = 0.0
     fast: float = 0.0
     long: float = 0.0
     deep: float = math.inf
     settled: bool = False
     fades: bool = False
     turned: list[Turn] | None = None
+    bends: dict[int, bool] = field(default_factory=dict[int, bool])
+    """Of the stretches in which a moment was looked up: whether the polynomial is too far off for it."""
 
     def at(self, time: float) -> list[float]:
         """The state at a time between the start and the end."""
@@ -106,7 +153,10 @@ class Trajectory:
             middle = (low + high + 1) // 2
             low, high = (middle, high) if self.stretches[middle].begin <= time else (low, middle - 1)
         stretch = self.stretches[low]
-        return stretch.at((time - stretch.begin) / stretch.lasts if stretch.lasts else 1.0)
+        part = (time - stretch.begin) / stretch.lasts if stretch.lasts else 1.0
+        if 0.0 < part < 1.0 and low not in self.bends:
+            self.bends[low] = stretch.bent(self.count) * stretch.lasts > 0.2 * self.allowed
+        return stretch.again(part) if self.bends.get(low) else stretch.at(part)
 
     def lasted(self, first: int, last: int) -> float:
         """The time (s) from the begin of one stretch to the end of another, added up: no digits are lost to the time before."""

@@ -36,6 +36,8 @@ SEEN, FADES, EDGE, STIFF_STEPS = 1.0, 3.0, 5.0, 15
 # An implicit step costs more than an explicit one: for so few it is not worth it. What fades may have become slow meanwhile (a slip that
 # began): after so many of them, and twice as many each time that was in vain, explicit ones are tried again.
 FEW_LEFT, TRY_AGAIN = 40, 20
+# The golden ratio: multiplied by ten as often as one likes two first steps come nowhere near each other.
+APART = 0.618
 # scipy's own least.
 LEAST_RELATIVE = 2.3e-14
 One = Callable[[float, list[float]], float]
@@ -99,7 +101,9 @@ class Stepper:
         # Where nothing has happened, another method goes on from where the last one had got to.
         known = min(10.0 * self.lately[-1] if self.lately else math.inf, self.at_most)
         self.at_most = math.inf
-        return min(0.01 * calm, 0.01 * self.sizes.long / self.sizes.fast, known)
+        # Steps grow tenfold as long as their errors allow it: two runs that began alike would take the same ones, and share their errors.
+        own = 0.01 * APART ** (math.log(self.tolerance) / math.log(20.0) % 2.0)
+        return min(own * calm, own * self.sizes.long / self.sizes.fast, known)
 
     def advance(self, solver: DOP853 | Radau, begun: float) -> None:
         """One step. Raises GuardFailed when there have been too many, or none is short enough."""
@@ -234,22 +238,11 @@ class Stepper:
         offset = stretch.offset
         solver = self.solver(lambda t, y: slope(offset + t, y), stretch.before, lasts, lasts, stretch.mode)
         pieces: list[Stretch] = []
-        before, last = stretch.before, 0.0
+        before = stretch.before
         while solver.status == "running":
             self.advance(solver, stretch.begin)
-            pieces.append(
-                Stretch(
-                    stretch.begin + last,
-                    float(solver.t) - last,
-                    before,
-                    solver.y.tolist(),
-                    stretch.mode,
-                    stretch.since,
-                    solver.dense_output(),
-                    last,
-                )
-            )
-            before, last = pieces[-1].after, float(solver.t)
+            pieces.append(Stretch.made(solver, stretch.begin, before, stretch.mode, stretch.since))
+            before = pieces[-1].after
         return pieces
 
 
